@@ -1,7 +1,7 @@
-// What painting a panorama costs, with random weights of Stable Diffusion 1.5's sizes: CPU seconds and memory of its
-// parts, the denoiser by kinds of layers against the machine's matrix product, and the seam over many small models.
-// --write makes a folder of such weights, so that the program's own commands can be timed at the published sizes where
-// the official files are not at hand.
+// Benchmark of panorama generation with random weights of Stable Diffusion 1.5's sizes: CPU seconds and memory of its
+// parts, the U-Net's layers by kind against the machine's matrix product, and the seam over many small models. --write
+// creates a folder of such weights, so that the program's own commands can be timed at the published sizes without the
+// official files.
 #include <ATen/ATen.h>
 #include <c10/core/InferenceMode.h>
 #include <fmt/format.h>
@@ -71,8 +71,9 @@ void save_half(const HashedWeights& weights, const std::filesystem::path& file, 
     save_safetensors(file, out);
 }
 
-// A folder as Diffusion360's are: sd-base/, sr-base/ (a link to it), sr-control/, RealESRGAN_x2plus.pth. Each network
-// is asked for its weights by one small look; its words are the tests' own, since CLIP's are not ours to give.
+// A folder in Diffusion360's layout: sd-base/, sr-base/ (a link to it), sr-control/, RealESRGAN_x2plus.pth. A small
+// forward pass requests each network's weights; the vocabulary is the tests' synthetic one, since CLIP's cannot be
+// distributed.
 void write_models(const std::filesystem::path& folder) {
     constexpr const char* kModel = "diffusion_pytorch_model.safetensors";
     const auto base = folder / "sd-base";
@@ -136,8 +137,8 @@ void write_models(const std::filesystem::path& folder) {
     save_half(weights, folder / "RealESRGAN_x2plus.pth", "params_ema.");
 }
 
-// Time since the last output of any layer goes to the kind of the layer that speaks now; work too, where its shapes
-// tell it.
+// Attributes the time since the last layer's output to the kind of the current layer; also its operations, if they
+// follow from its shapes.
 class Kinds {
   public:
     explicit Kinds(const HashedWeights& weights) : weights_(weights) {}
@@ -199,7 +200,7 @@ Json cost(int width, int steps, at::ScalarType type) {
     const Tensor text = at::randn({2, 154, 768}).to(type);
     {
         const Tensor tiny = at::zeros({1, 4, 8, 8}).to(type);
-        nn::unet(Scope(weights), config, tiny, 1, text.narrow(0, 0, 1));  // the weights exist from here on
+        nn::unet(Scope(weights), config, tiny, 1, text.narrow(0, 0, 1));  // weights exist from here on
     }
     const double peak = matrix_peak(type);
     Kinds kinds(weights);
@@ -235,7 +236,7 @@ Json cost(int width, int steps, at::ScalarType type) {
         out["decoder_error_of_deviation"] = ((picture - exact).square().mean().sqrt() / exact.std()).item<double>();
     }
     const double step = *std::min_element(seconds.begin(), seconds.end());
-    // The first look comes after a tenth of the steps, the second halfway; both are decoded at half the size.
+    // Previews after a tenth of the steps and halfway; both are decoded at half size.
     const double looked = cpu_seconds();
     nn::circular_decode(Scope(decoder), pictures, at::avg_pool2d(z, {2, 2}), 64);
     const double look = cpu_seconds() - looked;
@@ -245,7 +246,7 @@ Json cost(int width, int steps, at::ScalarType type) {
     return out;
 }
 
-// The mean difference of the two ends, against those of all columns beside each other: 1 = the greatest of them.
+// Mean difference between the two ends, relative to the largest one of all adjacent columns: 1 = as large.
 Json seam(int runs) {
     const nn::VaeConfig pictures = nn::vae_config({{"block_out_channels", {8, 8, 16, 16}},
                                                    {"layers_per_block", 1},

@@ -1,7 +1,7 @@
-// What settings of the trainer are worth: CPU seconds and held-out PSNR on the views of a run, or on views made here;
-// the most memory that the process took, and how fast the result is drawn.
-//   bench_fit out/bedroom/views --splat-count 250000 --splat-steps 3000
-//   bench_fit --plain 100 --size 512 --splat-count 200000 --splat-steps 20      (memory only: pictures without content)
+// Benchmark of trainer settings: CPU seconds and held-out PSNR on the views of a run, or on synthetic views; peak
+// memory, and rendering speed.
+// bench_fit out/bedroom/views --splat-count 250000 --splat-steps 3000
+// bench_fit --plain 100 --size 512 --splat-count 200000 --splat-steps 20 (memory only: empty pictures)
 #include <fmt/format.h>
 #include <sys/resource.h>
 
@@ -26,7 +26,7 @@ double peak_mb() {
     return static_cast<double>(use.ru_maxrss) / 1e3;
 }
 
-// A room's cameras and points without its light: what memory and time of a step hang on, in no time.
+// A room's cameras and points without its light: sufficient for memory and time of a step, and quick to make.
 ViewSet plain_views(int size, int views, int points) {
     ViewSet set;
     const auto cuts = bench::fourteen_cuts();
@@ -55,7 +55,7 @@ ViewSet plain_views(int size, int views, int points) {
     return set;
 }
 
-// Frames a second of the forward pass alone, over the views in turn.
+// Frames per second of the forward pass alone, cycling through the views.
 double frames_a_second(const Splats& splats, const std::vector<View>& views) {
     const splat::Cloud cloud(splats, false);
     splat::Engine engine(splat::choose_kernel());

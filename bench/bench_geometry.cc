@@ -1,5 +1,5 @@
-// What moving pictures of the sphere costs: picture -> cube, cube -> picture, and the warps, against memcpy on buffers
-// of the same size and, where OpenCV was found, its remap on the same maps. One line of JSON an operation.
+// Benchmark of spherical resampling: picture -> cube, cube -> picture, and warps, against memcpy on buffers of the same
+// size and, if available, OpenCV's remap with the same maps. One JSON line per operation.
 #include <CLI/CLI.hpp>
 #include <chrono>
 #include <cstring>
@@ -22,13 +22,13 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-// One thread: its own time, which what else runs here lengthens little; all threads: wall time.
+// One thread: its CPU time, which other load hardly affects; several threads: wall time.
 double seconds_now() {
     if (thread_count() > 1) return std::chrono::duration<double>(Clock::now().time_since_epoch()).count();
     return cpu_seconds();
 }
 
-// Least seconds of `rounds`: what the machine can do when nothing else gets in the way.
+// Minimum seconds over `rounds`: the machine's capability without interference.
 template <class Work>
 double least_seconds(int rounds, const Work& work) {
     double least = 1e9;
@@ -40,7 +40,7 @@ double least_seconds(int rounds, const Work& work) {
     return least;
 }
 
-// Bytes a second of copying `bytes` / 2 from one buffer to another, by as many threads as everything else has.
+// Bytes per second of copying `bytes` / 2 between buffers, with all threads.
 double memcpy_rate(std::size_t bytes, int rounds) {
     std::vector<char> from(bytes / 2, 1), to(bytes / 2);
     const std::int64_t piece = 1 << 18, pieces = (static_cast<std::int64_t>(from.size()) + piece - 1) / piece;
@@ -77,7 +77,7 @@ void bench_plan(const char* name, const SpherePicture& source, const SpherePictu
     ImageColor out(target.width, target.height);
     const double seconds = least_seconds(rounds, [&] { plan.apply_to(picture, out); });
 #ifdef FASTSCENE_BENCH_OPENCV
-    // The same places; where ours has several pixels (seams, poles), the rival gets the nearest of one.
+    // The same positions; where ours samples several (seams, poles), OpenCV gets the nearest of one.
     cv::setNumThreads(thread_count());
     cv::Mat mx(target.height, target.width, CV_32F), my(target.height, target.width, CV_32F),
         out_cv(target.height, target.width, CV_32FC3);

@@ -1,7 +1,7 @@
-// What panorama 0 did not see, as the walk paints it, against the traced room (its albedo: no light, no noise). One
-// line of JSON a room: PSNR of the walked panoramas in all and where panorama 0 saw nothing, which things the error
-// lies on and what the warp had there. The traced pictures are kept in --keep, so that another program walks through
-// the very same room at once.
+// Quality of the walk's inpainting of surfaces hidden from panorama 0, against the traced room (its albedo: no light,
+// no noise). One JSON line per room: PSNR of the walked panoramas in total and where panorama 0 saw nothing, error by
+// object, and what the warp had there. Traced pictures are cached in --keep, so that another version can walk through
+// the same room immediately.
 #include <sys/resource.h>
 
 #include <CLI/CLI.hpp>
@@ -25,7 +25,7 @@ namespace {
 struct TrueView {
     ImageRgb8 color;
     ImageF range;
-    Image<std::int32_t> object;  // index into the names kept, -1 = shell, -2 = outside
+    Image<std::int32_t> object;  // index into the cached names, -1 = walls, floor, ceiling, -2 = outside
 };
 TrueView load_view(const std::filesystem::path& stem) {
     TrueView view{load_rgb8(stem.string() + ".png"), load_float(stem.string() + ".exr"), {}};
@@ -46,10 +46,10 @@ Panorama panorama_of(const TrueView& view) { return {linear_from_srgb8(view.colo
 
 struct Kept {
     TrueView first;
-    std::vector<TrueView> views;  // at the viewpoints, in their order
+    std::vector<TrueView> views;  // at the viewpoints, in order
     std::vector<std::string> objects;
 };
-// Traced unless it was.
+// Cached.
 Kept true_views(const std::filesystem::path& folder, const std::string& text, const PanoramaParams& params,
                 const WalkParams& walk, const Run& run) {
     const auto name = [&](std::size_t k) { return folder / fmt::format("{:03}", k); };
@@ -73,7 +73,7 @@ Kept true_views(const std::filesystem::path& folder, const std::string& text, co
     return kept;
 }
 
-// Nonzero where panorama 0 did not see the surface that is truly there.
+// Nonzero where the true surface is hidden from panorama 0.
 ImageMask unseen_part(const ImageF& range, Vec3f position, const ImageF& first) {
     const EquirectSize size{range.width, range.height};
     ImageMask out(range.width, range.height);
@@ -82,7 +82,7 @@ ImageMask unseen_part(const ImageF& range, Vec3f position, const ImageF& first) 
             if (!std::isfinite(range.at(x, y))) continue;
             const Vec3f p = position + direction_of_pixel(x, y, size) * range.at(x, y);
             const Vec2f at = pixel_of_direction(p, size);
-            float farthest = 0;  // of the pixels about it, so that silhouettes count as seen
+            float farthest = 0;  // maximum over neighbouring pixels, so that silhouettes count as seen
             for (int j = -1; j <= 1; ++j)
                 for (int i = -1; i <= 1; ++i)
                     farthest = std::max(farthest, first.at(wrap_column(static_cast<int>(at.x) + i, size.width),
@@ -102,7 +102,7 @@ struct Mean {
     double db() const { return -10 * std::log10(sum / weight + 1e-12); }
 };
 
-// The plane that a point of the walk's frame lies on, or -1.
+// Index of the plane that contains a point of the walk's frame, or -1.
 int plane_at(Vec3f p, const std::vector<ScenePlane>& planes, Vec3f from) {
     int best = -1;
     float nearest = plane_tolerance(length(p));
@@ -113,7 +113,7 @@ int plane_at(Vec3f p, const std::vector<ScenePlane>& planes, Vec3f from) {
     return best;
 }
 
-// What the walk looks hidden surfaces up in, head on.
+// The rectified plane pictures in which the walk looks up hidden surfaces.
 void save_plane_pictures(const std::filesystem::path& folder, const Panorama& first,
                          const std::vector<ScenePlane>& planes, const WalkParams& walk, const Run& run) {
     const Image<std::int16_t> label = label_planes(first.range, planes);
@@ -126,7 +126,7 @@ void save_plane_pictures(const std::filesystem::path& folder, const Panorama& fi
             save_png(folder / fmt::format("plane-{:02}.png", i), srgb8_from_linear(pictures[i].color));
 }
 
-// What the warp of panorama 0 has at a pixel, before anything is completed.
+// What the warp of panorama 0 has at a pixel, before completion.
 const char* name_of(Cover cover) {
     switch (cover) {
         case Cover::hole: return "hole";
@@ -156,7 +156,7 @@ int run(int argc, char** argv) {
     PanoramaParams panorama;
     panorama.width = 1024;
     panorama.trace = {
-        .cell_m = 0.5f, .cell_samples = 1, .pixel_samples = 1};  // asked for, though no picture here is lit
+        .cell_m = 0.5f, .cell_samples = 1, .pixel_samples = 1};  // required, though no picture here is lit
     WalkParams walk;
     walk.viewpoints = 8;
     app.add_option("prompt", text, "The room.")->required();

@@ -1,6 +1,6 @@
-// Inpainting: how near to the truth holes are painted, and what a face costs: our inpainters, and OpenCV's where it is
-// there. Prints a line a method; with --sheet, a picture: holes, each method, the truth. With --speed: what a whole
-// face costs the shipped network and the official one (its size; weights do not matter), beside the machine's own
+// Inpainting benchmark: accuracy of filled holes, and cost per face, for our inpainters and OpenCV's if available.
+// Prints a line per method; --sheet writes a picture with holes, each method, and the truth. --speed: cost of a whole
+// face for the built-in network and the official one (by size; weights do not matter), relative to the machine's own
 // matrix product.
 #include <ATen/core/grad_mode.h>
 #include <ATen/ops/mm.h>
@@ -71,8 +71,7 @@ double psnr_in_holes(const ImageRgb8& a, const ImageRgb8& b, const ImageMask& ho
     return 10 * std::log10(255.0 * 255.0 / std::max(squares / count, 1e-3));
 }
 
-// Gradient magnitude similarity deviation (Xue et al. 2014), at half size as published: how differently edges are
-// drawn. 0 = equal.
+// Gradient magnitude similarity deviation (Xue et al. 2014), at half size as published: difference of edges. 0 = equal.
 double gmsd(const ImageRgb8& a, const ImageRgb8& b) {
     const auto half = [](const ImageRgb8& image) {
         ImageF out(image.width / 2, image.height / 2);
@@ -102,7 +101,7 @@ double gmsd(const ImageRgb8& a, const ImageRgb8& b) {
     return std::sqrt(std::max(0.0, squares / count - (sum / count) * (sum / count)));
 }
 
-// Rows of pictures beside each other.
+// Rows of pictures side by side.
 struct Sheet {
     ImageRgb8 all;
     void add(const std::vector<ImageRgb8>& row) {
@@ -117,16 +116,16 @@ struct Sheet {
     }
 };
 
-// Products and sums of the generator's convolutions for a picture of side x side, two a multiply-add.
+// Operations of the generator's convolutions for a side x side picture; a multiply-add is two.
 double generator_gflop(double width, double blocks, double side) {
     const double whole = side * side, half = whole / 4, quarter = whole / 16, w = width;
     const double encoder = whole * 49 * 4 * w + half * 16 * w * 2 * w + quarter * 16 * 2 * w * 4 * w;
     const double block = quarter * 9 * (4 * w) * (4 * w) *
-                         3;  // four branches of a quarter of the channels each, fuse, gate
+                         3;  // four branches with a quarter of the channels each, fuse, gate
     const double decoder = half * 9 * 4 * w * 2 * w + whole * 9 * 2 * w * w + whole * 9 * w * 3;
     return 2e-9 * (encoder + blocks * block + decoder);
 }
-// The least of several runs.
+// Minimum over several runs.
 double seconds_of(int runs, const std::function<void()>& work) {
     double best = 1e9;
     for (int i = 0; i < runs; ++i) {
@@ -191,8 +190,8 @@ int main(int argc, char** argv) {
     Sheet sheet;
     double open = 0;
     for (int i = 0; i < count; ++i) {
-        Random dice(1, "bench face", static_cast<std::uint64_t>(i));
-        const InpaintExample example = draw_example(set, params, true, dice, broken);
+        Random rng(1, "bench face", static_cast<std::uint64_t>(i));
+        const InpaintExample example = draw_example(set, params, true, rng, broken);
         ImageRgb8 torn = example.truth;
         for (std::size_t k = 0; k < torn.size(); ++k)
             if (example.hole.pixels[k])

@@ -1,5 +1,5 @@
-// The half of a comparison with another trainer that is ours: writes a set of views as a COLMAP model, measures any
-// splats at the poses held out of it, and says what our training costs to get as far. Used by bench/peers/*.sh.
+// Our side of comparisons with other trainers: writes views as a COLMAP model, evaluates any splats at the held-out
+// poses, and reports our training cost for the same quality. Used by bench/peers/*.sh.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -34,7 +34,7 @@ double held_out_psnr(const Splats& splats, const std::vector<View>& views) {
     return sum / static_cast<double>(views.size());
 }
 
-// What a COLMAP model tells of a point: place and color, and from its neighbours how far apart they are.
+// What a COLMAP model provides for a point: position and color; spacing follows from its neighbours.
 ViewSet without_normals(ViewSet set) {
     std::vector<Vec3f> places;
     for (const SurfacePoint& p : set.points) places.push_back(p.position_m);

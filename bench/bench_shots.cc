@@ -1,5 +1,5 @@
-// What a room's light and its pictures cost: CPU seconds, and how far pictures of fewer rays are from the best one.
-//   bench_shots "a bedroom" --width 1024
+// Benchmark of light and rendering: CPU seconds, and the difference of pictures with fewer rays from the best one.
+// bench_shots "a bedroom" --width 1024
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
@@ -10,7 +10,7 @@
 #include "fastscene/image/ssim.h"
 #include "fastscene/panorama/panorama.h"
 #include "fastscene/trace/standable.h"
-#include "fastscene/walk/standpoints.h"
+#include "fastscene/walk/room_viewpoints.h"
 
 using namespace fastscene;
 
@@ -63,14 +63,14 @@ int main(int argc, char** argv) {
         }
         return 0;
     }
-    const auto points = timed("standpoints", [&] { return choose_standpoints(*room, floor, {}, run); });
-    fmt::print("{} standpoints, unseen {:.4f} coarse {:.4f} one-sided {:.4f}\n", points.positions_m.size(),
+    const auto points = timed("viewpoints", [&] { return choose_room_viewpoints(*room, floor, {}, run); });
+    fmt::print("{} viewpoints, unseen {:.4f} coarse {:.4f} one-sided {:.4f}\n", points.positions_m.size(),
                points.unseen_share, points.coarse_share, points.one_sided_share);
     for (const Vec3f p : points.positions_m) fmt::print("  {:.2f} {:.2f} {:.2f}\n", p.x, floor.floor_y - p.y, p.z);
     timed("light", [&] {
-        std::vector<Vec3f> eyes{Vec3f{}};
-        for (const Vec3f p : points.positions_m) eyes.push_back(p);
-        room->gather_light(params.trace, run, eyes);
+        std::vector<Vec3f> viewpoints{Vec3f{}};
+        for (const Vec3f p : points.positions_m) viewpoints.push_back(p);
+        room->gather_light(params.trace, run, viewpoints);
         return 0;
     });
     const Rigid pose{{}, points.positions_m.empty() ? Vec3f{} : points.positions_m[0]};

@@ -1,4 +1,4 @@
-// What one training step costs: CPU milliseconds per step and per part, on data made in this process.
+// Benchmark of a training step: CPU milliseconds per step and part, on synthetic data.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -24,10 +24,10 @@ double median(std::vector<double> v) {
     return v[v.size() / 2];
 }
 
-// What this core does at best, now, beside whatever shares it: independent multiply-adds in the registers of the
-// instruction set that the measured kernel was compiled for, whatever this file is compiled for. Twelve chains hide the
-// latency and leave registers for the factors; they differ, or the compiler would make one of them. (A macro, because
-// GCC inlines no template into a function of fewer instructions.)
+// The core's current peak rate, under whatever else is running: independent multiply-adds in registers, with the
+// instruction set of the measured kernel, whatever this file is compiled for. Twelve chains hide the latency and leave
+// registers for the factors, which differ so that the compiler cannot merge them. (A macro, because GCC does not inline
+// a template into a function with fewer instructions.)
 #define FASTSCENE_PEAK(name, instructions, floats)                                                                   \
     instructions [[gnu::noinline]] double name() {                                                                   \
         typedef float Vector __attribute__((vector_size(4 * (floats))));                                             \
@@ -57,7 +57,7 @@ double peak_gflops(std::string_view kernel) {
     return kernel == "baseline" ? baseline_gflops() : 0;
 }
 
-// Operations of a step, counted in the source: a multiply-add is two. Blending visits 16 pixels at once.
+// Operations of a step, counted in the source: a multiply-add is two. Blending processes 16 pixels at once.
 double step_gflop(int size, double visits, double visible, double count, double functions) {
     constexpr double kForward = 31, kBackward = 54, kLossValue = 350, kSplat = 1200, kAdam = 12;
     return 1e-9 * (visits * 16 * (kForward + kBackward) + 3.0 * size * size * kLossValue + visible * kSplat +

@@ -1,6 +1,5 @@
-// Trains the splats of a finished run again with other settings and judges them by the truth that `metrics --truth
-// --where room` has kept.
-//   bench_tune out/bedroom --steps 1500 --count 250000
+// Retrains the splats of a finished run with other settings and evaluates them against the ground truth cached by
+// `metrics --truth --where room`. bench_tune out/bedroom --steps 1500 --count 250000
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 

@@ -1,6 +1,6 @@
-// The walk against the traced room, light and noise left out: panorama 0 is the room's albedo with exact range. One
-// line of JSON a room: walked panoramas against true ones on the pixels carried over from panorama 0, holes against
-// true disocclusions, CPU seconds.
+// Accuracy of the walk's geometry, without light and noise: panorama 0 is the room's albedo with exact range. One JSON
+// line per room: walked panoramas against true ones on pixels carried over from panorama 0, holes against true
+// disocclusions, CPU seconds.
 #include <sys/resource.h>
 
 #include <CLI/CLI.hpp>
@@ -20,7 +20,7 @@
 namespace fastscene {
 namespace {
 
-constexpr int kSilhouette = 2;  // pixels beside a range edge that count as silhouette
+constexpr int kSilhouette = 2;  // pixels this close to a range edge count as silhouette
 
 Panorama albedo_panorama(const TracedRoom& room, Vec3f position, EquirectSize size, int samples, const Run& run) {
     const Rigid pose{{}, position};
@@ -57,7 +57,7 @@ Json measure(const std::string& prompt_text, std::uint64_t seed, int width, int 
     PromptSpec prompt = understand_prompt(prompt_text, false);
     TracedRoom room(make_room(prompt, run));
     room.gather_light({.cell_m = 0.5f, .cell_samples = 1, .pixel_samples = 1},
-                      run);  // asked for, though no picture here is lit
+                      run);  // required, though no picture here is lit
     const EquirectSize size{width, width / 2};
     const Panorama first = albedo_panorama(room, {}, size, samples, run);
 
@@ -68,7 +68,7 @@ Json measure(const std::string& prompt_text, std::uint64_t seed, int width, int 
     for (std::size_t k = 1; k < walked.size(); ++k) {
         const Panorama truth = albedo_panorama(room, walked[k].world_from_pano.translation, size, samples, run);
         const ImageRgb8 a = srgb8_from_linear(walked[k].color), b = srgb8_from_linear(truth.color);
-        if (k == 1) {  // two sets of camera rays of one panorama: what no walk can pass
+        if (k == 1) {  // two renderings of one panorama with different camera rays: an upper bound for any walk
             const ImageRgb8 other = srgb8_from_linear(
                 albedo_panorama(room, walked[k].world_from_pano.translation, size, samples, {seed + 1, nullptr, {}})
                     .color);
@@ -82,7 +82,7 @@ Json measure(const std::string& prompt_text, std::uint64_t seed, int width, int 
         }
     }
 
-    // Holes, steps of the paper's size along the axes and up.
+    // Holes for steps of the paper's size along the axes and up.
     const Distance distance = [&](Vec3f from, Vec3f d) { return room.distance(from, d); };
     double most = 0;
     Image<double> range(width, width / 2);

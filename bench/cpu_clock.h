@@ -1,4 +1,4 @@
-// CPU time of this process, all threads together: what else runs on the machine lengthens it little.
+// CPU time of this process over all threads, which other load on the machine hardly affects.
 #pragma once
 
 #include <time.h>

@@ -1,9 +1,10 @@
-// Noise: how far our pictures of a room are from the light's true average.
-//   bench_noise measure …   the cached pictures as users get them, and plain path tracing at equal CPU time, against
-//   many paths bench_noise reference … pixels of a large picture, drawn by lot, by many paths each bench_noise standard
-//   …  the picture as users get it against them, and two seeds of it against each other bench_noise export …    the
-//   room as plain triangles for another renderer (bench/peers/cycles.sh) bench_noise paths …     a path traced picture
-//   of radiances, raw floats bench_noise compare …   raw pictures against a reference
+// Noise: error of our pictures of a room relative to the converged light transport.
+// bench_noise measure …: cached pictures at default settings, and path tracing at equal CPU time, against many paths
+// bench_noise reference …: many paths each for random pixels of a large picture
+// bench_noise standard …: the default picture against them, and two seeds of it against each other
+// bench_noise export …: the room as plain triangles for another renderer (bench/peers/cycles.sh)
+// bench_noise paths …: a path traced radiance picture, raw floats
+// bench_noise compare …: raw pictures against a reference
 // One JSON line on stdout.
 #include <CLI/CLI.hpp>
 #include <cmath>
@@ -34,10 +35,10 @@ struct Flags {
     int height = 64, samples = 16, reference_samples = 1024, threads = 1, count = 2000;
     std::uint64_t second_seed = 0;
     bool plain = false, list_all = false;
-    TraceParams trace{.cell_m = 0.03f, .cell_samples = 160, .pixel_samples = 16};  // as `standard` has them
+    TraceParams trace{.cell_m = 0.03f, .cell_samples = 160, .pixel_samples = 16};  // as in `standard`
 };
 
-// Flat triangles and matt colors: what any two renderers agree on.
+// Flat triangles and matt colors: features that any two renderers share.
 void make_plain(Room& room) {
     room.sky.seen = 1;
     for (Material& m : room.materials) {
@@ -73,7 +74,7 @@ Room room_of(const Flags& flags) {
     fastscene::Run run;
     run.seed = flags.seed;
     Room room = make_room(spec, run);
-    room.sky.sun_limit = room.sky.ground_least = 0;  // light itself is measured: references know no exposure
+    room.sky.sun_limit = room.sky.ground_least = 0;  // plain radiance: references know no exposure
     if (flags.plain) make_plain(room);
     return room;
 }
@@ -91,7 +92,7 @@ ImageColor load_raw(const std::string& path, int height) {
     return image;
 }
 
-// Mean of 4 x 4 pixels, linear: the picture as its own samples would be developed, a sixteenth of them at a time.
+// Averages 4 x 4 pixels, linear.
 ImageColor quarter(const ImageColor& image) {
     ImageColor out(image.width / 4, image.height / 4);
     for (int y = 0; y < image.height; ++y)
@@ -117,7 +118,7 @@ Json measure(const Flags& flags) {
     const ImageColor cached = room.panorama({}, size, panorama_parts(flags.trace), a).color;
     const double shot = cpu_seconds();
     other.gather_light(flags.trace, b);
-    // The same exposure for both, or PSNR would measure that.
+    // The same exposure for both; otherwise PSNR would measure its difference.
     TracedRoom second = std::move(other);
     const ImageColor again = second.panorama({}, size, panorama_parts(flags.trace), b).color;
     ShotParts paths{
@@ -125,8 +126,7 @@ Json measure(const Flags& flags) {
     const double before = cpu_seconds();
     const ImageColor reference = quarter(room.panorama({}, fine, paths, a).color);
     const double reference_cost = cpu_seconds() - before;
-    // Raw paths for the picture's share of the time that the cached picture took; the cache serves all views of the
-    // room.
+    // Path tracing in the picture's share of the cached picture's time; the cache serves all views of the room.
     paths.pixel_samples = std::max(1, static_cast<int>(flags.reference_samples * (shot - start) / reference_cost));
     const ImageColor raw = room.panorama({}, size, paths, b).color;
     const auto bytes = [](const ImageColor& c) { return srgb8_from_linear(c); };
@@ -196,7 +196,7 @@ Json export_room(const Flags& flags) {
             corners.insert(corners.end(), {p.x, p.y, p.z});
         }
     }
-    // The sky as Cycles maps it: u against the azimuth, v up from the nadir.
+    // The sky in Cycles' mapping: u against the azimuth, v up from the nadir.
     constexpr int kSkyHeight = 1024;
     std::vector<float> sky;
     for (int y = 0; y < kSkyHeight; ++y)
@@ -238,7 +238,7 @@ Json paths(const Flags& flags) {
     return {{"samples", flags.samples}, {"cpu_s", cpu_seconds() - start}};
 }
 
-// In sRGB after an exposure that puts the reference's median at a third: as pictures are looked at.
+// In sRGB, after an exposure that maps the reference's median to a third: as pictures are viewed.
 Json compare(const Flags& flags) {
     const ImageColor reference = load_raw(flags.reference, flags.height);
     std::vector<float> values;

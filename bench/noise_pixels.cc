@@ -27,7 +27,7 @@ std::vector<Pixel> drawn(const Lot& lot) {
     return pixels;
 }
 
-// A camera that sees one pixel of the panorama.
+// A camera that shows one pixel of the panorama.
 Pinhole camera_of(Pixel pixel, int height, Mat3f& world_from_camera) {
     const EquirectSize size{2 * height, height};
     const Vec3f forward = direction_of_pixel(pixel.x, pixel.y, size);

@@ -1,7 +1,6 @@
-// Prompts: of the sentences in a file, how many words are understood, and how much of what they ask for stands in the
-// room and is seen.
-//   bench_prompts tests/data/prompts_held_back.txt
-// One JSON document on stdout: the figures, and what went wrong with each sentence.
+// Prompt benchmark: for the sentences in a file, how many words are understood, and how many of the requested objects
+// are placed and visible. bench_prompts tests/data/prompts_held_back.txt. One JSON document on stdout: the figures, and
+// the problems of each sentence.
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <fstream>

@@ -1,7 +1,6 @@
-// Relations: of sentences that say where things stand, how many rooms keep it. Judged from room.json by
-// tests/prompts/judge.h.
-//   bench_relations tests/data/relations.txt --seeds 3
-// One JSON document on stdout: the shares, and what each sentence lacks.
+// Relations benchmark: for sentences that state positions, how many rooms satisfy them. Judged from room.json by
+// tests/prompts/judge.h. bench_relations tests/data/relations.txt --seeds 3. One JSON document on stdout: the shares,
+// and the problems of each sentence.
 #include <CLI/CLI.hpp>
 #include <iostream>
 #include <map>

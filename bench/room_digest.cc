@@ -1,9 +1,10 @@
-// A digest of each room that a list of prompts makes: whether a change of the code changed any room, and which.
+// A digest of each room that a list of prompts makes, to find out whether and which rooms a code change affects.
 //
-//   room_digest [--seeds 2] FILE… > before; …; room_digest FILE… | diff before -
+// room_digest [--seeds 2] FILE… > before; …; room_digest FILE…
+// diff before -
 //
-// A line a room: digest, seed, prompt. A prompt's digest covers every vertex, material, object and light, what was
-// understood of the words, and what was placed. Lines of FILE that are empty or begin with # are skipped.
+// One line per room: digest, seed, prompt. The digest covers every vertex, material, object and light, how the prompt
+// was understood, and what was placed. Empty lines of FILE and those starting with # are skipped.
 #include <CLI/CLI.hpp>
 
 #include <cstdio>

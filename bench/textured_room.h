@@ -1,5 +1,5 @@
-// A closed room with boxes in it, and the same boxes on a stage before nothing, textured by formulas: views, points and
-// truth in a second, without files.
+// A closed room with boxes, and the same boxes on a stage in front of nothing, with procedural textures: views, points
+// and ground truth within a second, without files.
 #pragma once
 
 #include <algorithm>
@@ -23,8 +23,8 @@ struct RoomHit {
     explicit operator bool() const { return surface >= 0; }
 };
 
-// The room is seen from inside, the boxes from outside. Of a stage only a slab of the room's floor is left, and around
-// it is black.
+// The room is seen from inside, the boxes from outside. The stage is only a slab of the room's floor, surrounded by
+// black.
 class TexturedRoom {
   public:
     explicit TexturedRoom(bool stage = false)
@@ -81,7 +81,7 @@ class TexturedRoom {
         return {std::clamp(c.x, 0.f, 1.f), std::clamp(c.y, 0.f, 1.f), std::clamp(c.z, 0.f, 1.f)};
     }
 
-    // The picture, `samples` x `samples` rays a pixel.
+    // Renders with `samples` x `samples` rays per pixel.
     View view(const Pinhole& camera, const Rigid& world_from_camera, int samples) const {
         View out;
         out.camera = camera;
@@ -107,7 +107,7 @@ class TexturedRoom {
         return out;
     }
 
-    // `count` surface samples seen from `origins` in random directions; of a stage, towards it.
+    // `count` surface samples seen from `origins` in random directions; for a stage, towards it.
     std::vector<SurfacePoint> points(const std::vector<Vec3f>& origins, int count, std::uint64_t seed) const {
         std::vector<SurfacePoint> out;
         for (int i = 0; static_cast<int>(out.size()) < count; ++i) {
@@ -118,7 +118,7 @@ class TexturedRoom {
             const RoomHit h = hit(o, d);
             if (!h) continue;
             const Vec3f p = o + d * h.range, c = color(p, h);
-            // Rays per solid angle: the spacing grows with range and grazing angle.
+            // Uniform ray density: the spacing grows with range and grazing angle.
             const float cosine = std::max(0.15f, -dot(d, h.normal));
             const float spacing = h.range * std::sqrt(12.566f / (static_cast<float>(count) * cosine));
             out.push_back({p, h.normal, {byte_from_unit(c.x), byte_from_unit(c.y), byte_from_unit(c.z)}, spacing});
@@ -137,7 +137,7 @@ inline Mat3f looking(float yaw_deg, float pitch_deg) {
     return rotation_about(Vec3f{0, 1, 0}, yaw_deg * rad) * rotation_about(Vec3f{1, 0, 0}, pitch_deg * rad);
 }
 
-// A panorama's fourteen cuts: eight around, three up, three down.
+// The fourteen views of a panorama: eight around, three up, three down.
 inline std::vector<Mat3f> fourteen_cuts() {
     std::vector<Mat3f> out;
     for (int i = 0; i < 8; ++i) out.push_back(looking(45.f * static_cast<float>(i), 0));
@@ -151,7 +151,7 @@ struct RoomSet {
     ViewSet train;
     std::vector<View> held_out;
 };
-// A ring of cameras around the stage, looking down on it: everything lies in front of every camera.
+// A ring of cameras around the stage, looking down at it: everything is in front of every camera.
 inline RoomSet orbit_set(int size, int views, int points, int held_out, int samples) {
     const TexturedRoom stage(true);
     const Pinhole camera = Pinhole::with_fov(size, size, 50);

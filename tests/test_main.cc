@@ -1,5 +1,5 @@
-// Of every test program: GoogleTest's own, but libraries keep to the instruction set in use (FASTSCENE_ISA) as they do
-// in fastscene itself.
+// The main() of all test programs: GoogleTest's, with libraries limited to the instruction set in use (FASTSCENE_ISA),
+// as in fastscene itself.
 #include <gtest/gtest.h>
 
 #include <exception>

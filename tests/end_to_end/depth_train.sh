@@ -1,7 +1,7 @@
 # A depth network learns, stops, goes on, and makes a scene of a picture.
 . "$(dirname "$0")/lib.sh"
 
-small=(--height 32 --channels 4 --batch 1 --look-steps 1000 --rate 0.001 --last-rate 0.001)
+small=(--height 32 --channels 4 --batch 1 --eval-steps 1000 --learning-rate 0.001 --final-learning-rate 0.001)
 expect 0 "$fastscene" depth train --painted 1 --steps 4 "${small[@]}" -o whole --json
 prints '"steps": 4'
 has whole/egformer.safetensors whole/checkpoint.safetensors whole/curves.csv whole/sheets/00000004.png whole/training.json

@@ -22,7 +22,7 @@ expect 0 "${train[@]}" --steps 2
 has run/generator.safetensors run/checkpoint.safetensors run/curves.csv run/sheets/00000002.png
 expect 0 "${train[@]}" --steps 3
 says "goes on after step 2"
-expect 2 "${train[@]}" --steps 4 --rate 1e-3
+expect 2 "${train[@]}" --steps 4 --learning-rate 1e-3
 says "training.json"
 expect 2 "$fastscene" inpaint train nowhere -o run2
 

@@ -83,10 +83,10 @@ expect 0 "$fastscene" panorama --panorama other/panorama/color.png --range other
 says "photo.pfm: the left and the right edge do not meet"
 says "photo.pfm: no range: estimated from the picture, the camera 2 m above the floor"
 says "other/walk/001/color.png: expected a place over the floor, which lies 1.6 m below the first camera, found 1.5 m below it"
-expect 0 "$fastscene" depth mixed --depth-looks 1
+expect 0 "$fastscene" depth mixed --depth-tta 1
 tr -d ' \n' <mixed/depth/stage.json >about
-for told in '"about":{"backend":"image"' '"picture":"photo.pfm","backend":"egformer","weights":"egformer-rooms-256,egformer-rooms","looks":1,"camera_height_m":2.0' \
-  '"picture":"color.png","backend":"egformer","weights":"egformer-rooms-256,egformer-rooms","looks":1,"camera_height_m":0.2' '"floor_found":' '"walls":['; do
+for told in '"about":{"backend":"image"' '"picture":"photo.pfm","backend":"egformer","weights":"egformer-rooms-256,egformer-rooms","tta":1,"camera_height_m":2.0' \
+  '"picture":"color.png","backend":"egformer","weights":"egformer-rooms-256,egformer-rooms","tta":1,"camera_height_m":0.2' '"floor_found":' '"walls":['; do
   grep -qF -- "$told" about || fail "depth/stage.json lacks $told"
 done
 # Weights that only the further panoramas need are missed before the work.

@@ -25,7 +25,7 @@ expect 0 "$fastscene" panorama "$prompt" -o staged "${tiny[@]:0:8}"
 lacks staged/depth
 expect 0 "$fastscene" depth staged
 has staged/depth/range.exr
-expect 0 "$fastscene" walk staged --walk-viewpoints 2 --walk-standpoints 2
+expect 0 "$fastscene" walk staged --walk-viewpoints 2 --walk-room-viewpoints 2
 lacks staged/views
 expect 0 "$fastscene" views staged --views-size 48 --views-points 4000
 expect 0 "$fastscene" splat staged --splat-count 2000 --splat-steps 20

@@ -3,18 +3,18 @@
 
 expect 0 "$fastscene" make "$prompt" -o run "${tiny[@]}"
 grep -q '"kind": "room"' run/walk/stage.json || fail "stage.json does not say how was walked"
-grep -q '"unseen_share"' run/walk/stage.json || fail "stage.json does not say what the standpoints leave unseen"
+grep -q '"unseen_share"' run/walk/stage.json || fail "stage.json does not say what the viewpoints leave unseen"
 has run/walk/walkable.json
 grep -q '"polygon_m"' run/report.json || fail "report.json does not say where one may walk"
 in_room=$(ls run/walk | wc -l)
-# Everything in a standpoint's panorama was looked at, and the same room lit again gives the same bytes.
+# Everything in a viewpoint's panorama was looked at, and the same room lit again gives the same bytes.
 cp run/walk/001/color.png first_color.png
 cp run/walk/poses.json first_poses.json
 expect 0 "$fastscene" walk run --walk ours
 ours=$(ls run/walk | wc -l)
 expect 0 "$fastscene" walk run --walk room
 [ "$(ls run/walk | wc -l)" = "$in_room" ] || fail "the walk through the room is not what it was"
-cmp run/walk/poses.json first_poses.json || fail "the standpoints are not what they were"
+cmp run/walk/poses.json first_poses.json || fail "the viewpoints are not what they were"
 cmp run/walk/001/color.png first_color.png || fail "a room that was made again is another one"
 
 # Another walk in the same folder: panorama and depth stay, the walk is made anew, and back again.

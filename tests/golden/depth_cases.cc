@@ -8,7 +8,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// "inputs/pano_*.png": the picture there is.
+// "inputs/pano_*.png": the one that exists.
 at::Tensor picture_input(const fs::path& set, const std::string& pattern) {
     const std::size_t star = pattern.find('*');
     fs::path path = set / pattern;

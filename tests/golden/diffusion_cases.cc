@@ -20,10 +20,10 @@ using at::Tensor;
 using nn::HashedWeights;
 using nn::Scope;
 
-// CLIP's vocabulary is OpenAI's and does not come with the source.
+// CLIP's vocabulary is OpenAI's and not part of the source tree.
 const OthersFile kVocabulary{"data/clip/bpe_simple_vocab_16e6.txt.gz", "clip-vit-base-patch32", ""};
 
-// Nothing where it is not there: also where the folder of the pulled model holds no merges.txt.
+// Null if the vocabulary is absent, also if the pulled model's folder has no merges.txt.
 const ClipTokenizer* tokenizer(const Case& c) {
     static std::unique_ptr<ClipTokenizer> one;
     if (one) return one.get();
@@ -42,7 +42,7 @@ std::string text_of_hex(const std::string& hex) {
     return out;
 }
 
-// What the vocabulary has no part in.
+// The parts that do not need the vocabulary.
 void parse_prompt(const std::string& text, Json& ours) {
     Json pieces = Json::array();
     for (const WeightedText& piece : parse_weights(text)) pieces.push_back({piece.text, piece.weight});
@@ -64,7 +64,7 @@ void encode_prompt(const ClipTokenizer& t, const std::string& text, const Json& 
     if (p.contains("parse_prompt_attention")) {
         const WeightedTokens w = weighted_tokens(t, {text}, ClipTokenizer::kEnd)[0];
         ours["padded_tokens"] = w.tokens;
-        Json weights = Json::array();  // a weight is single here and double there
+        Json weights = Json::array();  // single precision here, double there
         for (std::size_t i = 0; i < w.weights.size(); ++i) {
             const Json& theirs = p["padded_weights"].size() == w.weights.size() ? p["padded_weights"][i] : Json(-1e9);
             weights.push_back(w.weights[i] == static_cast<float>(theirs.get<double>()) ? theirs : Json(w.weights[i]));
@@ -86,11 +86,12 @@ void check_prompt(Case& c, const std::string& name, const Json& p) {
 }
 
 void check_tokenizer(Case& c) {
-    if (!tokenizer(c) && c.name() == "prompts") throw Skipped(kVocabulary.relative);  // all of it is words
+    // nothing to check without the vocabulary
+    if (!tokenizer(c) && c.name() == "prompts") throw Skipped(kVocabulary.relative);
     for (const Json& entry : c.json().at("values")) check_prompt(c, entry.at("name"), entry.at("value"));
 }
 
-// Adds to a file of the form that prompt_tokens.json has.
+// Appends to a file in the format of prompt_tokens.json.
 void record_tokens(const std::filesystem::path& file, const std::string& prompt, const std::string& negative, int pad,
                    const std::vector<WeightedTokens>& tokens) {
     Json all = std::filesystem::exists(file) ? read_json(file) : Json::array();
@@ -103,9 +104,9 @@ void record_tokens(const std::filesystem::path& file, const std::string& prompt,
     write_file(file, all.dump() + "\n");
 }
 
-// The prompt and its negative. A clone has no vocabulary, but the numbers of the prompts that its cases use are
-// recorded in prompt_tokens.json, so that the networks behind are not left out; where the vocabulary is, the record
-// must be what it gives.
+// The prompt and its negative. The source tree has no vocabulary, but the token ids of the prompts in these cases are
+// recorded in prompt_tokens.json, so that the networks can still be tested; if the vocabulary is present, the record is
+// verified.
 std::vector<WeightedTokens> prompt_tokens(const Case& c, const std::string& prompt, const std::string& negative,
                                           int pad) {
     const std::filesystem::path file = c.network().set() / "prompt_tokens.json";
@@ -213,8 +214,8 @@ void check_clip_text(Case& c) {
         c.tensor("pooler_output(argmax of ids)", out.pooled);
         return;
     }
-    // What a prompt is padded with stands beside the tokenizer: "!" in Stable Diffusion 2.x (whose text network has the
-    // exact GELU), else the end.
+    // The padding token depends on the tokenizer: "!" in Stable Diffusion 2.x (whose text encoder has exact GELU), else
+    // the end token.
     const int pad = c.network().json().at("config").at("hidden_act") == "gelu" ? 0 : ClipTokenizer::kEnd;
     const auto tokens = prompt_tokens(c, c.json().at("prompt"), c.json().at("negative"), pad);
     const nn::PromptEmbedding prompt = nn::embed_prompt(Scope(weights), tower, tokens[0]),
@@ -239,7 +240,7 @@ ImageRgb8 cropped(const ImageRgb8& image, int left, int top, int right, int bott
     return out;
 }
 
-// "inputs/pano_*.png": the picture there is.
+// "inputs/pano_*.png": the one that exists.
 std::filesystem::path picture_of(const Case& c, std::string name) {
     if (const std::size_t star = name.find('*'); star != std::string::npos) {
         const std::string one = name.substr(0, star) + c.name() + name.substr(star + 1);
@@ -288,7 +289,7 @@ void check_clip(Case& c) {
     const auto unit_rows = [](const Tensor& t) { return t / t.norm(2, {1}, true); };
     const Tensor cosine = unit_rows(texts).matmul(unit_rows(images).t());
     c.tensor("cosine[text,image]", cosine);
-    c.tensor("logits_per_image", cosine.t() / 0.07);  // exp(logit_scale), which is ln(1 / 0.07) when fresh
+    c.tensor("logits_per_image", cosine.t() / 0.07);  // exp(logit_scale), which is initialized to ln(1 / 0.07)
 }
 
 // ---- U-Net, ControlNet, VAE
@@ -317,7 +318,7 @@ void check_controlnet(Case& c, HashedWeights& weights) {
     c.tensor("mid_block_res_sample", out.middle);
     for (const std::string& name : c.tensor_names()) {
         if (!name.ends_with("(sample,t,ctx,+residuals).sample")) continue;
-        HashedWeights unet_weights;  // the U-Net that has this ControlNet's sides; its way up mirrors the way down
+        HashedWeights unet_weights;  // the U-Net matching this ControlNet's shapes; its decoder mirrors the encoder
         nn::UNetConfig whole = config;
         whole.up_attention.assign(config.down_attention.rbegin(), config.down_attention.rend());
         c.tensor(name, nn::unet(Scope(unet_weights), whole, sample, t, text, &out));
@@ -335,7 +336,7 @@ void check_vae(Case& c, HashedWeights& weights) {
     c.tensor("logvar (clamped -30..20)", out.log_variance);
 }
 
-// Cases of one network share their weights: making 860 million of them takes longer than a small case.
+// Cases of one network share their weights: generating 860 million of them takes longer than a small case.
 Checker sharing(void (*check)(Case&, HashedWeights&)) {
     auto network = std::make_shared<std::string>();
     auto weights = std::make_shared<std::unique_ptr<HashedWeights>>();

@@ -1,4 +1,4 @@
-// The published walk: its warp, its cubemap, its painting of faces, and one whole step.
+// The published walk: warp, cubemap, inpainting of faces, and one whole step.
 #include <algorithm>
 #include <bit>
 #include <memory>
@@ -21,8 +21,8 @@ namespace {
 constexpr double kDepthUnit = 60000;  // of the 16-bit depth maps among the inputs
 constexpr int kFace = 512;
 
-// Many of these tolerances are sentences: "1, <=0.5 % of samples more", "<=0.2 % (step 2: 1 %) of bits differ",
-// "5e-3 max, 5e-4 mean". A number of its own may be passed by nobody; a share, by so many.
+// Many tolerances are sentences: "1, <=0.5 % of samples more", "<=0.2 % (step 2: 1 %) of bits differ", "5e-3 max, 5e-4
+// mean". An absolute limit applies to all samples; a share allows that many outliers.
 struct Sentence {
     double each = 0, share = 0, mean = 1e300;
 };
@@ -40,7 +40,7 @@ Sentence sentence_of(const Json& tol, bool second_step) {
     return out;
 }
 
-// Compares every tensor of that name; bits one by one where they are packed.
+// Compares every tensor of that name; packed ones bit by bit.
 void compare(Case& c, const std::string& name, const std::vector<double>& ours) {
     for (const Json& t : c.json().at("tensors")) {
         if (t.at("name") != name) continue;
@@ -53,7 +53,7 @@ void compare(Case& c, const std::string& name, const std::vector<double>& ours) 
         }
         const bool bits = name.find("pack") != std::string::npos;
         const Sentence tol = sentence_of(t.at("tol"), c.name() == "step2");
-        // Integers are equal or not; floats that went another way round differ in their last digits.
+        // Integers must be equal; floats computed in another order may differ in their last digits.
         const double each = std::max(tol.each, t.at("dtype") == "uint8" ? 0.0 : 1e-6);
         double worst = 0, sum = 0, square = 0, norm = 0, beyond = 0;
         for (std::size_t i = 0; i < count; ++i) {
@@ -187,7 +187,7 @@ void check_warp(Case& c) {
     compare_warp_values(c, warp);
 }
 
-// Of hashed numbers: colors a pixel, depth in blocks of a grid of 4 x 8.
+// Of hashed numbers: one color per pixel, depth in blocks of a 4 x 8 grid.
 void check_small_warp(Case& c) {
     std::int64_t h = 32, w = 64;
     for (const Json& t : c.json().at("tensors"))
@@ -206,7 +206,7 @@ void check_small_warp(Case& c) {
     ImageMask valid(color.width, color.height);
     for (std::size_t i = 0; i < valid.size(); ++i) {
         valid.pixels[i] = warp.source.pixels[i] != kNoSource;
-        if (!valid.pixels[i]) warp.color.pixels[i] = {0, 0, 0};  // white comes later in the official program
+        if (!valid.pixels[i]) warp.color.pixels[i] = {0, 0, 0};  // the official program fills holes with white later
     }
     compare(c, "img", numbers_of(warp.color));
     compare(c, "depth", numbers_of(warp.range));
@@ -280,7 +280,7 @@ Input input_of_warps(const Case& c) {
     throw Error("expected a case of cvs_warp in the same set, found none");
 }
 
-// "output of cvs_warp generate(+x, 0.02)"; the network is stood in for by 255 - face.
+// "output of cvs_warp generate(+x, 0.02)"; the network is replaced by 255 - face.
 void check_faces(Case& c) {
     static const std::regex call(R"(generate\(([+-])(-?[xyz]+), ([0-9.]+)\))");
     std::smatch m;
@@ -306,7 +306,7 @@ void check_faces(Case& c) {
     compare(c, "merged", numbers_of(published_merge(warp.color, holes_of(warp), painted)));
 }
 
-// The two networks as the official program calls them, with hashed weights.
+// Calls the two networks like the official program, with hashed weights.
 ImageRgb8 painted_by_aotgan(const ImageRgb8& color, const ImageMask& hole) {
     const at::Tensor mask = at::from_blob(const_cast<std::uint8_t*>(hole.pixels.data()),
                                           {1, 1, hole.height, hole.width}, at::kByte)
@@ -337,7 +337,7 @@ std::vector<double> mean_std_min_max(const Image<double>& image) {
     return {mean, std::sqrt(square / static_cast<double>(image.size()) - mean * mean), *low, *high};
 }
 
-// Whole steps of the published walk. The second begins where the first ended, which `last` keeps.
+// Whole steps of the published walk. The second starts where the first ended, which `last` stores.
 void check_step(Case& c, std::optional<Input>& last) {
     if (c.input().starts_with("inputs/")) last = input_of(c, c.input());
     if (!last) throw Error("expected the step before this one in the same run, found none");

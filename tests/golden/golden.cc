@@ -38,7 +38,7 @@ Finding compared(const std::string& name, const at::Tensor& reference, const at:
     f.max_abs = d.numel() ? d.max().item<double>() : 0;
     const double norm = r.norm().item<double>();
     f.relative_l2 = norm > 0 ? d.norm().item<double>() / norm : d.norm().item<double>();
-    f.good = f.max_abs <= f.tolerance;  // NaN fails
+    f.good = f.max_abs <= f.tolerance;  // fails for NaN
     return f;
 }
 
@@ -56,7 +56,7 @@ const Json& list_of(const Json& json, const char* key) {
 }  // namespace
 
 namespace {
-// The tokenizer's set is a plain list of prompts: as a manifest, each prompt is a value to be met.
+// The tokenizer's set is a plain list of prompts: converted to a manifest, each prompt is a value to compare.
 Json manifest_of_prompts(const Json& list) {
     Json out;
     for (const char* kind : {"prompts", "weighted"}) {

@@ -1,5 +1,5 @@
-// Golden outputs: numbers that the official code of a network put out, and what a checker needs to hold ours against
-// them. A set is a folder of <network>/manifest.json + data.bin; its form is told in docs/goldens.md.
+// Golden outputs: results of the official implementations, and what a checker needs to compare ours with them. A set is
+// a folder of <network>/manifest.json + data.bin, described in docs/goldens.md.
 #pragma once
 
 #include <ATen/ATen.h>
@@ -20,7 +20,7 @@
 
 namespace fastscene::golden {
 
-// How one named tensor or value compared.
+// The comparison of one named tensor or value.
 struct Finding {
     std::string name;
     double max_abs = 0, relative_l2 = 0, tolerance = 0;
@@ -28,7 +28,7 @@ struct Finding {
     std::string remark;
 };
 
-// The file as it is, or unpacked from FILE.zst where that lies in its place.
+// The file as it is, or decompressed from FILE.zst.
 std::string read_packed(const std::filesystem::path& file);
 
 // One network's manifest and data.
@@ -38,9 +38,9 @@ class Network {
     const std::string& name() const { return name_; }
     const std::filesystem::path& set() const { return set_; }
     const Json& json() const { return json_; }
-    // How many times the tolerance of its manifest a tensor gets: 1 but where <set>/wider.json says otherwise.
+    // Factor on the tolerance in the manifest: 1, unless <set>/wider.json says otherwise.
     double wider(const std::string& of_case, const std::string& tensor) const;
-    // The stored elements of a tensor, as far as they were stored.
+    // The stored elements of a tensor, which may be a subset.
     at::Tensor stored(const Json& tensor) const;
 
   private:
@@ -50,7 +50,7 @@ class Network {
     std::string data_;
 };
 
-// One case. The checker computes and hands in; what it does not hand in fails.
+// One case. The checker computes results and submits them; missing ones fail.
 class Case {
   public:
     Case(const Network& network, std::string name, const Json& json)
@@ -65,26 +65,26 @@ class Case {
     bool wants(const std::string& tensor_or_value) const;
     std::vector<std::string> tensor_names() const;
 
-    // Compares with the tensor of that name, if the case has one. Every tensor of that name, when several share it.
+    // Compares with all tensors of that name in the case, if any.
     void tensor(const std::string& name, const at::Tensor& ours);
-    // `relative` holds where the manifest names no tolerance.
+    // `relative` applies if the manifest has no tolerance.
     void value(const std::string& name, double ours, double relative = 1e-5);
-    // Texts of numbers, "1 1:-0.58 2:-0.39": equal words, numbers within 1e-3.
+    // Texts with numbers, "1 1:-0.58 2:-0.39": words must be equal, numbers within 1e-3.
     void number_text(const std::string& name, const std::string& ours);
     void value(const std::string& name, const Json& ours);
-    // A comparison made elsewhere, for tolerances that are sentences.
+    // Submits a comparison made elsewhere, for tolerances that are sentences.
     void put(Finding finding);
-    // A tensor or value that this program leaves out on purpose, and why.
+    // Declares a tensor or value that this program intentionally omits, with the reason.
     void leave_out(const std::string& name, const std::string& why);
-    // A tensor or value that cannot be compared, or not wholly, without a file that is not there. What was handed in
-    // still counts.
+    // Declares a tensor or value that cannot be compared completely without a missing file. Submitted results still
+    // count.
     void lack(const std::string& name, const std::string& file);
-    // The files that were lacked.
+    // The missing files.
     const std::set<std::string>& lacked() const { return lacked_; }
-    // A listener for Scope: every output whose name is a tensor of this case is compared.
+    // A listener for Scope that compares every output whose name is a tensor of this case.
     nn::Listener listener();
 
-    std::vector<Finding> findings() const;  // in the order of the manifest, what is missing included
+    std::vector<Finding> findings() const;  // in the manifest's order, including missing ones
 
   private:
     const Network& network_;
@@ -94,13 +94,13 @@ class Case {
     std::set<std::string> lacked_;
 };
 
-// Thrown by a checker that can do nothing without a file which not every clone has. what() is the file.
+// Thrown by a checker that can do nothing without an optional file; what() is the file.
 struct Skipped : std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 
 using Checker = std::function<void(Case&)>;
-// Network name (or its beginning up to "*") -> checker.
+// Network name (or prefix with "*") -> checker.
 using Checkers = std::vector<std::pair<std::string, Checker>>;
 
 // Raw hashed numbers of a stream, and (u + 1) / 2.
@@ -108,21 +108,20 @@ at::Tensor raw(const std::string& name, at::IntArrayRef shape);
 at::Tensor unit(const std::string& name, at::IntArrayRef shape);
 // 8-bit pictures as [H, W, 3].
 at::Tensor bytes_of(const ImageRgb8& image);
-// A file that others made and that is not part of this project. Looked for under the name `relative`
-// (data/metrics/allmodel) in <set>/../data, in the folder of the variable FASTSCENE_SHARED and in <source>/../shared;
-// then among the models that were pulled (`fastscene models pull MODEL`).
+// A third-party file that is not part of this project. Searched as `relative` (data/metrics/allmodel) in <set>/../data,
+// in $FASTSCENE_SHARED and in <source>/../shared; then among the pulled models (`fastscene models pull MODEL`).
 struct OthersFile {
     std::string relative, model, pulled;  // `pulled`: its name there, "" = the model's folder
 };
 std::optional<std::filesystem::path> find_others_file(const std::filesystem::path& set, const OthersFile& file);
-// A file of the set itself; Skipped when there is none.
+// A file of the set itself; throws Skipped if it does not exist.
 std::filesystem::path needed_input(const std::filesystem::path& set, const std::string& relative);
 
-// Holds a copy of a set, with cases left out where <copy>/left_out.json says why, against the original. Says what
-// differs; returns whether nothing does.
+// Verifies a partial copy of a set, from which cases may be omitted with a reason in <copy>/left_out.json, against the
+// original. Reports differences; returns whether there are none.
 bool is_a_true_copy(const std::filesystem::path& copy, const std::filesystem::path& original);
 
-// The lists of the checkers; one file a family.
+// The checkers, one file per family.
 void add_depth_checkers(Checkers& checkers);  // EGformer
 void add_diffusion_checkers(Checkers& checkers);
 void add_metrics_checkers(Checkers& checkers);

@@ -1,6 +1,6 @@
-// golden --set DIR [--only NETWORK] [--verbose]: holds this program's networks and measures against the outputs of the
-// official code. A line a case: name, largest difference, relative L2, tolerance, verdict (of the tensor that comes
-// nearest to its tolerance, or beyond).
+// golden --set DIR [--only NETWORK] [--verbose]: compares this program's networks and metrics with the outputs of the
+// official code. One line per case: name, maximum difference, relative L2, tolerance, verdict (of the tensor closest to
+// its tolerance, or beyond it).
 #include <ATen/Parallel.h>
 #include <ATen/core/grad_mode.h>
 
@@ -37,7 +37,7 @@ void print(const std::string& name, const Finding& f) {
               << std::endl;
 }
 
-// What became of the cases, and which files were lacked by how many of them.
+// Outcomes of the cases, and missing files with the number of cases that need them.
 struct Tally {
     int ran = 0, failed = 0, skipped = 0, partly = 0;
     std::map<std::string, int> skipped_without, partly_without;
@@ -78,7 +78,7 @@ void run_case(Case& one, const Checker& checker, bool verbose, Tally& tally) {
     if (verbose)
         for (const Finding& f : findings) print("  " + f.name, f);
     const auto worst = std::max_element(findings.begin(), findings.end(), [](const Finding& a, const Finding& b) {
-        return a.good != b.good ? a.good : badness(a) < badness(b);  // what failed is shown first
+        return a.good != b.good ? a.good : badness(a) < badness(b);  // failures first
     });
     Finding shown = *worst;
     const auto failed = std::count_if(findings.begin(), findings.end(), [](const Finding& f) { return !f.good; });
@@ -103,7 +103,7 @@ int run(int argc, char** argv) {
     CLI11_PARSE(app, argc, argv);
     if (!original.empty()) return is_a_true_copy(set, original) ? 0 : 1;
     at::set_num_threads(std::max(1, threads));
-    const at::NoGradGuard no_gradients;  // checkers of losses turn them on for themselves
+    const at::NoGradGuard no_gradients;  // checkers of losses enable them individually
 
     Checkers checkers;
     add_depth_checkers(checkers);

@@ -67,8 +67,8 @@ void check_gradient(Case& c) {
     c.tensor("d ssim_3dgs / d img1", gradient);
 }
 
-// NIQE's model of undistorted pictures and BRISQUE's regressions are their authors' and do not come with the source;
-// the features that they judge need neither.
+// NIQE's model of pristine pictures and BRISQUE's regressions belong to their authors and are not part of the source
+// tree; the features that they evaluate need neither.
 const OthersFile kNiqe{"data/metrics/modelparameters_niqe.mat", "niqe", "modelparameters.mat"},
     kBrisque{"data/metrics/allmodel", "brisque", "allmodel"},
     kBrisqueRanges{"data/metrics/allrange", "brisque", "allrange"},
@@ -80,8 +80,8 @@ at::Tensor row(const std::vector<double>& v) { return at::tensor(v, at::kDouble)
 constexpr const char *kNiqeLuma = "niqe BasicSR convert_to=y",
                      *kNiqeGray = "niqe BasicSR convert_to=gray (0.299/0.587/0.114, as MATLAB rgb2gray, rounded)";
 
-// BasicSR works in single precision, which is noise in flat areas. How much, its gray tells, of which both precisions
-// were recorded.
+// BasicSR uses single precision, which is noise in uniform areas. Its magnitude follows from its gray variant, which
+// was recorded in both precisions.
 void check_luma(Case& c, double ours) {
     const std::string y = kNiqeLuma, gray = kNiqeGray;
     std::map<std::string, double> recorded;

@@ -17,7 +17,7 @@ using nn::AotganShape;
 using nn::HashedWeights;
 using nn::Scope;
 
-// mask[y, x] = raw number of the block of 8 x 8 above the threshold.
+// mask[y, x] = whether the raw number of its 8 x 8 block exceeds the threshold.
 Tensor mask_of(const Case& c) {
     const auto shape = c.shape();
     const Tensor blocks = raw(c.input() + "/mask", {1, 1, shape[2] / 8, shape[3] / 8});
@@ -27,7 +27,7 @@ Tensor mask_of(const Case& c) {
         .repeat_interleave(8, 3);
 }
 
-// The shape of parameter `key` as the manifest lists it, side 0; `fallback` when it lists none.
+// Dimension 0 of parameter `key` in the manifest's list; `fallback` if it is not listed.
 std::int64_t first_side(const Json& manifest, const std::string& key, std::int64_t fallback) {
     if (manifest.contains("state_dict"))
         for (const Json& entry : manifest["state_dict"])
@@ -35,7 +35,7 @@ std::int64_t first_side(const Json& manifest, const std::string& key, std::int64
     return fallback;
 }
 
-// Width and blocks from the list of parameters, rates from the text of the call.
+// Width and blocks from the parameter list, rates from the call's text.
 AotganShape generator_shape(const Json& manifest) {
     AotganShape shape;
     shape.width = first_side(manifest, "encoder.1.weight", 64);
@@ -78,7 +78,7 @@ void check_discriminator(Case& c) {
     for (const auto& [key, tensor] : weights.seen()) c.tensor(key + " after", tensor);
 }
 
-// Parameters that gradients flow to.
+// Enables gradients for the parameters.
 void want_gradients(HashedWeights& weights) {
     for (const auto& [key, tensor] : weights.seen())
         if (!key.ends_with("weight_u") && !key.ends_with("weight_v")) tensor.set_requires_grad(true);
@@ -110,7 +110,7 @@ void check_losses(Case& c) {
     const Scope judge(weights);
     const std::int64_t width = 64;
     {
-        HashedWeights first;  // all parameters exist before gradients are asked for
+        HashedWeights first;  // all parameters must exist before gradients are enabled
         const at::NoGradGuard no_gradients;
         (void)nn::aotgan_discriminator(Scope(first), width, real, false);
         for (const auto& [key, tensor] : first.seen()) weights.set(key, tensor);
@@ -137,9 +137,9 @@ nn::NamedTensors trained(const HashedWeights& weights) {
     return out;
 }
 
-// A constant added before a gate is taken away again by its normalization, so the exact gradient of that bias is 0, and
-// what both programs have there is rounding. Then it must be small beside the gradient of the gate's kernel (`beside`),
-// and no more can be asked.
+// The gate's normalization cancels a constant added before it, so that bias has an exact gradient of 0, and both
+// programs have rounding noise. It must be small relative to the gradient of the gate's kernel (`beside`); nothing more
+// can be required.
 void compare_gradient(Case& c, const std::string& name, const Tensor& gradient, const Tensor& beside) {
     if (beside.defined() && gradient.abs().max().item<double>() < 1e-5 * beside.abs().max().item<double>())
         return c.leave_out(name, "exactly 0 but for rounding, in both programs");

@@ -1,5 +1,5 @@
-// What comes with the source is a copy of part of a larger set: nothing in it may differ but the cases that
-// left_out.json names.
+// The golden set in the source tree is a partial copy of a larger one: only the cases listed in left_out.json may be
+// missing.
 #include <iostream>
 
 #include "fastscene/base/file.h"
@@ -10,10 +10,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Of the copy alone.
+// Only in the copy.
 constexpr const char* kOwnFiles[] = {"README.md", "left_out.json", "prompt_tokens.json", "wider.json"};
 
-// The original's manifest without the cases that were left out; a name that is no case of it stays, and is told.
+// The original's manifest without the omitted cases; reports unknown names.
 Json without_cases(Json manifest, const Json& left_out, std::vector<std::string>& complaints) {
     if (left_out.is_null()) return manifest;
     if (left_out.value("why", "").empty()) complaints.push_back("left_out.json says no reason");

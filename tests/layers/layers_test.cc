@@ -1,5 +1,5 @@
-// Holds the includes against the drawing: docs/architecture.md says which module belongs to which layer, the root
-// CMakeLists.txt says which modules each may use, and the sources include what they include. All three must agree.
+// Verifies dependencies between modules: docs/architecture.md assigns modules to layers, the root CMakeLists.txt lists
+// what each module may use, and the sources include headers. All three must agree.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -24,7 +24,7 @@ std::string text_of(const fs::path& path) {
 
 struct Drawing {
     std::map<std::string, int> layer;  // of each module
-    std::map<std::string, int> place;  // from left to right within its layer
+    std::map<std::string, int> place;  // position from left to right within its layer
 };
 
 // The table in docs/architecture.md: | 4 | trace, rooms | … |
@@ -83,7 +83,7 @@ std::vector<Include> includes() {
         const std::string extension = entry.path().extension().string();
         if (extension != ".h" && extension != ".cc") continue;
         const fs::path file = fs::relative(entry.path(), source);
-        if (!file.has_parent_path()) continue;  // the headers of the installed libraries, of no module
+        if (!file.has_parent_path()) continue;  // umbrella headers of the installed libraries, outside any module
         std::istringstream lines(text_of(entry.path()));
         for (std::string line; std::getline(lines, line);) {
             std::smatch match;
@@ -94,12 +94,13 @@ std::vector<Include> includes() {
     return found;
 }
 
-// Whether `from` may know `to` at all.
+// Whether `from` may use `to` at all.
 bool drawing_allows(const Drawing& drawn, const std::string& from, const std::string& to) {
     if (from == to) return true;
     const int a = drawn.layer.at(from), b = drawn.layer.at(to);
     if (b != a) return b < a;
-    // Stages may use those to their left; so may math, image and geometry. Other modules of one layer do not meet.
+    // Stages may use those to their left, and so may math, image and geometry. Other modules of one layer are
+    // independent.
     return (a == 5 || a == 1) && drawn.place.at(to) < drawn.place.at(from);
 }
 
@@ -158,7 +159,7 @@ TEST(Layers, TheBuildNamesNoModuleThatIsNotIncluded) {
             EXPECT_TRUE(included[name].contains(other)) << name << " has " << other << " among its USES for nothing";
 }
 
-// splat.h, rooms.h and fastscene.h are what others include of the installed libraries.
+// splat.h, rooms.h and fastscene.h are the umbrella headers of the installed libraries.
 TEST(Layers, TheLibrariesHeadersNameHeadersThatAreThere) {
     const std::regex form(R"re(^#include "(fastscene/[^"]+)")re");
     int checked = 0;
@@ -174,7 +175,7 @@ TEST(Layers, TheLibrariesHeadersNameHeadersThatAreThere) {
     EXPECT_GT(checked, 30);
 }
 
-// Libraries that only some modules may include: the beginning of the include, then the modules.
+// Third-party libraries restricted to certain modules: include prefix, then the modules.
 TEST(Layers, ForeignLibrariesStayInTheirModules) {
     const std::vector<std::pair<std::string, std::vector<std::string>>> rules{
         {"embree", {"trace"}}, {"httplib", {"cli"}},     {"CLI/", {"cli"}},      {"png", {"io"}},
@@ -200,7 +201,7 @@ TEST(Layers, EmbreeAndHttplibAreNotInHeaders) {
         }
 }
 
-// The library neither prints nor exits: it speaks through events and throws.
+// The library neither prints nor exits: it uses events and exceptions.
 TEST(Layers, OnlyTheCommandLinePrintsAndExits) {
     const std::regex talk(R"(\b(std::cout|std::cerr|printf\s*\(|puts\s*\(|std::exit\s*\(|std::abort\s*\(|_exit\s*\())");
     for (const auto& entry : fs::recursive_directory_iterator(kRoot / "src/fastscene")) {

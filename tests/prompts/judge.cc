@@ -15,7 +15,7 @@ namespace {
 using fastscene::Json;
 using fastscene::Vec2f;
 
-// A thing as an upright box seen from above; heights grow upward.
+// An object as an upright box, seen from above; heights grow upward.
 struct Thing {
     std::string klass;
     bool asked = false;
@@ -27,7 +27,7 @@ struct Thing {
         const Vec2f q = in_its_frame(p);
         return std::abs(q.x) <= wide + margin && std::abs(q.y) <= deep + margin;
     }
-    // Half the reach along a direction.
+    // Half extent along a direction.
     float reach(Vec2f d) const { return wide * std::abs(dot(right, d)) + deep * std::abs(dot(front, d)); }
 };
 
@@ -47,7 +47,7 @@ Thing thing_of(const Json& o) {
     return t;
 }
 
-// Nearest distance of two boxes on the floor, along the axes of both.
+// Distance between two boxes on the floor, along the axes of both.
 float gap(const Thing& a, const Thing& b) {
     float far = 0;
     for (const Vec2f axis : {a.right, a.front, b.right, b.front})
@@ -96,7 +96,7 @@ bool is_between(const Thing& s, const Thing& a, const Thing& b) {
     const float l = length(along);
     if (l < 0.3f) return false;
     const float t = dot(s.at - a.at, along) / (l * l), off = std::abs(dot(s.at - a.at, Vec2f{-along.y, along.x})) / l;
-    // Two openings that do not lie in one wall have nothing between them on a wall.
+    // Two openings in different walls have no wall between them.
     return t > 0.12f && t < 0.88f && off < 0.75f;
 }
 
@@ -108,7 +108,7 @@ int holding(const Things& subjects, const Things& places,
     }));
 }
 
-// One on each side of one place, as seen from before it.
+// One on each side of a place, as seen from its front.
 int on_both_sides(const Things& subjects, const Things& places) {
     int best = 0;
     for (const Thing* t : places) {
@@ -123,7 +123,7 @@ int on_both_sides(const Things& subjects, const Things& places) {
     return best;
 }
 
-// The longest chain of neighbours that stand in one line at one height, each near the next.
+// The longest chain of neighbours in one line at one height, each close to the next.
 int in_row(const Things& subjects) {
     int best = 0;
     for (const Thing* first : subjects) {
@@ -141,7 +141,7 @@ int in_row(const Things& subjects) {
     return best;
 }
 
-// All near one place, and not all at one side of it when there are three or more.
+// All near one place, and not all on one side of it if there are three or more.
 int around(const Things& subjects, const Things& places) {
     int best = 0;
     for (const Thing* t : places) {
@@ -160,7 +160,7 @@ int around(const Things& subjects, const Things& places) {
     return best;
 }
 
-// The room's walls: bounds_m is the box about the turned room, and doors and windows say how far it is turned.
+// The room's walls: bounds_m is the bounding box of the rotated room, and doors and windows give the rotation.
 struct Walls {
     Vec2f middle, x, z, half;
 };
@@ -176,7 +176,7 @@ Walls walls_of(const Json& room, const std::vector<Thing>& things) {
     if (std::abs(det) > 1e-3f) w.half = {(c * size.x - s * size.y) / det / 2, (c * size.y - s * size.x) / det / 2};
     return w;
 }
-// Number of the corner it stands in, or -1.
+// Index of the corner it stands in, or -1.
 int corner_of(const Walls& w, const Thing& t) {
     const Vec2f q{dot(t.at - w.middle, w.x), dot(t.at - w.middle, w.z)};
     const bool near = w.half.x - std::abs(q.x) - t.reach(w.x) < 0.6f && w.half.y - std::abs(q.y) - t.reach(w.z) < 0.6f;
@@ -222,7 +222,7 @@ int met(const Demand& d, const Things& subjects, const std::vector<Things>& plac
     if (d.relation == "next") return holding(subjects, at, is_next);
     if (d.relation == "facing") return holding(subjects, at, faces);
     if (d.relation == "opposite") return holding(subjects, at, is_opposite);
-    // Of someone who looks at its front: x, y up and z towards him are right-handed, so his right is +x.
+    // For a viewer facing its front: x, y up and z towards the viewer are right-handed, so the viewer's right is +x.
     if (d.relation == "left")
         return holding(subjects, at, [](const Thing& s, const Thing& t) {
             return t.in_its_frame(s.at).x < -0.8f * t.wide && gap(s, t) < 1.5f;

@@ -1,5 +1,5 @@
-// Judge: whether things stand where a sentence asks for them, from the poses in room.json alone. It shares no code with
-// the layout, so that the layout cannot be its own witness.
+// Judge: whether objects are where a sentence asks for them, based on the poses in room.json alone. Shares no code with
+// the layout, to be independent of it.
 #pragma once
 
 #include <filesystem>
@@ -10,8 +10,8 @@
 
 namespace judge {
 
-// "lamp 2 on desk": so many of these classes (any of them will do) in this relation to one of those. Relations: on,
-// above, under, before, behind, next, left, right, opposite, facing, around, sides, foot, between (two places), corner,
+// "lamp 2 on desk": at least that many objects of these classes in this relation to one of those. Relations: on, above,
+// under, before, behind, next, left, right, opposite, facing, around, sides, foot, between (two places), corner,
 // middle.
 struct Demand {
     std::vector<std::string> what;
@@ -25,10 +25,11 @@ struct Sentence {
     std::vector<Demand> demands;
 };
 
-// Lines "prompt | demand; demand"; # begins a comment. Throws fastscene::Error with file and line.
+// Lines "prompt
+// demand; demand"; # starts a comment. Throws fastscene::Error with file and line.
 std::vector<Sentence> read_sentences(const std::filesystem::path& file);
 
-// Empty: it holds. Else what is wrong, for people.
+// Empty if satisfied, else a description of the problem.
 std::string complaint(const fastscene::Json& room, const Demand& demand);
 
 }  // namespace judge

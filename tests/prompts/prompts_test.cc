@@ -1,4 +1,4 @@
-// The prompts of tests/data/prompts.txt, as people write them: read, furnished and looked at.
+// The prompts of tests/data/prompts.txt, written as by users: parsed, furnished and rendered.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -27,7 +27,7 @@ std::vector<std::string> prompts(const char* name = "prompts.txt") {
     return out;
 }
 
-// Where Debian's pack is not installed the built-in pieces must do.
+// If Debian's pack is not installed, only built-in furniture is used.
 std::shared_ptr<const FurniturePack> pack(Assets assets) {
     std::vector<std::string> complaints;
     return FurniturePack::open(FurniturePack::default_folder(), assets, complaints);
@@ -48,7 +48,7 @@ TEST(Prompts, NineteenOfTwentyWordsAreUnderstoodAndNoneIsLost) {
     EXPECT_GE(static_cast<double>(known), 0.95 * static_cast<double>(all)) << known << " of " << all;
 }
 
-// Words that say nothing by themselves; of quantities, scope and negation only those that others carry.
+// Words without meaning of their own; quantities, scope and negation belong to others.
 bool is_little(const std::string& token) {
     static const std::set<std::string> kLittle{
         ",",      "a",     "an",     "the",    "and",    "or",      "but",   "of",     "in",    "on",     "at",
@@ -62,7 +62,7 @@ bool is_little(const std::string& token) {
     return kLittle.contains(token);
 }
 
-// The tokens of a prompt that stand in no list of the report.
+// The tokens of a prompt that are in no list of the report.
 std::vector<std::string> lost_words(const PromptSpec& spec) {
     std::set<std::string> listed;
     for (const PromptWord& word : spec.words)
@@ -106,7 +106,7 @@ TEST(Prompts, WhatIsUnderstoodStandsInTheRoomAndIsSeen) {
                         std::any_of(spec.not_placed.begin(), spec.not_placed.end(),
                                     [&](const std::string& line) { return line.starts_with(wish.words + ": "); }))
                 << wish.words << " is neither there nor reported";
-        // Every word stands in exactly one list.
+        // Every word is in exactly one list.
         const Json report = to_json(spec);
         std::size_t listed = report["not_understood"].size();
         for (const char* name : {"understood", "approximated", "not_placed"}) listed += report[name].size();
@@ -121,12 +121,11 @@ TEST(Prompts, WhatIsUnderstoodStandsInTheRoomAndIsSeen) {
         }
     }
     EXPECT_GE(asked, 350u);
-    // None with Debian's furniture pack; without it other pieces stand in, and one may be missed.
+    // None with Debian's furniture pack; without it replacements are used, and one may be hidden.
     EXPECT_LE(hidden, pack(Assets::cc0) ? 0u : 2u) << list;
 }
 
-// Where a class is seen: the mean of its pixels' columns as an angle that grows to the right of the picture; nothing:
-// hardly seen.
+// Mean bearing of the pixels of a class, as an angle growing to the right of the picture; none if hardly visible.
 std::optional<double> bearing(const Room& room, const Image<std::int32_t>& object_of_pixel, const std::string& klass,
                               bool requested) {
     double x = 0, y = 0;
@@ -143,7 +142,7 @@ std::optional<double> bearing(const Room& room, const Image<std::int32_t>& objec
     return n > 8 ? std::optional(std::atan2(y, x)) : std::nullopt;
 }
 
-// By the picture, not by the layout's own formulas: who stands before the bed sees the armchair left of it.
+// Based on the picture instead of the layout's own formulas: from the foot of the bed, the armchair is on its left.
 TEST(Prompts, LeftIsLeftInThePicture) {
     struct Case {
         const char *text, *thing, *place;
@@ -164,7 +163,7 @@ TEST(Prompts, LeftIsLeftInThePicture) {
             const auto place = std::find_if(objects.begin(), objects.end(),
                                             [&](const RoomObject& o) { return o.klass == c.place; });
             ASSERT_NE(place, objects.end());
-            // Only from before it, not from its side: there left and right are as one takes them.
+            // Only if seen from the front; from the side, left and right are ambiguous.
             const Vec3f to = -place->world_from_object.translation, front = place->world_from_object.rotation.column(2);
             if (front.x * to.x + front.z * to.z < 0.7f * std::hypot(to.x, to.z)) continue;
             const Shot shot = room.panorama({}, {256, 128}, {.color = false, .range = false, .object = true}, run);

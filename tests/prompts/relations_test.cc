@@ -1,4 +1,4 @@
-// What the sentences of tests/data/relations.txt say of where things stand, judged from poses.
+// Relations in the sentences of tests/data/relations.txt, judged from poses.
 #include <gtest/gtest.h>
 
 #include "fastscene/rooms/layout.h"
@@ -11,7 +11,7 @@ namespace {
 
 TEST(Judge, TellsWhatHoldsFromPosesAlone) {
     const auto object = [](const char* klass, float x, float low, float z, Vec3f size, bool asked) {
-        // Looks along +z; heights grow against y.
+        // Faces +z; heights grow against y.
         return Json{{"class", klass},
                     {"requested", asked},
                     {"size_m", {size.x, size.y, size.z}},
@@ -35,7 +35,7 @@ TEST(Judge, TellsWhatHoldsFromPosesAlone) {
     EXPECT_FALSE(holds("plant", "above", "sofa")) << "there is none";
 }
 
-// One room a sentence; bench_relations makes more (docs/benchmarks.md).
+// One room per sentence; bench_relations makes more (docs/benchmarks.md).
 TEST(Relations, MostStandWhereTheSentenceSays) {
     std::vector<std::string> complaints;
     const auto pack = FurniturePack::open(FurniturePack::default_folder(), Assets::cc0, complaints);

@@ -1,6 +1,5 @@
-// Writes a small colored room in every format that other programs read:
-//   make_reader_samples DIR [VIEWER_DIR]
-// red wall left (-x), green right (+x), blue ahead (+z), white ceiling (-y), brown floor (+y).
+// Writes a small colored room in every format that other programs read: make_reader_samples DIR [VIEWER_DIR]. Red wall
+// left (-x), green right (+x), blue ahead (+z), white ceiling (-y), brown floor (+y).
 #include <cstdio>
 #include <exception>
 #include <filesystem>
@@ -40,7 +39,7 @@ void add_wall(Splats& splats, std::vector<SurfacePoint>& points, Vec3f center, V
         }
 }
 
-// Splats that no mirror and no turn leaves as they are, with all bands.
+// Splats without any symmetry, with all SH degrees.
 Splats odd_splats() {
     Random random(7, "odd");
     Splats s;
@@ -57,8 +56,8 @@ Splats odd_splats() {
     return s;
 }
 
-// A floor within the room: 4 x 5 m with an island of 2 x 1 m, a slanted wall in the steps of a 0.1 m grid, and a
-// doorway 0.3 m wide to a second part. viewer_walk_check.mjs knows the same figures.
+// A floor within the room: 4 x 5 m with an island of 2 x 1 m, a slanted wall stepped on a 0.1 m grid, and a doorway 0.3
+// m wide to a second part. viewer_walk_check.mjs uses the same numbers.
 WalkableArea two_rooms() {
     std::vector<Vec2f> outline{{-2, -3}, {2, -3}, {2, 2}, {1.8f, 2}, {1.8f, 2.2f}, {2, 2.2f}, {2, 3.5f}};
     for (const Vec2f p : {Vec2f{-2, 3.5f}, Vec2f{-2, 2.2f}, Vec2f{1.5f, 2.2f}, Vec2f{1.5f, 2}}) outline.push_back(p);

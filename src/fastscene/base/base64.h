@@ -1,4 +1,4 @@
-// Base64 (RFC 4648): bytes inside a page that must stand alone.
+// Base64 (RFC 4648), for binary data in self-contained pages.
 #pragma once
 
 #include <string>

@@ -1,4 +1,4 @@
-// Checks: a failed check is our own mistake, never the user's (that is error.h).
+// Checks: a failed check is a programming error, never the user's (for that see error.h).
 #pragma once
 
 #include <sstream>
@@ -7,7 +7,7 @@
 
 namespace fastscene {
 
-// Thrown by FASTSCENE_CHECK: the program's own assumption does not hold.
+// Thrown by FASTSCENE_CHECK: an assumption of the program is violated.
 struct CheckFailed : std::logic_error {
     using std::logic_error::logic_error;
 };

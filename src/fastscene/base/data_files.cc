@@ -30,7 +30,7 @@ std::vector<fs::path> data_folders() {
 }
 
 std::optional<fs::path> find_data(const fs::path& relative) {
-    std::error_code unreadable;  // counts as not there
+    std::error_code unreadable;  // treated as absent
     for (const fs::path& folder : data_folders())
         if (fs::exists(folder / relative, unreadable)) return folder / relative;
     return {};

@@ -12,7 +12,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Sets a variable for the length of a test.
+// Sets an environment variable for the duration of a test.
 class Environment {
   public:
     Environment(const char* name, const std::string& value) : name_(name) {

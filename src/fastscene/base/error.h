@@ -1,6 +1,5 @@
-// Error: the outside world is wrong (a file, a flag, a prompt, the disk). The message names the
-// place, what was expected and what was found. Our own mistakes are FASTSCENE_CHECK (check.h);
-// a thing that may be absent is std::optional.
+// Error: the outside world is wrong (a file, a flag, a prompt, the disk). The message names the place, expected and
+// actual. Programming errors are FASTSCENE_CHECK (check.h); optional values are std::optional.
 #pragma once
 
 #include <fmt/format.h>
@@ -10,7 +9,7 @@
 
 namespace fastscene {
 
-// The run failed: the program ends with exit code 1.
+// The run failed: the program exits with code 1.
 struct Error : std::runtime_error {
     using std::runtime_error::runtime_error;
     template <class... Args>
@@ -18,12 +17,12 @@ struct Error : std::runtime_error {
         : std::runtime_error(fmt::format(format, std::forward<Args>(args)...)) {}
 };
 
-// The request itself is wrong (flag, verb, prompt): the program ends with exit code 2.
+// The request itself is invalid (flag, command, prompt): the program exits with code 2.
 struct UsageError : Error {
     using Error::Error;
 };
 
-// The user (or the cluster) asked the program to stop; what is finished stays.
+// The user (or the cluster) asked the program to stop; finished work is kept.
 struct Stopped : std::runtime_error {
     Stopped() : std::runtime_error("stopped") {}
 };

@@ -1,5 +1,5 @@
-// Events: how the library speaks. It never prints; it tells an EventSink, and whoever listens
-// (the command line, a batch log, a test) decides what to show.
+// Events: how the library communicates. It never prints; it sends events to an EventSink, which decides what to show
+// (command line, batch log, test).
 #pragma once
 
 #include <cstdint>
@@ -13,13 +13,13 @@ struct ProgressEvent {
     std::string work;
     std::int64_t done = 0;
     std::int64_t total = 1;
-    double overall = -1;  // share of the whole run that is finished, 0..1; negative = not known
+    double overall = -1;  // progress of the whole run, 0..1; negative = unknown
 };
-// Something the user should know but need not act on.
+// Information that needs no action.
 struct NoteEvent {
     std::string text;
 };
-// Something the user should act on; the work goes on.
+// A problem that the user should fix; the work continues.
 struct WarningEvent {
     std::string text;
 };

@@ -1,10 +1,10 @@
-// Fields: every knob of a stage is said once. A params struct has a companion
+// Fields: every setting of a stage is defined once. A params struct has a companion
 //
-//     template <class V> void visit_fields(WalkParams& p, V&& v) {
-//         v("viewpoints", p.viewpoints, Bounds{0, 64}, "New viewpoints around the first one.");
-//     }
+// template <class V> void visit_fields(WalkParams& p, V&& v) {
+// v("viewpoints", p.viewpoints, Bounds{0, 64}, "New viewpoints around the first one.");
+// }
 //
-// and from it come the command-line flag, --help, the settings file, the docs and the cache key.
+// from which the command-line flag, --help, the settings file, the docs and the cache key are derived.
 #pragma once
 
 #include <string>
@@ -60,12 +60,13 @@ struct FromJson {
 struct Check {
     std::string_view section;  // empty: the flag is --<field>
     std::string flag(std::string_view name) const {
-        if (name == "kind" && !section.empty()) return fmt::format("--{}", section);  // the stage itself: --walk paper
+        // the stage's main setting: --walk paper
+        if (name == "kind" && !section.empty()) return fmt::format("--{}", section);
         return section.empty() ? fmt::format("--{}", name) : fmt::format("--{}-{}", section, name);
     }
     template <class T>
     void operator()(std::string_view name, T& value, const Bounds& bounds, std::string_view) {
-        // Phrased so that NaN fails.
+        // Written so that NaN fails.
         if (!(static_cast<double>(value) >= bounds.low && static_cast<double>(value) <= bounds.high))
             throw UsageError("{}: expected a number from {} to {}, found {}", flag(name), bounds.low, bounds.high,
                              value);
@@ -81,7 +82,7 @@ struct Check {
 
 }  // namespace detail
 
-// All fields by name, in order: goes into run.json and, hashed, into the cache key.
+// All fields by name, in order: stored in run.json and, hashed, in the cache key.
 template <class Params>
 Json fields_json(Params params) {
     detail::ToJson visitor;
@@ -89,13 +90,13 @@ Json fields_json(Params params) {
     return visitor.out;
 }
 
-// The fields that the JSON has; the others keep their values. Throws Error for a value of another kind.
+// Reads the fields present in the JSON; others keep their values. Throws Error for a value of another type.
 template <class Params>
 void fields_from_json(const Json& json, Params& params) {
     visit_fields(params, detail::FromJson{json});
 }
 
-// Throws UsageError naming the flag --<section>-<field> when a value is out of bounds.
+// Throws UsageError naming the flag --<section>-<field> if a value is out of bounds.
 template <class Params>
 void check_fields(std::string_view section, Params params) {
     visit_fields(params, detail::Check{section});

@@ -37,13 +37,13 @@ void rename_or_throw(const fs::path& from, const fs::path& to) {
 }  // namespace
 
 std::string read_file(const fs::path& path) {
-    // A pipe that nobody writes to must not be waited for.
+    // Opening a pipe without a writer must not block.
     const Descriptor file{::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC)};
     struct stat info {};
     if (file.fd < 0 || ::fstat(file.fd, &info) != 0)
         throw Error("{}: cannot be read: {}", path.string(), std::strerror(errno));
     if (S_ISDIR(info.st_mode)) throw Error("{}: cannot be read: expected a file, found a directory", path.string());
-    // Such has no size, and what was read once is gone: pictures are looked at more than once.
+    // Pipes and devices have no size and cannot be read twice, but pictures are read more than once.
     if (!S_ISREG(info.st_mode))
         throw Error("{}: cannot be read: expected a file, found a pipe or device", path.string());
     std::string bytes(static_cast<std::size_t>(info.st_size), '\0');
@@ -85,7 +85,7 @@ void write_pieces(const fs::path& path, const std::function<void(const std::func
         });
         const int fd = file.fd;
         file.fd = -1;
-        // Some file systems report a full disk only here.
+        // Some file systems report a full disk only on close.
         if (::close(fd) != 0) throw Error("{}: cannot be written: {}", path.string(), std::strerror(errno));
     });
 }

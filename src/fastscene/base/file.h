@@ -1,5 +1,5 @@
-// Files as a whole. Everything is written under a temporary name and renamed, so a reader (or a
-// resumed run) never sees half a file, and a full disk never destroys what was there before.
+// Whole-file I/O. Files are written under a temporary name and renamed, so readers and resumed runs never see partial
+// files, and a full disk never destroys existing ones.
 #pragma once
 
 #include <cstddef>
@@ -11,7 +11,7 @@
 
 namespace fastscene {
 
-// The whole file as bytes. Throws Error when it cannot be opened or read.
+// The whole file as bytes. Throws Error if it cannot be opened or read.
 std::string read_file(const std::filesystem::path& path);
 
 // Writes and renames. Throws Error naming the path and the reason (no permission, disk full …).
@@ -20,8 +20,7 @@ inline void write_file(const std::filesystem::path& path, std::span<const std::b
     write_file(path, std::string_view(reinterpret_cast<const char*>(bytes.data()), bytes.size()));
 }
 
-// For what is too large to lie in memory once more: make(put) calls put(bytes) for one piece after the other. Fails as
-// write_file does.
+// Streaming variant for large data: make(put) calls put(bytes) repeatedly. Throws as write_file does.
 void write_pieces(const std::filesystem::path& path,
                   const std::function<void(const std::function<void(std::string_view bytes)>& put)>& make);
 
@@ -29,7 +28,7 @@ void write_pieces(const std::filesystem::path& path,
 void write_renamed(const std::filesystem::path& path,
                    const std::function<void(const std::filesystem::path& temporary)>& write);
 
-// Makes the directory and its parents. Throws Error when that is not possible.
+// Creates the directory and its parents. Throws Error if that is not possible.
 void make_directories(const std::filesystem::path& path);
 
 }  // namespace fastscene

@@ -38,7 +38,7 @@ class File : public ::testing::Test {
     fs::path folder_;
 };
 
-// A pipe without a writer would be waited for, and a device has no end.
+// A pipe without a writer would block, and a device has no end.
 TEST_F(File, OnlyFilesAreRead) {
     ASSERT_EQ(::mkfifo((folder_ / "pipe").c_str(), 0600), 0);
     EXPECT_NE(complaint([&] { read_file(folder_ / "pipe"); }).find("pipe: cannot be read: expected a file"),
@@ -104,7 +104,7 @@ TEST_F(File, WhatCannotBeWrittenIsKnownBeforehand) {
     EXPECT_NE(complaint([&] { check_writable(folder_); }).find("found a folder"), std::string::npos);
 }
 
-// A limit on the size of files stands for the full disk: the write stops half-way with an error.
+// A file size limit simulates a full disk: the write fails half-way with an error.
 TEST_F(File, AFullDiskIsAnErrorAndKeepsTheOldFile) {
     write_file(folder_ / "x", "old");
     rlimit old_limit{};

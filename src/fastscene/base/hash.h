@@ -1,5 +1,5 @@
-// A content hash for caching and resume (not for security): 128 bits, two mixed FNV-like lanes over
-// 8-byte words. Equal content, equal hash, on every machine of the same byte order.
+// A content hash for caching and resuming (not for security): 128 bits, two mixed FNV-like lanes over 8-byte words.
+// Depends on content and byte order only.
 #pragma once
 
 #include <array>
@@ -27,7 +27,7 @@ class Hash {
             p += take;
             left -= take;
         }
-        step(size);  // "ab"+"c" differs from "a"+"bc"
+        step(size);  // so that "ab"+"c" differs from "a"+"bc"
         return *this;
     }
     Hash& add(std::string_view text) { return add_bytes(text.data(), text.size()); }

@@ -1,24 +1,24 @@
-// The instruction set in use: the best that the processor has, and at most what the environment's FASTSCENE_ISA names.
-// Every kernel of ours that exists for several instruction sets asks here; base/library_settings.h makes libraries
-// follow.
+// The instruction set in use: the best one supported by the processor, limited by the environment variable
+// FASTSCENE_ISA. Every kernel that exists for several instruction sets is selected by it; base/library_settings.h
+// applies it to libraries.
 //
-// Declarations only and no other header: sources that are compiled for wider vectors than the rest include this.
+// Contains declarations only and includes no other header, since sources compiled for wider vectors include it.
 #pragma once
 
 namespace fastscene {
 
-// Each includes the ones before it: x86-64-v2, -v3 (with FMA) and -v4. On other processors there is only the first.
+// Each includes the previous ones: x86-64-v2, -v3 (with FMA) and -v4. Other processors only have the first.
 enum class Isa { sse4, avx2, avx512 };
 
-// In use. Asked once; throws UsageError when FASTSCENE_ISA names no instruction set.
+// The one in use. Evaluated once; throws UsageError if FASTSCENE_ISA is invalid.
 Isa isa();
-// Of this processor, whatever the environment says.
+// This processor's, regardless of the environment.
 Isa processor_isa();
-// That the compiler could assume everywhere (FASTSCENE_ARCH): code that is no kernel uses it even when isa() is less.
+// The one that the compiler assumes everywhere (FASTSCENE_ARCH): code outside kernels uses it even if isa() is less.
 Isa compiled_isa();
 
 const char* isa_name(Isa isa);
-// The smaller of `best` and what `text` names; null or empty names nothing. Throws UsageError.
+// The smaller of `best` and `text`; null or empty means no limit. Throws UsageError.
 Isa limited_isa(const char* text, Isa best);
 
 }  // namespace fastscene

@@ -50,7 +50,7 @@ TEST(LibrarySettings, SpeakToEveryLibraryUnderALimit) {
     }
 }
 
-// The test programs begin with them (tests/test_main.cc), so here they must be in force.
+// Test programs start with these settings (tests/test_main.cc), so they must be in effect here.
 TEST(LibrarySettings, AreInForceInThisProgram) {
     for (const Setting& s : library_settings(isa())) {
         const char* value = std::getenv(s.name.c_str());

@@ -28,7 +28,7 @@ std::vector<Setting> library_settings(Isa limit) {
                 {"DNNL_MAX_CPU_ISA", "AVX2"},
                 {"ONEDNN_MAX_CPU_ISA", "AVX2"},
                 {"OPENBLAS_CORETYPE", "Haswell"}};
-    // The C library's sines and exponentials have variants with fused multiply-adds, whose last bits differ.
+    // The C library's sines and exponentials have FMA variants, whose last bits differ.
     if (limit == Isa::sse4)
         return {{"ATEN_CPU_CAPABILITY", "default"},
                 {"DNNL_MAX_CPU_ISA", "SSE41"},

@@ -1,5 +1,5 @@
-// Environment variables that libraries read when they are loaded, or once at their first use: too late for a program to
-// set them for itself, so it starts anew with them.
+// Environment variables that libraries read when loaded or at first use, which is too early for the program to set
+// them: it restarts itself with them.
 #pragma once
 
 #include <string>
@@ -13,16 +13,16 @@ struct Setting {
     std::string name, value;
 };
 
-// What keeps libtorch, oneDNN, OpenBLAS and the C library to `limit`. They win over what the environment says:
-// FASTSCENE_ISA=avx2 must mean avx2 everywhere. Nothing for the widest set, where libraries choose (OPENBLAS_CORETYPE,
-// for one, is then the user's).
+// Variables that limit libtorch, oneDNN, OpenBLAS and the C library to `limit`. They override the environment:
+// FASTSCENE_ISA=avx2 must mean avx2 everywhere. None for the widest set, where libraries choose for themselves
+// (OPENBLAS_CORETYPE, for example, is then the user's).
 std::vector<Setting> library_settings(Isa limit);
 
-// For main(), before anything else: unless the environment has all of `settings` already, this program begins again
-// with them. Returns where that is not possible (no /proc).
+// For the start of main(): restarts the program with `settings`, unless the environment already has all of them.
+// Returns if that is not possible (no /proc).
 void begin_with(const std::vector<Setting>& settings, char** argv);
 
-// begin_with(library_settings(isa())): for test programs and tools.
+// begin_with(library_settings(isa())), for test programs and tools.
 void begin_within_isa(char** argv);
 
 }  // namespace fastscene

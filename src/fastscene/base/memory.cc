@@ -10,7 +10,7 @@ namespace fastscene {
 namespace fs = std::filesystem;
 namespace {
 
-// The number behind `word` in a file of words.
+// The number after `word` in a file of words.
 std::optional<std::int64_t> number_behind(const fs::path& file, const std::string& word) {
     std::ifstream in(file);
     for (std::string found; in >> found;)
@@ -20,10 +20,10 @@ std::optional<std::int64_t> number_behind(const fs::path& file, const std::strin
 std::optional<std::int64_t> number_in(const fs::path& file) {
     std::ifstream in(file);
     std::int64_t value = 0;
-    return in >> value ? std::optional(value) : std::nullopt;  // "max" is no number
+    return in >> value ? std::optional(value) : std::nullopt;  // "max" is not a number
 }
 
-// How the two versions of control groups name what they tell.
+// File names of the two cgroup versions.
 struct GroupFiles {
     std::string line, mount, limit, used, inactive;
 };
@@ -31,8 +31,7 @@ const GroupFiles kVersion2{"0::/", "sys/fs/cgroup", "memory.max", "memory.curren
 const GroupFiles kVersion1{":memory:/", "sys/fs/cgroup/memory", "memory.limit_in_bytes", "memory.usage_in_bytes",
                            "total_inactive_file"};
 
-// What a control group and those around it leave. Pages of files that were read count as used there, but are given
-// back.
+// Memory left by a cgroup and its ancestors. The page cache counts as used there but is reclaimable.
 std::optional<std::int64_t> left_by_groups(const fs::path& system, const GroupFiles& files) {
     std::ifstream in(system / "proc/self/cgroup");
     std::string line;
@@ -53,7 +52,7 @@ std::optional<std::int64_t> left_by_groups(const fs::path& system, const GroupFi
     }
 }
 
-// What the shell's limit (ulimit -v) leaves of the address space.
+// Address space left by the shell's limit (ulimit -v).
 std::optional<std::int64_t> left_by_shell(const fs::path& system) {
     const std::string key = "Max address space";
     std::ifstream in(system / "proc/self/limits");
@@ -63,7 +62,7 @@ std::optional<std::int64_t> left_by_shell(const fs::path& system) {
     const auto used = number_behind(system / "proc/self/status", "VmSize:");
     std::int64_t limit = 0;
     if (!line.starts_with(key) || !used || !(std::istringstream(line.substr(key.size())) >> limit))
-        return std::nullopt;  // "unlimited" is no number
+        return std::nullopt;  // "unlimited" is not a number
     return std::max<std::int64_t>(0, limit - *used * 1024);
 }
 

@@ -1,5 +1,4 @@
-// How much memory a program may still take here: what the machine has free, or what the limit of a container or of the
-// shell leaves, whichever is less.
+// Available memory: what the machine has free, or what the limit of a container or the shell leaves, whichever is less.
 #pragma once
 
 #include <cstdint>
@@ -7,7 +6,7 @@
 
 namespace fastscene {
 
-// Bytes; 0: not known. `system`: where proc/ and sys/ are found (tests have their own).
+// Bytes; 0: unknown. `system`: root of proc/ and sys/ (replaceable for tests).
 std::int64_t available_memory(const std::filesystem::path& system = "/");
 
 }  // namespace fastscene

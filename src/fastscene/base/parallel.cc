@@ -14,7 +14,7 @@
 namespace fastscene {
 namespace {
 
-// oneTBB keeps its thread limit in an object whose lifetime is the setting.
+// oneTBB's thread limit is in effect while this object exists.
 std::unique_ptr<tbb::global_control>& limit() {
     static std::unique_ptr<tbb::global_control> control;
     return control;

@@ -16,7 +16,7 @@
 namespace fastscene {
 namespace {
 
-// Texts as the null-ended array that exec wants; they must outlive it.
+// Strings as the null-terminated array for exec; they must outlive it.
 std::vector<char*> pointers_to(std::vector<std::string>& texts) {
     std::vector<char*> out;
     for (std::string& text : texts) out.push_back(text.data());
@@ -39,7 +39,7 @@ struct SpawnActions {
         posix_spawn_file_actions_addopen(&files, STDOUT_FILENO, log.empty() ? "/dev/null" : log.c_str(),
                                          O_WRONLY | O_CREAT | O_APPEND, 0644);
         if (!log.empty()) posix_spawn_file_actions_adddup2(&files, STDOUT_FILENO, STDERR_FILENO);
-        // The child must hear the signals that this program keeps for itself.
+        // The child must not inherit this program's blocked signals.
         posix_spawnattr_init(&attributes);
         sigset_t none;
         sigemptyset(&none);

@@ -1,5 +1,5 @@
-// Random numbers that depend only on (seed, stream name, index): any thread may draw them in any
-// order and the picture stays the same.
+// Counter-based random numbers that depend only on (seed, stream name, index): any thread may draw them in any order
+// with the same result.
 #pragma once
 
 #include <cmath>
@@ -8,7 +8,7 @@
 
 namespace fastscene {
 
-// One round of SplitMix64: a good 64-bit mixer (Steele, Lea, Flood 2014).
+// One round of SplitMix64, a good 64-bit mixer (Steele, Lea, Flood 2014).
 constexpr std::uint64_t mix64(std::uint64_t x) {
     x += 0x9e3779b97f4a7c15ull;
     x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9ull;
@@ -16,7 +16,7 @@ constexpr std::uint64_t mix64(std::uint64_t x) {
     return x ^ (x >> 31);
 }
 
-// FNV-1a: turns a stream's name into a number.
+// FNV-1a hash of a stream's name.
 constexpr std::uint64_t hash_name(std::string_view name) {
     std::uint64_t h = 0xcbf29ce484222325ull;
     for (const char c : name) h = (h ^ static_cast<unsigned char>(c)) * 0x100000001b3ull;

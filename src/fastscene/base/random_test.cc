@@ -21,7 +21,7 @@ TEST(Random, EqualKeysGiveEqualNumbersAndOthersDoNot) {
     EXPECT_EQ(seen.size(), 20u * 3u * 20u);
 }
 
-// The files of every finished run hang on these numbers: they may not change.
+// The outputs of every finished run depend on these numbers: they must not change.
 TEST(Random, KeepsItsNumbers) {
     EXPECT_EQ(mix64(0), 0xe220a8397b1dcdafull);
     Random random(1, "test");
@@ -30,7 +30,7 @@ TEST(Random, KeepsItsNumbers) {
     EXPECT_NE(first, random.next_u64());
 }
 
-// Chi-squared over 64 equal bins; 120 is exceeded by chance less than once in 10^5.
+// Chi-squared over 64 equal bins; 120 is exceeded with probability below 1e-5.
 TEST(Random, UniformFillsItsBinsEvenly) {
     constexpr int kDraws = 64'000;
     std::array<int, 64> bins{};
@@ -46,7 +46,7 @@ TEST(Random, UniformFillsItsBinsEvenly) {
     EXPECT_LT(chi2, 120);
 }
 
-// Neighbouring counters are as independent as draws of one stream.
+// Neighbouring counters are as independent as numbers of one stream.
 TEST(Random, FirstDrawsOfNeighbouringIndicesAreUniformToo) {
     std::array<int, 64> bins{};
     for (std::uint64_t i = 0; i < 64'000; ++i) ++bins[static_cast<std::size_t>(Random(9, "pixel", i).uniform() * 64.f)];

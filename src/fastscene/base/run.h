@@ -1,5 +1,5 @@
-// Run: the one context object that every stage receives: seed, listener, stop request.
-// There are no globals besides the number of worker threads (parallel.h).
+// Run: the context passed to every stage: seed, event sink, stop request. The only global state is the number of worker
+// threads (parallel.h).
 #pragma once
 
 #include <atomic>
@@ -15,7 +15,7 @@ namespace fastscene {
 
 struct Run {
     std::uint64_t seed = 0;
-    EventSink* events = nullptr;  // may be null: nobody listens
+    EventSink* events = nullptr;  // may be null: events are discarded
     std::stop_token stop;
 
     void note(std::string text) const {
@@ -24,13 +24,13 @@ struct Run {
     void warn(std::string text) const {
         if (events) events->tell(WarningEvent{std::move(text)});
     }
-    // Throws Stopped when somebody asked to stop. Call it between pieces of work.
+    // Throws Stopped if a stop was requested. Call it between pieces of work.
     void check_stop() const {
         if (stop.stop_requested()) throw Stopped();
     }
 };
 
-// Counts finished units of a piece of work and tells the listener. Thread safe.
+// Counts finished units of work and reports progress. Thread safe.
 class Progress {
   public:
     Progress(const Run& run, std::string work, std::int64_t total)

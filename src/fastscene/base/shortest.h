@@ -1,12 +1,12 @@
-// Floats in JSON, whose numbers are doubles: 0.42 as people wrote it, not 0.41999998688697815.
+// Floats in JSON, whose numbers are doubles: 0.42 instead of 0.41999998688697815.
 #pragma once
 
 #include <charconv>
 
 namespace fastscene {
 
-// The double nearest to the shortest decimal that reads back as this float. Cut to a float again it is the same one,
-// bit by bit.
+// The double nearest to the shortest decimal that reads back as this float. Converts back to the same float, bit by
+// bit.
 inline double shortest(float value) {
     char text[32];
     const auto [end, code] = std::to_chars(text, text + sizeof text, value);

@@ -6,7 +6,7 @@
 namespace fastscene {
 namespace {
 
-// Levenshtein's distance with Damerau's exchange: letters inserted, removed, changed, or two neighbours swapped.
+// Damerau-Levenshtein distance: insertions, deletions, substitutions and transpositions of adjacent letters.
 std::size_t edits(const std::string& a, const std::string& b) {
     std::vector<std::vector<std::size_t>> least(a.size() + 1, std::vector<std::size_t>(b.size() + 1));
     for (std::size_t i = 0; i <= a.size(); ++i)
@@ -27,8 +27,8 @@ std::size_t edits(const std::string& a, const std::string& b) {
 
 std::string nearest_word(const std::string& word, const std::vector<std::string>& known) {
     std::string best;
-    // A third of the letters may be wrong; beyond that a guess is noise. A word that only lacks its prefix
-    // ("--width" for "--panorama-width") is near too.
+    // Up to a third of the letters may be wrong; beyond that a guess is noise. A missing prefix ("--width" for
+    // "--panorama-width") counts as near, too.
     std::size_t least = word.size() / 3 + 1;
     const std::string tail = word.starts_with("--") ? word.substr(1) : word;
     for (const std::string& candidate : known) {

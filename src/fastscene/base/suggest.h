@@ -1,4 +1,4 @@
-// "Did you mean …": the known word nearest to one that is not known.
+// "Did you mean …": the known word nearest to an unknown one.
 #pragma once
 
 #include <string>
@@ -6,7 +6,7 @@
 
 namespace fastscene {
 
-// Empty when nothing known is near.
+// Empty if no known word is near.
 std::string nearest_word(const std::string& word, const std::vector<std::string>& known);
 
 }  // namespace fastscene

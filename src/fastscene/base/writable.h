@@ -4,8 +4,8 @@
 
 namespace fastscene {
 
-// Throws Error as write_file would where a file of this name cannot be (no such folder, no permission), and leaves
-// nothing: before long work whose result goes there.
+// Throws Error as write_file would if a file of this name cannot be created (no such folder, no permission), without
+// side effects: to be called before long work.
 void check_writable(const std::filesystem::path& path);
 
 }  // namespace fastscene

@@ -1,4 +1,4 @@
-// What a value of a flag may be, said as the fields' own check says it: "expected …, found …".
+// Value checks of flags, with the wording of the fields' own check: "expected …, found …".
 #pragma once
 
 #include <fmt/ranges.h>

@@ -21,10 +21,8 @@ struct Flags {
     bool compact = false;
 };
 
-// Numbers whose `up` axis points up and, if that is level, whose other axes are those of the programs that have such
-// numbers:
-//   y: x right, z back (OpenGL); left-handed z forward (Unity).   z: x right, y forward (Blender); left-handed x
-//   forward, y right (Unreal).
+// Axes whose `up` axis points up and, if that is level, whose other axes are customary for it: y: x right, z back
+// (OpenGL); left-handed z forward (Unity). z: x right, y forward (Blender); left-handed x forward, y right (Unreal).
 Mat3d numbers_from_world(const std::string& up, bool left_handed) {
     if (up == "y") return {{1, 0, 0}, {0, -1, 0}, {0, 0, left_handed ? 1.0 : -1.0}};
     if (up == "z")
@@ -32,7 +30,7 @@ Mat3d numbers_from_world(const std::string& up, bool left_handed) {
     return {{1, 0, 0}, {0, 1, 0}, {0, 0, left_handed ? -1.0 : 1.0}};
 }
 
-// What must be done to the world so that the file's numbers come out (or went in) as wanted.
+// The transform of the world that makes the file's coordinates as requested.
 Similarity world_for(const fs::path& file, const std::string& up, bool left_handed) {
     if (up.empty()) return {};
     return {transpose(splat_file_from_world(file)) * numbers_from_world(up, left_handed), 1, {}};
@@ -58,7 +56,7 @@ void check(const Flags& flags) {
                              flags.crop[a + 3]);
 }
 
-// A run's own splats are what its other files, and its resume, are about; a source written over is gone.
+// Refuses to overwrite the splats of a run, which its other files and its resuming depend on, and the source file.
 void check_target(const Flags& flags) {
     const fs::path from = scene_file(flags.from), to = flags.to;
     std::error_code absent;

@@ -42,7 +42,7 @@ void train(const TrainFlags& flags, const Session& session) {
     check_fields("", training.params);
     const EgformerTrained trained = train_depth(training, flags.out,
                                                 session.run(number_from<std::uint64_t>("--seed", flags.seed)));
-    if (training.params.training.process > 0)  // it has looked at nothing that is held out
+    if (training.params.training.process > 0)  // only the first process evaluates held-out pictures
         return session.print(fmt::format("done, {} steps; process 0 keeps the network", trained.steps),
                              {{"steps", trained.steps}});
     session.print(fmt::format("{}: {} steps; held out, aligned: AbsRel {:.4f}, d1 {:.4f}", trained.weights.string(),
@@ -94,11 +94,11 @@ Verb add_depth(CLI::App& app) {
     CLI::App *train_verb = add_train(*depth.app, training), *check_verb = add_check(*depth.app, checking);
     depth.app->footer("Example:\n  fastscene depth out/photo --depth-camera-height 1.4");
     for (CLI::App* verb : {train_verb, check_verb})
-        verb->fallthrough();  // --json, --threads and --progress are the verb's
-    // A run's folder is needed for the stage only.
+        verb->fallthrough();  // --json, --threads and --progress belong to the command
+    // A run folder is required for the stage only.
     CLI::Option* folder = depth.app->get_option("folder")->required(false);
     return {depth.app, [=, act = depth.act](const Session& session) {
-                for (const CLI::App* part : {train_verb, check_verb})  // a folder would be taken and not used
+                for (const CLI::App* part : {train_verb, check_verb})  // a folder would be accepted but ignored
                     if (part->parsed() && folder->count())
                         throw UsageError("depth {}: expected its folder after --data, found \"{}\" alone",
                                          part->get_name(), folder->as<std::string>());

@@ -1,4 +1,4 @@
-// What is here, what is missing, and how to get it.
+// Shows what is installed, what is missing, and how to get it.
 #include <sys/statvfs.h>
 
 #include <fstream>
@@ -64,7 +64,7 @@ Finding memory() {
             have >= kNeedGib ? "" : "close other programs, or use --quality draft"};
 }
 
-// What --panorama diffusion360 needs, setting by setting, and whether the smallest fits.
+// Memory needs of --panorama diffusion360 by setting, and whether the smallest fits.
 Finding painting_memory() {
     const auto need = [](int width, const char* precision, bool low) {
         return gib_text(standard_diffusion_memory(width, precision, low));
@@ -99,7 +99,7 @@ Finding disk() {
             gib >= 1 ? "" : "a run takes up to 1 GiB: free some, or choose another folder with -o"};
 }
 
-// The packages named in a list of ours, one a line, # begins a comment.
+// The packages listed in one of our files, one per line; # starts a comment.
 std::vector<std::string> packages_of(const fs::path& list) {
     std::vector<std::string> names;
     if (!fs::exists(list)) return names;
@@ -112,7 +112,7 @@ std::vector<std::string> packages_of(const fs::path& list) {
     return names;
 }
 
-// What dpkg knows to be installed; the status file is its own record.
+// Whether dpkg's status file lists the package as installed.
 bool is_installed(const std::string& status, const std::string& package) {
     const auto at = status.find("\nPackage: " + package + "\nStatus: install ok installed");
     return at != std::string::npos;
@@ -135,7 +135,7 @@ Finding program(const std::string& name, const std::string& use, const std::stri
     return {name, found ? found->string() : "missing (" + use + ")", found ? "" : remedy};
 }
 
-// Optional: the built-in pieces furnish any room; the pack brings the unexpected ones.
+// Optional: built-in furniture suffices for any room; the pack adds unusual pieces.
 Finding furniture() {
     std::vector<std::string> complaints;
     const fs::path folder = FurniturePack::default_folder();
@@ -159,7 +159,7 @@ std::vector<Finding> examine() {
     all.push_back(painting_memory());
     all.push_back(pulled_models());
     all.push_back(disk());
-    // Only a build tree has these lists: what an installed program needs, its package depends on.
+    // Only build trees have these lists; an installed package declares its dependencies.
     if (const auto list = find_data("packaging/apt.txt")) all.push_back(packages("packages to build", *list));
     if (const auto list = find_data("packaging/apt-test.txt")) all.push_back(packages("packages to test", *list));
     const auto viewer = find_viewer_dir();

@@ -28,7 +28,7 @@ std::string list_of_suites() {
     return text;
 }
 
-// A page as this version draws it, of what was measured before.
+// Regenerates the report page from existing measurements.
 void redraw(const std::filesystem::path& folder, const Session& session) {
     if (!std::filesystem::exists(folder / "results.json"))
         throw UsageError("--redraw: expected the folder of an evaluation, found no {}",

@@ -1,6 +1,6 @@
-// Flags made from fields: what visit_fields says once becomes --<section>-<field> with its sentence,
-// its default and its kind of value. The given texts are kept and applied to the params later, because
-// their defaults hang on another flag (--quality).
+// Flags derived from fields: each field of visit_fields becomes --<section>-<field> with its description, default and
+// type. The given texts are stored and applied to the params later, because their defaults depend on another flag
+// (--quality).
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -16,16 +16,16 @@
 
 namespace fastscene::cli {
 
-// What the user said: full flag name -> text.
+// Given flags: full name -> text.
 using Given = std::map<std::string, std::string>;
 
-// The field "kind" is the stage itself: --walk paper.
+// The field "kind" is the stage's main setting: --walk paper.
 inline std::string flag_name(std::string_view section, std::string_view field) {
     if (field == "kind" && !section.empty()) return fmt::format("--{}", section);
     return section.empty() ? fmt::format("--{}", field) : fmt::format("--{}-{}", section, field);
 }
 
-// Throws UsageError unless the whole text is a number of this kind.
+// Throws UsageError unless the whole text is a number of this type.
 template <class T>
 T number_from(const std::string& flag, const std::string& text) {
     T value{};

@@ -10,7 +10,7 @@ Verb add_inpaint(CLI::App& app) {
         "Example:\n  fastscene inpaint dataset data/rooms -o data/holes\n  fastscene inpaint train data/holes -o "
         "out/inpainter");
     const std::vector<Verb> parts{add_inpaint_dataset(*verb), add_inpaint_train(*verb)};
-    for (const Verb& part : parts) part.app->fallthrough();  // the flags that every verb has are those of `inpaint`
+    for (const Verb& part : parts) part.app->fallthrough();  // common flags belong to `inpaint`
     return {verb, [parts](const Session& session) {
                 for (const Verb& part : parts)
                     if (part.app->parsed()) part.act(session);

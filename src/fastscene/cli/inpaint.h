@@ -1,4 +1,4 @@
-// The verbs below `inpaint`, one file each.
+// The subcommands of `inpaint`, one file each.
 #pragma once
 
 #include "fastscene/cli/verb.h"

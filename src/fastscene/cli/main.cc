@@ -1,5 +1,5 @@
-// fastscene VERB …: results on stdout, everything else on stderr. Exit code 0, 1 (failed), 2 (usage),
-// 128 + signal when stopped.
+// fastscene COMMAND …: results on stdout, everything else on stderr. Exit code 0, 1 (failed), 2 (usage), 128 + signal
+// if stopped.
 #include <unistd.h>
 
 #include <algorithm>
@@ -48,11 +48,10 @@ int usage(const std::string& text) {
     return 2;
 }
 
-// What is read when libraries are loaded, so that a verb with networks begins anew with it. Two things, where nobody
-// (the start script, the user) has said otherwise: libtorch's threads sleep while they wait (spinning ones take the
-// core from those that work: beside another program a depth map costs ten times as much), and large blocks of memory
-// come in large pages (a twentieth of the page faults). And libraries keep to the instruction set in use. Where that is
-// not possible it goes on as it is.
+// Settings that are read when libraries are loaded, for which commands with networks restart. Unless already set by the
+// start script or the user: waiting libtorch threads sleep (spinning ones occupy cores: beside another program, depth
+// estimation takes ten times as long), and large allocations use huge pages (a twentieth of the page faults). Libraries
+// are limited to the instruction set in use. If restarting is not possible, the command continues without.
 void begin_with_settings(const std::string& verb, char** argv) {
     if (!is_one_of(verb, {"make", "panorama", "depth", "walk", "inpaint", "splat", "metrics", "evaluate"})) return;
     std::vector<Setting> settings = library_settings(isa());
@@ -102,14 +101,14 @@ int run(int argc, char** argv) {
                                   add_views(app),   add_splat(app),    add_metrics(app), add_evaluate(app),
                                   add_render(app),  add_convert(app),  add_view(app),    add_rooms(app),
                                   add_inpaint(app), add_models(app),   add_doctor(app),  add_version(app)};
-    // After the verbs, which would take it over.
+    // After the commands, which would otherwise inherit it.
     app.footer("Example:\n  fastscene make \"a cozy bedroom with a red armchair and a large window\" -o out/bedroom");
     auto common = std::make_shared<Common>();
     for (const Verb& verb : verbs) add_common_flags(*verb.app, common);
     try {
         app.parse(argc, argv);
         check_values(app);
-        (void)isa();  // a wrong FASTSCENE_ISA is told before anything is done
+        (void)isa();  // report an invalid FASTSCENE_ISA before anything else
     } catch (const CLI::Success& e) {
         if (app.get_subcommands().empty() && has_unknown_words(app)) return usage(unknown_argument(app));  // mak --help
         return app.exit(e);                                                                                // --help

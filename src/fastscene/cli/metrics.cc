@@ -8,8 +8,7 @@ namespace fastscene::cli {
 
 namespace {
 
-// What belongs to `metrics DIR --truth` would be taken and not used beside another measure: a second folder, most of
-// all.
+// Flags of `metrics DIR --truth` would be silently ignored by another measure, above all a second folder.
 void refuse_own(const CLI::App& verb, const Given& given, const std::string& part) {
     if (const CLI::Option* folder = verb.get_option("folder"); folder->count())
         throw UsageError("metrics {}: expected no further argument, found \"{}\"", part, folder->as<std::string>());
@@ -41,7 +40,7 @@ Verb add_metrics(CLI::App& app) {
         "Examples:\n  fastscene metrics out/bedroom --truth --views 30\n  fastscene metrics images renders --reference "
         "truth");
     const std::vector<Verb> parts{add_metrics_depth(*verb), add_metrics_images(*verb), add_niqe_fit(*verb)};
-    for (const Verb& part : parts) part.app->fallthrough();  // the flags that every verb has are those of `metrics`
+    for (const Verb& part : parts) part.app->fallthrough();  // common flags belong to `metrics`
     return {
         verb, [verb, flags, parts](const Session& session) {
             for (const Verb& part : parts)
@@ -54,7 +53,7 @@ Verb add_metrics(CLI::App& app) {
                     "metrics: expected the folder of a finished run, or a measure of its own: images, niqe-fit, depth");
             if (!flags->truth) throw UsageError("metrics: expected --truth, the one measure there is so far");
             TruthParams params;
-            if (flags->given->count("--radius")) params.where = "near";  // a radius has no other meaning
+            if (flags->given->count("--radius")) params.where = "near";  // --radius implies poses near panorama 0
             apply_fields("", params, *flags->given);
             check_fields("", params);
             if (params.where != "near" && flags->given->count("--radius"))

@@ -1,4 +1,4 @@
-// The verbs below `metrics`, one file each.
+// The subcommands of `metrics`, one file each.
 #pragma once
 
 #include "fastscene/cli/verb.h"

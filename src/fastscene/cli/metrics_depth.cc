@@ -17,12 +17,12 @@ namespace fs = std::filesystem;
 const std::map<std::string, DepthAlignment> kAlignments{
     {"none", DepthAlignment::none}, {"scale", DepthAlignment::scale}, {"affine", DepthAlignment::affine}};
 
-// A run's folder stands for its range map.
+// A run folder stands for its range map.
 fs::path map_of(const std::string& given) {
     return fs::is_directory(given) ? RunFolder{given}.depth_range() : fs::path(given);
 }
 
-// The nearest pixel: the mean of two surfaces lies on neither.
+// Nearest neighbour: an interpolated range lies on neither surface.
 ImageF at_size_of(const ImageF& found, const ImageF& truth) {
     if (found.same_size(truth)) return found;
     ImageF out(truth.width, truth.height);
@@ -39,14 +39,14 @@ Json json_of(const DepthScores& s) {
             {"shift_m", s.shift},   {"pixels", s.pixels},   {"missing", s.missing}};
 }
 
-// Found / true in the middle: 1000 is no error of an estimate, but one of units.
+// Median ratio of found to true: a value like 1000 means wrong units, not an inaccurate estimate.
 void tell_what_looks_wrong(const DepthScores& s, const ImageF& found, const ImageF& truth, double farthest,
                            DepthAlignment alignment, const std::string& name, const Run& run) {
     constexpr float kOtherUnit = 100;
     if (s.missing > 0)
         run.warn(fmt::format("{}: {} of {} measured pixels have no estimate (NaN or infinite) and are not counted",
                              name, s.missing, s.missing + s.pixels));
-    if (alignment != DepthAlignment::none) return;  // units are set right then
+    if (alignment != DepthAlignment::none) return;  // alignment corrects units
     std::vector<float> ratios;
     for (std::size_t i = 0; i < found.size(); ++i)
         if (const float f = found.pixels[i], t = truth.pixels[i];

@@ -1,4 +1,4 @@
-// metrics images, metrics niqe-fit: pictures measured without a scene.
+// metrics images, metrics niqe-fit: measures pictures without a scene.
 #include <fmt/ranges.h>
 
 #include "fastscene/base/writable.h"

@@ -1,4 +1,4 @@
-// models list, pull, verify, path: the weights of others, brought here and held against what is known of them.
+// models list, pull, verify, path: fetches third-party weights and verifies them.
 #include <algorithm>
 #include <cmath>
 
@@ -61,7 +61,7 @@ Json json_of(const Model& model, const Presence& here) {
             {"files", files}};
 }
 
-// As a mirror has it: FOLDER/FILE, or one of several.
+// As on a mirror: FOLDER/FILE, or one of several.
 std::string file_text(const Model& model, const ModelFile& file) {
     std::string text;
     for (const std::string& name : file.names()) text += (text.empty() ? "" : " or ") + model.folder + "/" + name;
@@ -106,7 +106,7 @@ void print_reports(const std::vector<ModelReport>& reports, const Session& sessi
     session.print(text, json);
 }
 
-Verb add_pull(CLI::App& models_verb) {
+Verb add_regularizers(CLI::App& models_verb) {
     struct Flags {
         std::vector<std::string> names;
         std::string mirror;
@@ -127,7 +127,7 @@ Verb add_pull(CLI::App& models_verb) {
                 const Run run = session.run(0);
                 std::vector<const Model*> wanted;
                 for (const std::string& name : flags->names)
-                    wanted.push_back(&model_named(name));  // all names before the first byte
+                    wanted.push_back(&model_named(name));  // validate all names before downloading
                 std::vector<ModelReport> reports;
                 for (const Model* model : wanted)
                     reports.push_back(pull_model(
@@ -188,8 +188,8 @@ Verb add_models(CLI::App& app) {
     verb->footer("Examples:\n  fastscene models list\n  fastscene models pull lpips --accept");
     CLI::App* list_verb = verb->add_subcommand(
         "list", "Which models this program can use, under which licence, and which are here.");
-    const std::vector<Verb> parts{{list_verb, list}, add_pull(*verb), add_verify(*verb), add_path(*verb)};
-    for (const Verb& part : parts) part.app->fallthrough();  // the flags that every verb has are those of `models`
+    const std::vector<Verb> parts{{list_verb, list}, add_regularizers(*verb), add_verify(*verb), add_path(*verb)};
+    for (const Verb& part : parts) part.app->fallthrough();  // common flags belong to `models`
     return {verb, [parts](const Session& session) {
                 for (const Verb& part : parts)
                     if (part.app->parsed()) part.act(session);

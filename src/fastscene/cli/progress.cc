@@ -12,9 +12,9 @@ namespace {
 
 using Seconds = std::chrono::duration<double>;
 
-// A rewritten line is legible at this rate; more would only cost time.
+// A rewritten line is legible at this rate; updating faster would waste time.
 constexpr Seconds kLineEvery{0.1};
-// A log wants to be short: a line each tenth of the work, or when so long nothing was said.
+// Logs should be short: a line per tenth of the work, or after this long a silence.
 constexpr int kPlainStepPercent = 10;
 constexpr Seconds kPlainEvery{10};
 
@@ -46,8 +46,8 @@ std::string printable(std::string_view text) {
         bool plain = byte < 0x80 ? (byte >= 0x20 && byte != 0x7f) || byte == '\n' || byte == '\t'
                                  : byte >= 0xc2 && byte < 0xf5;
         for (std::size_t k = 1; k < length; ++k) plain = plain && continues(i + k);
-        if (byte == 0xc2 && byte_at(i + 1) < 0xa0) plain = false;  // the second set of control characters
-        // What terminals may obey, and what is not UTF-8, is told byte by byte.
+        if (byte == 0xc2 && byte_at(i + 1) < 0xa0) plain = false;  // C1 control characters
+        // Control characters and invalid UTF-8 are escaped byte by byte.
         if (plain) out += text.substr(i, length);
         else out += fmt::format("\\x{:02x}", byte);
         i += plain ? length : 1;
@@ -75,12 +75,12 @@ void ProgressDisplay::say(const std::string& kind, const std::string& text) {
     else out_ << (kind == "note" ? "" : kind + ": ") << printable(text) << std::endl;
 }
 
-// The work is taken to go on as fast as it went so far.
+// Extrapolates the average speed so far.
 double ProgressDisplay::seconds_left(const ProgressEvent& event) const {
     if (event.overall >= 0) {
         const double made = event.overall - overall_first_;
         const double spent = Seconds(Clock::now() - overall_begin_).count();
-        // Out of too little an estimate would jump about.
+        // Too early, an estimate would fluctuate.
         return made > 0.005 ? spent * (1 - event.overall) / made : -1;
     }
     if (event.done <= 0) return -1;

@@ -59,14 +59,14 @@ void save_distance(const fs::path& path, const ImageF& distance) {
     save_png16(path, millimetres);
 }
 
-// Frames as ffmpeg is told of them: a colon in a folder's name is no protocol, a percent sign no number.
+// Frame pattern for ffmpeg: colons in a folder's name must not be parsed as a protocol, percent signs not as a format.
 std::string ffmpeg_frames(const fs::path& folder) {
     std::string text = "file:";
     for (const char c : folder.string()) text += c == '%' ? "%%" : std::string(1, c);
     return text + "/%05d.png";
 }
 
-// What the cameras look at: the splats, or the room that they were made from.
+// What to render: the splats, or the room that they were made from.
 struct Subject {
     std::function<Still(const Pinhole&, const Rigid& world_from_camera)> flat;
     std::function<Still(int width, const Rigid& world_from_pano)> sphere;  // equirectangular
@@ -78,7 +78,7 @@ Subject subject_of_splats(Splats given, Vec3f background) {
             [=](int width, const Rigid& pose) { return sphere_of(*splats, width, pose, background); }};
 }
 
-// Path traced, as free of noise as the truth that splats are judged by.
+// Path traced, with the noise level of the ground truth for metrics.
 Subject subject_of_room(const std::string& folder, int samples, const Session& session) {
     const Run run = session.run(0);
     if (!fs::is_directory(folder))
@@ -94,7 +94,7 @@ Subject subject_of_room(const std::string& folder, int samples, const Session& s
         for (int y = 0; y < out.distance.height; ++y)
             for (int x = 0; x < out.distance.width; ++x) {
                 float& d = out.distance.at(x, y);
-                d = std::isfinite(d) ? d * of_range(x, y) : 0.f;  // nothing is outside
+                d = std::isfinite(d) ? d * of_range(x, y) : 0.f;  // nothing is hit outside
             }
         return out;
     };
@@ -109,7 +109,7 @@ Subject subject_of_room(const std::string& folder, int samples, const Session& s
         }};
 }
 
-// The film's frames as PNGs, and the film itself where ffmpeg is.
+// Writes the film's frames as PNGs, and the film if ffmpeg is available.
 void render_film(const Subject& subject, const CameraPath& camera, const fs::path& out, const Flags& flags,
                  const Session& session) {
     const Run run = session.run(0);
@@ -128,7 +128,7 @@ void render_film(const Subject& subject, const CameraPath& camera, const fs::pat
     }
     Json json{{"frames", frames.string()}, {"count", count}};
     std::string text = frames.string();
-    // A longer film that was made here before would go on after this one.
+    // Frames of an earlier, longer film would be appended.
     if (fs::exists(frames / fmt::format("{:05}.png", count)))
         run.note(fmt::format("{}: frames from {:05}.png on are of an earlier film", frames.string(), count));
     if (const auto ffmpeg = find_program("ffmpeg")) {
@@ -150,7 +150,7 @@ void render_film(const Subject& subject, const CameraPath& camera, const fs::pat
     session.print(text, json);
 }
 
-// A picture from each camera of a capture, under the names that they have there.
+// Renders a picture for each camera of a capture, under the same names.
 void render_cameras(const Subject& subject, const Capture& capture, const fs::path& out, const Session& session) {
     const Run run = session.run(0);
     if (capture.photos.empty()) throw Error("{}: expected cameras, found none", capture.source);
@@ -166,7 +166,7 @@ void render_cameras(const Subject& subject, const Capture& capture, const fs::pa
                          to_float(photo.world_from_camera.translation)};
         const bool sphere = photo.lens.kind == LensKind::equirectangular;
         bent = bent || !(sphere || photo.lens.is_pinhole());
-        // Names may climb out of their folder; pictures do not.
+        // Names with ".." must not leave the folder.
         std::string below;
         for (const fs::path& part : fs::path(photo.name).relative_path())
             if (part != ".." && part != ".") below += (below.empty() ? "" : "/") + part.string();
@@ -181,7 +181,7 @@ void render_cameras(const Subject& subject, const Capture& capture, const fs::pa
     session.print(out.string(), {{"frames", out.string()}, {"count", capture.photos.size()}});
 }
 
-// Cameras of a COLMAP model, a capture's folder, a transforms.json or a cameras.json; absent: a path of our own.
+// Cameras of a COLMAP model, a capture's folder, a transforms.json or a cameras.json; empty: a camera path file.
 std::optional<Capture> cameras_of(const fs::path& place) {
     if (fs::is_directory(place)) {
         if (const auto model = colmap_model_in(place)) return load_colmap_model(*model);

@@ -17,7 +17,7 @@ void add_param_flags(CLI::App& app, const std::shared_ptr<RequestFlags>& flags, 
                        fmt::format("Settings of {} (defaults are those of --quality {})", section, flags->quality));
         if (section == last_stage) wanted = false;
     });
-    // As the paper's step is called.
+    // Named after the paper's step.
     if (const CLI::Option* sfm = app.get_option_no_throw("--views-sfm"))
         app.add_option_function<std::string>(
                "--sfm", [given = flags->given](const std::string& text) { (*given)["--views-sfm"] = text; },
@@ -34,11 +34,11 @@ void add_param_flags(CLI::App& app, const std::shared_ptr<RequestFlags>& flags, 
 void apply_param_flags(SceneParams& params, const Given& given) {
     visit_sections(params,
                    [&](std::string_view section, auto& fields) { apply_fields(std::string(section), fields, given); });
-    // Who names a number of Gaussians means it.
+    // An explicit number of Gaussians overrides the density.
     if (given.count("--splat-count") && !given.count("--splat-per-m2")) params.splat.per_m2 = 0;
 }
 
-// stdout: where the scene is.
+// Prints the scene's folder to stdout.
 void make_and_print(const SceneRequest& request, const RunFolder& folder, const Run& run, const Session& session) {
     const Json report = make_scene(request, folder, run);
     if (request.last_stage == "splat") session.print(folder.root.string(), report);
@@ -47,7 +47,7 @@ void make_and_print(const SceneRequest& request, const RunFolder& folder, const 
         run.note(fmt::format("open {} in a browser to walk through it", folder.viewer_html().string()));
 }
 
-// What the user named with --panorama, where it is no picture.
+// Value of --panorama that is not a picture.
 constexpr std::string_view kPainter = "diffusion360";
 
 bool is_painted(const RequestFlags& flags) {
@@ -62,7 +62,7 @@ bool is_enlarged(const RequestFlags& flags) {
     return upscale != flags.given->end() && upscale->second != "none";
 }
 
-// Throws UsageError for flags that do not fit together.
+// Throws UsageError for contradictory flags.
 SceneSource starting_source(const CLI::App& verb, const RequestFlags& flags) {
     const bool painted = is_painted(flags), larger = is_enlarged(flags);
     const SceneSource source = source_of(flags.source, painted);
@@ -89,7 +89,7 @@ SceneRequest starting_request(const CLI::App& verb, const RequestFlags& flags, c
     request.params = params_of_quality(flags.quality);
     PanoramaParams& panorama = request.params.panorama;
     if (const auto* painting = std::get_if<PaintingSource>(&request.source)) {
-        panorama.width = 1024;  // what the model was trained for
+        panorama.width = 1024;  // the model's training resolution
         if (!painting->photo.empty()) panorama.diffusion.guidance = kGuidanceAroundPhoto;
     }
     apply_param_flags(request.params, *flags.given);
@@ -127,7 +127,7 @@ Verb add_starting_verb(CLI::App& app, const std::string& name, const std::string
                 SceneRequest request = starting_request(*verb, *flags, last_stage);
                 const Run run = session.run(number_from<std::uint64_t>("--seed", flags->seed));
                 use_cached_weights(request, run);
-                // The prompt is looked at before it becomes a folder's name.
+                // The prompt is validated before it becomes a folder's name.
                 if (has_room(request.source)) read_prompt(prompt_of(request.source), request.params.panorama);
                 const std::filesystem::path picture = picture_of(request.source);
                 const std::string title = picture.empty() ? prompt_of(request.source) : picture.stem().string();

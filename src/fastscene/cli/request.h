@@ -1,4 +1,4 @@
-// The flags that say what scene is wanted, shared by make and the verbs of the stages.
+// Flags that define a scene, shared by `make` and the stage commands.
 #pragma once
 
 #include <functional>
@@ -21,11 +21,11 @@ struct RequestFlags {
     std::shared_ptr<Given> given = std::make_shared<Given>();
 };
 
-// For verbs that start a run from a prompt or a picture: make, panorama.
+// For commands that start a run from a prompt or picture: make, panorama.
 Verb add_starting_verb(CLI::App& app, const std::string& name, const std::string& sentence,
                        const std::string& last_stage);
-// For verbs that go on with the run in a folder: depth, walk, views, splat. Settings that no flag changes are those of
-// run.json. `first` adds what --help shall show before them.
+// For commands that continue a run in a folder: depth, walk, views, splat. Settings without a flag come from run.json.
+// `first` adds options that --help lists before them.
 Verb add_stage_verb(CLI::App& app, const std::string& name, const std::string& sentence,
                     std::shared_ptr<RequestFlags> flags = std::make_shared<RequestFlags>(),
                     const std::function<void(CLI::App&)>& first = {});

@@ -10,7 +10,7 @@ Verb add_rooms(CLI::App& app) {
         "--count 1000 --size 512x256 -o data/rooms");
     const std::vector<Verb> parts{add_rooms_sheet(*verb), add_rooms_check(*verb), add_rooms_read(*verb),
                                   add_rooms_dataset(*verb)};
-    for (const Verb& part : parts) part.app->fallthrough();  // the flags that every verb has are those of `rooms`
+    for (const Verb& part : parts) part.app->fallthrough();  // common flags belong to `rooms`
     return {verb, [parts](const Session& session) {
                 for (const Verb& part : parts)
                     if (part.app->parsed()) part.act(session);

@@ -1,4 +1,4 @@
-// The verbs below `rooms`, one file each.
+// The subcommands of `rooms`, one file each.
 #pragma once
 
 #include "fastscene/cli/verb.h"

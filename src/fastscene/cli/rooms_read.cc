@@ -6,7 +6,7 @@
 namespace fastscene::cli {
 namespace {
 
-// "understood      blue velvet sofa: object: sofa, color blue", one word a line.
+// "understood      blue velvet sofa: object: sofa, color blue", one line per word.
 std::string as_text(const Json& report) {
     std::string text;
     for (const char* list : {"understood", "approximated", "not_placed", "not_understood"})

@@ -1,4 +1,4 @@
-// The one file that knows httplib: its macros and its compile time stay here.
+// The only file that includes httplib, to contain its macros and compile time.
 #include "fastscene/cli/server.h"
 
 #include <httplib.h>
@@ -33,14 +33,14 @@ void serve_scene(const RunFolder& folder, const std::optional<std::filesystem::p
         throw Error("{}: {}", folder.viewer_html().string(), viewer_remedy());
     httplib::Server server;
     server.set_tcp_nodelay(true);
-    // The library's default would let two servers share a port without a word.
+    // By default the library would let two servers share a port silently.
     server.set_socket_options([](socket_t socket) {
         const int yes = 1;
         ::setsockopt(socket, SOL_SOCKET, SO_REUSEADDR, &yes, sizeof yes);
     });
     const std::string settings = viewer_dir ? settings_of(folder) : "";
     server.Get("/", [&](const httplib::Request&, httplib::Response& response) {
-        // Splats of photographs are shown upright, whatever axes the photographs' model has.
+        // Splats of photographs are shown upright, whatever the axes of their model.
         const std::string splats = first_glance_of_capture(folder) ? "/splat/viewer.compressed.ply"
                                                                    : "/splat/scene.compressed.ply";
         response.set_redirect(viewer_dir ? "/viewer/index.html?settings=/settings.json&content=" + splats

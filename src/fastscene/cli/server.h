@@ -1,4 +1,4 @@
-// The small web server behind `fastscene view`.
+// The small web server of `fastscene view`.
 #pragma once
 
 #include <filesystem>
@@ -11,8 +11,8 @@
 
 namespace fastscene::cli {
 
-// Serves the viewer's page with the run's splats on 127.0.0.1 until `stop`; calls `ready` with the address once it
-// listens. Without a viewer folder the run's own viewer.html is served. Throws Error when the port is taken.
+// Serves the viewer page with the run's splats on 127.0.0.1 until `stop`; calls `ready` with the URL once it listens.
+// Without a viewer folder, serves the run's own viewer.html. Throws Error if the port is in use.
 void serve_scene(const RunFolder& folder, const std::optional<std::filesystem::path>& viewer_dir, int port,
                  std::stop_token stop, const std::function<void(const std::string& address)>& ready);
 

@@ -17,7 +17,7 @@ sigset_t watched() {
 }  // namespace
 
 SignalWatch::SignalWatch() {
-    // A closed pipe or a file size limit is an error that the writer reports, not a reason to die.
+    // A closed pipe or a file size limit is reported by the writer as an error instead of killing the process.
     ::signal(SIGPIPE, SIG_IGN);
     ::signal(SIGXFSZ, SIG_IGN);
     const sigset_t set = watched();

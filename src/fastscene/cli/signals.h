@@ -1,4 +1,4 @@
-// Ctrl-C and SIGTERM become a stop request; a second one ends the program at once.
+// Ctrl-C and SIGTERM request a stop; a second signal ends the program at once.
 #pragma once
 
 #include <atomic>
@@ -9,11 +9,11 @@ namespace fastscene::cli {
 
 class SignalWatch {
   public:
-    // To be made before any other thread, so that all threads leave the signals to this one.
+    // Create it before any other thread, so that all threads leave the signals to this one.
     SignalWatch();
     ~SignalWatch();
     std::stop_token token() const { return stop_.get_token(); }
-    int signal() const { return signal_; }  // the one that came, 0 = none
+    int signal() const { return signal_; }  // the received signal, 0 = none
 
   private:
     std::stop_source stop_;

@@ -33,7 +33,7 @@ std::set<std::string, std::less<>> flags_of(Source source) {
     return flags;
 }
 
-// What a flag that this source does not have is expected with.
+// Reports which flags a rejected flag belongs with.
 [[noreturn]] void refuse(const std::string& flag, std::string_view found) {
     std::string owners;
     visit_starting_sources([&](auto source, std::string_view brought_by) {

@@ -1,4 +1,4 @@
-// The flags of the sources: what visit_fields says of each alternative, once.
+// Flags of the sources, derived from visit_fields of each alternative.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -9,14 +9,14 @@
 
 namespace fastscene::cli {
 
-// What the user said of the source: flag -> text.
+// Given source flags: flag -> text.
 using SourceTexts = std::map<std::string, std::string, std::less<>>;
 
-// Adds the flags of all sources that `make` starts from, each once. `texts` outlives the program's flags.
+// Adds the flags of all sources supported by `make`. `texts` must outlive the flags.
 void add_source_flags(CLI::App& app, SourceTexts& texts);
 
-// The source that the texts are of: painted where `painted` says so, else a picture where --panorama names one, else a
-// prompt. Throws UsageError for a flag that such a source does not have.
+// The source defined by the texts: generated if `painted`, else a picture if --panorama names one, else a prompt.
+// Throws UsageError for a flag that does not apply to it.
 SceneSource source_of(const SourceTexts& texts, bool painted);
 
 }  // namespace fastscene::cli

@@ -1,4 +1,4 @@
-// splat: a stage of a run, and a verb of its own for photographs with cameras.
+// splat: a stage of a run, and a command of its own for photographs with cameras.
 #include <array>
 
 #include "fastscene/cli/request.h"
@@ -15,7 +15,7 @@ struct CaptureFlags {
     std::shared_ptr<Given> given = std::make_shared<Given>();
 };
 
-// How large pictures may be grows with the preset.
+// The maximum picture size depends on the preset.
 int max_size_of(const std::string& quality) { return quality == "draft" ? 640 : quality == "standard" ? 1024 : 1600; }
 
 void train(const CaptureRequest& request, const RunFolder& folder, std::uint64_t seed, const Session& session) {
@@ -38,7 +38,7 @@ CaptureRequest request_of(const CaptureFlags& flags, const RequestFlags& stage) 
     return request;
 }
 
-// What is said of photographs alone.
+// Flags for photographs only.
 constexpr std::array kCaptureOnly{"--out", "--images", "--masks", "--seed", "--force"};
 
 void add_capture_flags(CLI::App& verb, CaptureFlags& flags) {
@@ -60,7 +60,7 @@ void add_capture_flags(CLI::App& verb, CaptureFlags& flags) {
     add_fields(verb, "", photos, flags.given, group);
 }
 
-// This verb's own settings are understood without its name, too: --until for --splat-until.
+// This command's own settings are accepted without prefix, too: --until for --splat-until.
 void add_short_names(CLI::App& verb, const std::shared_ptr<Given>& given) {
     const std::string prefix = "--splat-";
     for (const CLI::Option* option : verb.get_options()) {
@@ -76,7 +76,7 @@ void add_short_names(CLI::App& verb, const std::shared_ptr<Given>& given) {
     }
 }
 
-// Flags that would change nothing are a mistake of somebody.
+// Flags without effect are probably mistakes.
 void check_flags(const CLI::App& verb, const Given& stage_flags, const CaptureFlags& capture, bool from_capture,
                  bool recorded_capture) {
     if (from_capture || recorded_capture)

@@ -10,14 +10,14 @@
 namespace fastscene::cli {
 namespace {
 
-// The verb, then its part: `depth`, `train`. The first is the program.
+// The command, then its subcommand: `depth`, `train`. The first entry is the program.
 std::vector<const CLI::App*> parsed_apps(const CLI::App& app) {
     std::vector<const CLI::App*> chain{&app};
     while (!chain.back()->get_subcommands().empty()) chain.push_back(chain.back()->get_subcommands().front());
     return chain;
 }
 
-// "depth train", or nothing.
+// "depth train", or empty.
 std::string name_of(const std::vector<const CLI::App*>& chain) {
     std::string name;
     for (std::size_t i = 1; i < chain.size(); ++i) name += (i > 1 ? " " : "") + chain[i]->get_name();
@@ -30,7 +30,7 @@ std::vector<std::string> parts_of(const CLI::App& app) {
     return names;
 }
 
-// The part's own, and those of its verb, which it takes too.
+// The subcommand's own flags, and those of its command, which it accepts too.
 std::vector<std::string> flags_of(const std::vector<const CLI::App*>& chain) {
     std::vector<std::string> names;
     for (const CLI::App* app : chain)
@@ -43,7 +43,7 @@ std::string flag_of(const CLI::Option& option) {
     return option.get_lnames().empty() ? option.get_name(true) : "--" + option.get_lnames().front();
 }
 
-// "N" in --help's columns, here in words.
+// Type of a flag's value in words, for "N" in --help's columns.
 std::string kind_of(const CLI::Option& option) {
     const std::string kind = option.get_type_name();
     return kind.empty()                                   ? "no value"
@@ -57,7 +57,7 @@ std::string see_help(const std::string& name) {
     return fmt::format(" (fastscene {}--help lists what there is)", name.empty() ? "" : name + " ");
 }
 
-// `walk tabel run`: the misspelt part was taken for the folder.
+// `walk tabel run`: the misspelt subcommand was taken for the folder.
 std::string part_taken_for_argument(const CLI::App& app) {
     for (const CLI::Option* option : app.get_options())
         if (option->get_positional() && option->count())
@@ -80,7 +80,7 @@ std::string unknown_argument(const CLI::App& app) {
     const std::string name = name_of(chain);
     const std::vector<std::string> rest = app.remaining(true);
     std::string word = rest.empty() ? "" : rest.front();
-    if (chain.size() > 1)  // after a verb a flag that is none says more than the words behind it
+    if (chain.size() > 1)  // an unknown flag after a command is more informative than the words after it
         for (const std::string& argument : rest)
             if (argument.starts_with("-")) {
                 word = argument;

@@ -1,4 +1,4 @@
-// What is wrong with the arguments, in a sentence: where, what was expected, what was found.
+// Error messages for invalid arguments: where, expected, actual.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -6,15 +6,15 @@
 
 namespace fastscene::cli {
 
-// The first argument that nobody took, and what may have been meant.
+// The first unrecognized argument, with a suggestion.
 std::string unknown_argument(const CLI::App& app);
-// There are words that no verb took.
+// Whether there are words that no command accepted.
 bool has_unknown_words(const CLI::App& app);
-// The part of a verb, or the argument, that must be there and is not.
+// The missing subcommand or required argument.
 std::string missing_argument(const CLI::App& app);
-// What CLI11 says of a flag without its value, or of a value of another kind.
+// Rewords CLI11's message about a flag without value, or with a value of the wrong type.
 std::string bad_value(const CLI::App& app, const CLI::ParseError& error);
-// Throws UsageError for what CLI11 lets pass: one number of three, and no name where a file or folder is named.
+// Throws UsageError for what CLI11 accepts: one number of three, and an empty file or folder name.
 void check_values(const CLI::App& app);
 
 }  // namespace fastscene::cli

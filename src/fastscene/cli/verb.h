@@ -1,4 +1,4 @@
-// A verb of the command line: its flags, and what it does once they are read. One file a verb.
+// A command: its flags, and what it does once they are parsed. One file per command.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -14,21 +14,21 @@
 
 namespace fastscene::cli {
 
-// Flags that every verb has.
+// Flags that every command has.
 struct Common {
     int threads = 0;
     bool json = false;
     std::string progress = "auto";
 };
 
-// What main hands to a verb.
+// What main passes to a command.
 struct Session {
     Common common;
     EventSink* events = nullptr;
     std::stop_token stop;
 
     Run run(std::uint64_t seed) const { return {seed, events, stop}; }
-    // Results, the only thing that goes to stdout: JSON when --json was given, else the text.
+    // Prints results, the only output on stdout: JSON if --json was given, else the text.
     void print(const std::string& text, const Json& json) const;
 };
 

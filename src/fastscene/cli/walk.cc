@@ -11,7 +11,7 @@ struct TableFlags {
     bool truth = false;
 };
 
-// The table falls through to the verb for what every verb has; a setting of the walk would change nothing there.
+// The table subcommand accepts the common flags of its command; settings of the walk would have no effect there.
 void check_flags(const CLI::App& walk) {
     for (const CLI::Option* option : walk.get_options()) {
         const std::string name = option->get_name();
@@ -27,7 +27,7 @@ void make_table(const TableFlags& flags, const Session& session) {
     if (flags.truth && has_picture)
         throw UsageError(
             "--truth: expected the folder of a run from a prompt: behind a picture there is no room to compare with");
-    if (!flags.out.empty()) {  // noticed now, not after the work
+    if (!flags.out.empty()) {  // fail now instead of after the work
         make_directories(flags.out);
         for (const char* name : {"hole_table.txt", "hole_table.json", "hole_table.svg"})
             check_writable(std::filesystem::path(flags.out) / name);
@@ -37,7 +37,7 @@ void make_table(const TableFlags& flags, const Session& session) {
                                                   : hole_table_of_run(flags.scene, flags.truth, run);
     std::string text = hole_table_text(rows);
     text.pop_back();
-    session.print(text, hole_table_json(rows));  // first: a full disk does not take it away
+    session.print(text, hole_table_json(rows));  // printed first, so that a full disk does not lose it
     if (!flags.out.empty()) save_hole_table(flags.out, rows);
 }
 
@@ -61,8 +61,8 @@ Verb add_walk(CLI::App& app) {
     walk.app->footer(
         "Example:\n  fastscene walk out/bedroom --walk-viewpoints 20\n  fastscene walk table out/bedroom -o out/holes");
     table->footer("Example:\n  fastscene walk table out/bedroom -o out/holes");
-    table->fallthrough();  // --json, --threads and --progress are the verb's
-    // A run's folder is needed for the walk only.
+    table->fallthrough();  // --json, --threads and --progress belong to the command
+    // A run folder is required for the walk only.
     CLI::Option* folder = walk.app->get_option("folder")->required(false);
     const auto act = walk.act;
     return {walk.app, [act, flags, table, folder, walk_app = walk.app](const Session& session) {

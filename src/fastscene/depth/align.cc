@@ -13,11 +13,10 @@
 namespace fastscene {
 namespace {
 
-constexpr int kReach = 2;             // coarse pixels to each side
-constexpr float kColorSigma = 0.07f;  // of sRGB values: about the noise of a photo, well under an edge
+constexpr int kReach = 2;             // in coarse pixels, to each side
+constexpr float kColorSigma = 0.07f;  // of sRGB values: about the noise of a photo, far below an edge
 constexpr float kPixelSigma = 1.1f;
-// A coarse pixel's plane: who beside it lies on the same surface, by color and by relative range, and how far the plane
-// is believed.
+// Plane fit of a coarse pixel: similarity of neighbours by color and relative range, and how far a plane is trusted.
 constexpr float kSurfaceColorSigma = 0.3f, kSurfaceRangeSigma = 0.15f, kFarthestFromPlane = 1.25f;
 
 Vec3f as_seen(Vec3f c) { return {srgb_from_linear(c.x), srgb_from_linear(c.y), srgb_from_linear(c.z)}; }
@@ -26,8 +25,8 @@ struct Neighbour {
     float value, weight;
 };
 
-// The planes that the coarse pixels lie on: along a ray d a plane has 1 / range = dot(g, d), which is linear, so that g
-// is the least squares of a pixel and the eight around it. Where they are of several surfaces, the others hardly count.
+// Planes through the coarse pixels: along a ray d, a plane has 1 / range = dot(g, d), which is linear, so g is a
+// least-squares fit over a pixel and its eight neighbours, weighted towards those on the same surface.
 Image<Vec3f> planes_of(const ImageF& coarse, const ImageColor& seen) {
     const EquirectSize size{coarse.width, coarse.height};
     Image<Vec3f> planes(size.width, size.height);
@@ -35,8 +34,8 @@ Image<Vec3f> planes_of(const ImageF& coarse, const ImageColor& seen) {
         for (int y = static_cast<int>(begin); y < end; ++y)
             for (int x = 0; x < size.width; ++x) {
                 const float here = coarse.at(x, y);
-                // A whisper for a surface that is met head on, so that a pixel alone has a plane, too. In units of the
-                // pixel's own range.
+                // Weak regularization towards a surface facing the ray, so that an isolated pixel has a plane, too. In
+                // units of the pixel's range.
                 const auto facing = [&] {
                     const Vec3f d = direction_of_pixel(x, y, size);
                     return Vec3d{d.x, d.y, d.z};
@@ -65,8 +64,8 @@ Image<Vec3f> planes_of(const ImageF& coarse, const ImageColor& seen) {
     return planes;
 }
 
-// What a coarse pixel of range `range` says of a ray nearby: where the ray meets its plane. Infinite or unknown ranges
-// say themselves.
+// Predicted range along a nearby ray, by intersecting it with the plane of a coarse pixel of range `range`. Infinite
+// and unknown ranges are returned unchanged.
 float range_on_plane(float range, const Vec3f& plane, const Vec3f& ray) {
     if (!(range > 0.f && std::isfinite(range))) return range;
     return std::clamp(1.f / std::max(dot(plane, ray), 1e-6f), range / kFarthestFromPlane, range * kFarthestFromPlane);
@@ -77,7 +76,7 @@ float weighted_median(std::array<Neighbour, (2 * kReach + 2) * (2 * kReach + 2)>
               [](const Neighbour& a, const Neighbour& b) { return a.value < b.value; });
     float total = 0;
     for (std::size_t i = 0; i < count; ++i) total += items[i].weight;
-    // Between the two in the middle, so that a smooth surface stays smooth.
+    // Interpolates between the two middle values, so that smooth surfaces stay smooth.
     float sum = 0;
     for (std::size_t i = 0; i < count; ++i) {
         const float before = sum;

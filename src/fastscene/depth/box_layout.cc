@@ -11,14 +11,14 @@ namespace fastscene {
 namespace {
 
 constexpr int kDistances = 40;
-constexpr float kNearest = 0.5f, kFarthest = 14.f;  // of a wall: rooms between a closet and a hall
+constexpr float kNearest = 0.5f, kFarthest = 14.f;  // distance of a wall in metres: rooms from a closet to a hall
 float distance_of(int i) { return kNearest * std::pow(kFarthest / kNearest, static_cast<float>(i) / (kDistances - 1)); }
-constexpr int kSlices = 80;  // of the half circle in front of a wall
+constexpr int kSlices = 80;  // of the 180 degrees in front of a wall
 float azimuth_of(int slice) { return (static_cast<float>(slice) / kSlices - 0.5f) * kPi; }
 int slice_of(float azimuth) { return std::clamp(static_cast<int>((azimuth / kPi + 0.5f) * kSlices), 0, kSlices); }
 
-// For one wall's direction and one height of floor or ceiling: sums of the line's strength over azimuth, per distance,
-// so that the strength between any two corners is one subtraction.
+// For one wall direction and one floor or ceiling height: prefix sums of line strength over azimuth, per distance, so
+// that the strength between two corners is a subtraction.
 struct EdgeSums {
     std::array<std::array<float, kSlices + 1>, kDistances> sum{};
     float between(int distance, float from, float to) const {
@@ -42,7 +42,7 @@ EdgeSums level_sums(const ImageF& lines, float yaw, float height_m, float sign) 
     return sums;
 }
 
-using Walls = std::array<int, 4>;  // index of each wall's distance
+using Walls = std::array<int, 4>;  // distance index of each wall
 
 class BoxScore {
   public:
@@ -54,13 +54,13 @@ class BoxScore {
             ceiling_[i] = level_sums(lines.level, facing, ceiling_m, 1);
         }
     }
-    // Strength per slice of the whole turn.
+    // Mean strength per slice over 360 degrees.
     float operator()(const Walls& walls) const {
         float level = 0, upright = 0;
         for (std::size_t i = 0; i < 4; ++i) {
             const auto d = [&](std::size_t w) { return distance_of(walls[w % 4]); };
             const float left = -std::atan(d(i + 3) / d(i)), right = std::atan(d(i + 1) / d(i));
-            // Furniture stands on the floor and hides its edge; the ceiling's is mostly free.
+            // The floor edge counts less: furniture hides it, while the ceiling edge is mostly visible.
             level += 0.6f * floor_[i].between(walls[i], left, right) +
                      1.4f * ceiling_[i].between(walls[i], left, right);
             upright += corner(yaw_ + static_cast<float>(i) * kPi / 2 + right, std::hypot(d(i), d(i + 1)));
@@ -91,7 +91,7 @@ struct Fit {
 Fit best_walls(const RoomLines& lines, float yaw, float floor_m, float ceiling_m) {
     const BoxScore score(lines, yaw, floor_m, ceiling_m);
     Fit best;
-    // From a small, a middling and a large room: the walls are moved one at a time, and may stick.
+    // Coordinate ascent from a small, a medium and a large room, to avoid local maxima.
     for (const int start : {12, 18, 25}) {
         Walls walls{start, start, start, start};
         float value = score(walls);

@@ -1,6 +1,6 @@
-// Depth stage: equirectangular color -> range along each ray, in metres. Paper: panoramic depth.
-// Backends: "exact" (the room behind a panorama from a prompt is asked), "image" (a range map of the user's,
-// panorama/panorama.h), "egformer" (a network estimates it) and "layout" (a box room fitted to the picture's lines).
+// Depth stage: equirectangular color -> range along each ray, in metres. Paper: panoramic depth. Backends: "exact" (ray
+// traced in the room of a prompt), "image" (a range map from the user, panorama/panorama.h), "egformer" (network
+// estimate) and "layout" (a box fitted to the picture's lines).
 #pragma once
 
 #include <string>
@@ -17,9 +17,9 @@ namespace fastscene {
 
 struct DepthParams {
     std::string backend = "auto";
-    std::string weights;           // of egformer
-    float camera_height_m = 1.6f;  // over the floor: a tripod at eye height
-    int looks = 0;                 // of the network at the picture, turned and mirrored
+    std::string weights;           // for egformer
+    float camera_height_m = 1.6f;  // above the floor: a tripod at eye height
+    int tta = 0;  // test-time augmentation: number of rotated and mirrored variants averaged; 0: automatic
 };
 template <class V>
 void visit_fields(DepthParams& p, V&& v) {
@@ -29,20 +29,20 @@ void visit_fields(DepthParams& p, V&& v) {
     v("weights", p.weights,
       "EGformer's weights (the published .pkl, or .safetensors); empty: those that come with the program, two networks "
       "whose mean counts.");
-    v("looks", p.looks, Bounds{0, 8},
+    v("tta", p.tta, Bounds{0, 8},
       "How often the network looks at the picture, turned and mirrored, the mean counts; 0: eight times if it is as "
       "small as those that ship, else once, as published.");
     v("camera-height", p.camera_height_m, Bounds{0.2, 20},
       "Height of the camera over the floor in metres, where range is estimated.");
 }
 
-// Range as seen from the world's origin (panorama 0); +inf where the ray leaves the room. Needs no gathered light.
+// Range from the world's origin (panorama 0); +inf where the ray leaves the room. Needs no gathered light.
 ImageF exact_range(const TracedRoom& room, EquirectSize size, const Run& run);
-// The same into flat mirrors (Panorama::mirrored_range); empty where none is seen.
+// The same through flat mirrors (Panorama::mirrored_range); empty if none is visible.
 ImageF exact_mirrored_range(const TracedRoom& room, EquirectSize size, const Run& run);
 
-// The panorama with a range map from elsewhere. Sizes must be equal. 0 is "unknown" and is filled smoothly from its
-// surroundings; +inf is sky. Throws Error naming `source` for NaN, negative values or nothing known at all.
+// Attaches a range map to a panorama of the same size. 0 means unknown and is interpolated smoothly; +inf is sky.
+// Throws Error naming `source` for NaN, negative values or no known value at all.
 Panorama with_range(Panorama panorama, ImageF range, std::string_view source = "range map");
 
 }  // namespace fastscene

@@ -22,7 +22,7 @@ constexpr EquirectSize kSize{256, 128};
 
 BoxLayout some_box() { return {0.4f, {2.1f, 3.4f, 1.7f, 2.6f}, 1.5f, 1.1f, 0}; }
 
-// Each of the six sides in its own color.
+// Each of the six sides in a different color.
 ImageColor painted(const BoxLayout& box, EquirectSize size) {
     ImageColor color(size.width, size.height);
     const ImageF range = range_of_box(box, size);
@@ -79,7 +79,7 @@ TEST(BoxLayout, FindsNoNonsenseInAnEmptyPicture) {
     for (const float r : range_of_box(found, {64, 32}).pixels) EXPECT_TRUE(r > 0.1f && r < 40.f);
 }
 
-// What a perfect scale-and-shift-invariant network would say of a furnished box.
+// Output of a perfect scale- and shift-invariant network for a furnished box.
 ImageF relative_of(const ImageF& range, float scale, float shift, bool furniture) {
     ImageF relative = range;
     for (int y = 0; y < range.height; ++y)
@@ -120,10 +120,10 @@ TEST(MetricRange, SaysWhenThereIsNoFloor) {
     EXPECT_EQ(fit.shift, 0);
 }
 
-// Degrees between two directions.
+// Angle in degrees between two directions.
 float apart_deg(float a, float b) { return std::abs(std::remainder(a - b, 2 * kPi)) * 180 / kPi; }
 
-// As a network sees a box: coarse, wavering by a few per cent, a sofa before one wall.
+// A box as a network sees it: coarse, with errors of a few per cent, a sofa in front of one wall.
 ImageF seen_of(const BoxLayout& box, EquirectSize size) {
     ImageF range = range_of_box(box, size);
     for (int y = 0; y < size.height; ++y)
@@ -138,12 +138,11 @@ ImageF seen_of(const BoxLayout& box, EquirectSize size) {
     return range;
 }
 
-// Each wall of a box is found once, where it is, by about the share of the sphere that it fills; whatever stands before
-// it.
+// Each wall of a box is found once, at its position, with about its share of the sphere, whatever is in front of it.
 TEST(Walls, OfABoxAreFoundWhereTheyAre) {
     const BoxLayout box = some_box();
     for (const EquirectSize size :
-         {EquirectSize{128, 64}, EquirectSize{1024, 512}}) {  // the network that ships, the published one
+         {EquirectSize{128, 64}, EquirectSize{1024, 512}}) {  // sizes of the built-in and the published network
         const std::vector<Wall> walls = upright_planes(seen_of(box, size), box.floor_m, box.ceiling_m);
         ASSERT_EQ(walls.size(), 4u) << size.width;
         float sum = 0;
@@ -158,7 +157,7 @@ TEST(Walls, OfABoxAreFoundWhereTheyAre) {
         }
         EXPECT_TRUE(
             std::is_sorted(walls.begin(), walls.end(), [](const Wall& a, const Wall& b) { return a.share > b.share; }));
-        EXPECT_GT(sum, 0.4f);  // of a room of 4 x 6 m, 2.6 m high
+        EXPECT_GT(sum, 0.4f);  // for a room of 4 x 6 m, 2.6 m high
         EXPECT_LT(sum, 0.8f);
     }
 }
@@ -173,7 +172,7 @@ TEST(Walls, WithoutLinesAreNotBelieved) {
     EXPECT_TRUE(
         walls_with_lines(range, find_lines(ImageColor(512, 256, {0.5f, 0.5f, 0.5f})), box.floor_m, box.ceiling_m)
             .empty());
-    // Lines of a room that is larger by a quarter: where they run is said, what the range map has stays.
+    // Lines of a room a quarter larger: their distance is reported, the range map's values stay.
     BoxLayout larger = box;
     for (float& m : larger.wall_m) m *= 1.2f;
     const std::vector<Wall> longer = walls_with_lines(range, find_lines(painted(larger, {512, 256})), box.floor_m,
@@ -184,19 +183,18 @@ TEST(Walls, WithoutLinesAreNotBelieved) {
 
 TEST(Walls, AreNotInvented) {
     const EquirectSize size{128, 64};
-    EXPECT_TRUE(upright_planes(ImageF(size.width, size.height, 2.f), 1.6f, 1.f).empty());  // a ball has none
+    EXPECT_TRUE(upright_planes(ImageF(size.width, size.height, 2.f), 1.6f, 1.f).empty());  // a sphere has none
     EXPECT_TRUE(
         upright_planes(ImageF(size.width, size.height, std::numeric_limits<float>::infinity()), 1.6f, 0).empty());
     ImageF noise(size.width, size.height);
     for (std::size_t i = 0; i < noise.size(); ++i) noise.pixels[i] = Random(7, "noise", i).uniform(0.5f, 5.f);
     EXPECT_TRUE(upright_planes(noise, 1.6f, 1.f).empty());
-    BoxLayout shed = some_box();  // nothing but floor is nearer than a kilometre
+    BoxLayout shed = some_box();  // everything except the floor is a kilometre away
     for (float& m : shed.wall_m) m = 1000;
     EXPECT_TRUE(upright_planes(range_of_box(shed, size), shed.floor_m, shed.ceiling_m).empty());
 }
 
-// All eight looks see what a turned or mirrored panorama shows, so they must find the same, turned or mirrored; one
-// look does not.
+// With all eight augmentations the result is equivariant to rotation and mirroring; with one it is not.
 TEST(Egformer, EightLooksKnowNoBeginningAndNoHandedness) {
     const Egformer network = Egformer::shipped(kShippedDepth.back());
     const EquirectSize size{network.shape().width, network.shape().height};
@@ -207,9 +205,10 @@ TEST(Egformer, EightLooksKnowNoBeginningAndNoHandedness) {
             turned.at(wrap_column(x + size.width / 4, size.width), y) = picture.at(x, y);
             mirrored.at(size.width - 1 - x, y) = picture.at(x, y);
         }
-    const auto unlike = [&](int looks) {
-        const ImageF a = network.relative_depth(picture, looks), b = network.relative_depth(turned, looks),
-                     c = network.relative_depth(mirrored, looks);
+    const auto unlike = [&](int augmentations) {
+        const ImageF a = network.relative_depth(picture, augmentations),
+                     b = network.relative_depth(turned, augmentations),
+                     c = network.relative_depth(mirrored, augmentations);
         double turn = 0, mirror = 0;
         for (int y = 0; y < size.height; ++y)
             for (int x = 0; x < size.width; ++x) {
@@ -226,8 +225,7 @@ TEST(Egformer, EightLooksKnowNoBeginningAndNoHandedness) {
     EXPECT_GT(unlike(1).second, 1e-3);
 }
 
-// What comes with the program: the coarser network's map, with the edges of the picture, and the finer one's count
-// alike.
+// The built-in networks: the coarser one's map is aligned to the picture and averaged with the finer one's.
 TEST(Egformer, TheMeanOfThoseThatShipLiesBetweenThem) {
     std::vector<Egformer> networks;
     for (const char* name : kShippedDepth) networks.push_back(Egformer::shipped(name));
@@ -246,7 +244,7 @@ TEST(Egformer, TheMeanOfThoseThatShipLiesBetweenThem) {
 }
 
 TEST(Align, SmoothStaysSmoothAndEdgesFollowThePicture) {
-    // A near disc before a far wall; the coarse map knows it only roughly.
+    // A near disc in front of a far wall, coarse in the network's map.
     const EquirectSize large{256, 128}, small{64, 32};
     ImageColor picture(large.width, large.height);
     ImageF truth(large.width, large.height);
@@ -263,8 +261,8 @@ TEST(Align, SmoothStaysSmoothAndEdgesFollowThePicture) {
     const ImageF fine = aligned_to_picture(coarse, picture);
     int wrong = 0;
     for (std::size_t i = 0; i < fine.size(); ++i) wrong += std::abs(fine.pixels[i] - truth.pixels[i]) > 0.2f;
-    EXPECT_LT(wrong, 12);  // nearest neighbours leave about 150 of them
-    // A tilted plane under an even picture.
+    EXPECT_LT(wrong, 12);  // nearest neighbours give about 150
+    // A tilted plane under a uniform picture.
     for (int y = 0; y < small.height; ++y)
         for (int x = 0; x < small.width; ++x)
             coarse.at(x, y) = 2.f + std::sin((static_cast<float>(x) + 0.5f) * 2 * kPi / 64.f);
@@ -274,7 +272,7 @@ TEST(Align, SmoothStaysSmoothAndEdgesFollowThePicture) {
             EXPECT_NEAR(plane.at(x, y), 2.f + std::sin((static_cast<float>(x) + 0.5f) * 2 * kPi / 256.f), 0.05f);
 }
 
-// A coarse map of a box comes back as the box: its sides flat under a wild pattern, and meeting where they meet.
+// The coarse map of a box is upsampled to the box: flat sides under a strong pattern, with sharp edges.
 TEST(Align, PlanesStayPlanesWhateverIsPaintedOnThem) {
     const EquirectSize large{512, 256}, small{64, 32};
     const BoxLayout box = some_box();
@@ -284,7 +282,7 @@ TEST(Align, PlanesStayPlanesWhateverIsPaintedOnThem) {
         for (int x = 0; x < large.width; ++x)
             if ((x / 6 + y / 6) % 2) picture.at(x, y) = picture.at(x, y) * 0.4f;
     const ImageF fine = aligned_to_picture(range_of_box(box, small), picture);
-    EXPECT_LT(mean_relative_error(fine, truth), 0.010);  // values in place of planes: 0.0295
+    EXPECT_LT(mean_relative_error(fine, truth), 0.010);  // 0.0295 with values in place of planes
     int crooked = 0, counted = 0;
     for (int y = large.height * 3 / 4; y < large.height - 8; ++y)  // mostly floor
         for (int x = 0; x < large.width; ++x) {
@@ -293,7 +291,7 @@ TEST(Align, PlanesStayPlanesWhateverIsPaintedOnThem) {
             ++counted, crooked += std::abs(p.y - box.floor_m) > 0.01f * box.floor_m;
         }
     EXPECT_GT(counted, 10000);
-    EXPECT_EQ(crooked, 0);  // values: two fifths
+    EXPECT_EQ(crooked, 0);  // two fifths with values in place of planes
 }
 
 }  // namespace

@@ -44,11 +44,11 @@ class EgformerEstimator : public DepthEstimator {
         : networks_(std::move(networks)),
           name_(std::move(name)),
           camera_height_m_(params.camera_height_m),
-          looks_(params.looks > 0                                    ? params.looks
-                 : networks_.front().shape().height <= kSmallNetwork ? 8
-                                                                     : 1) {}
+          augmentations_(params.tta > 0                                      ? params.tta
+                         : networks_.front().shape().height <= kSmallNetwork ? 8
+                                                                             : 1) {}
     EstimatedRange estimate(const ImageColor& color, const Run& run) const override {
-        const ImageF relative = mean_depth(networks_, color, looks_, run);
+        const ImageF relative = mean_depth(networks_, color, augmentations_, run);
         run.check_stop();
         const MetricFit fit = fit_metres(relative, camera_height_m_);
         if (!fit.sure)
@@ -59,7 +59,7 @@ class EgformerEstimator : public DepthEstimator {
         return {aligned_to_picture(range, color),
                 {{"backend", "egformer"},
                  {"weights", name_},
-                 {"looks", looks_},
+                 {"tta", augmentations_},
                  {"camera_height_m", fit.camera_height_m},
                  {"ceiling_above_camera_m", fit.ceiling_m},
                  {"scale", fit.scale},
@@ -80,21 +80,21 @@ class EgformerEstimator : public DepthEstimator {
         return out;
     }
 
-    static constexpr int kSmallNetwork = 128;  // rows: eight looks of such a one take a few seconds
+    static constexpr int kSmallNetwork = 128;  // rows: below this, eight augmentations take only a few seconds
     std::vector<Egformer> networks_;
     std::string name_;
     float camera_height_m_;
-    int looks_;
+    int augmentations_;
 };
 
 }  // namespace
 
-ImageF mean_depth(std::span<const Egformer> networks, const ImageColor& color, int looks, const Run& run) {
+ImageF mean_depth(std::span<const Egformer> networks, const ImageColor& color, int augmentations, const Run& run) {
     const EgformerShape& finest = networks.front().shape();
     ImageF mean(finest.width, finest.height);
     for (const Egformer& network : networks) {
         run.check_stop();
-        ImageF found = network.relative_depth(color, looks);
+        ImageF found = network.relative_depth(color, augmentations);
         if (!found.same_size(mean))
             found = aligned_to_picture(found, equirect_from_equirect(color, {finest.width, finest.height}));
         for (std::size_t i = 0; i < mean.size(); ++i)

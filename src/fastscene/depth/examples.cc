@@ -24,7 +24,7 @@ std::vector<fs::path> sorted_entries(const fs::path& folder) {
     return out;
 }
 
-// A picture's JSON is written last: what has none is not finished.
+// A picture's JSON is written last: without one it is unfinished.
 void find_rooms(const fs::path& shard, std::vector<DepthFiles>& out) {
     for (const fs::path& path : sorted_entries(shard)) {
         if (path.extension() != ".json") continue;
@@ -61,7 +61,7 @@ void find_structured3d(const fs::path& scene, std::vector<DepthFiles>& out) {
             }
 }
 
-// Names: SCENE_PLACE_color_POSITION.png; the same with "depth" is the range.
+// Names: SCENE_PLACE_color_POSITION.png; with "depth" in place of "color" it is the range.
 void find_pano3d(const fs::path& color, std::vector<DepthFiles>& out) {
     std::string name = color.filename().string();
     const std::size_t at = name.find("_color_");
@@ -72,7 +72,7 @@ void find_pano3d(const fs::path& color, std::vector<DepthFiles>& out) {
         out.push_back({color, color.parent_path() / name, {}, {}, place, drawn_for_holding_out(place)});
 }
 
-// Downloads lie in folders of their own: Structured3D_panorama_00/Structured3D/scene_00000.
+// Downloads have their own folders: Structured3D_panorama_00/Structured3D/scene_00000.
 constexpr int kDeepest = 4;
 
 void find_below(const fs::path& path, int deep, std::vector<DepthFiles>& out) {
@@ -84,7 +84,7 @@ void find_below(const fs::path& path, int deep, std::vector<DepthFiles>& out) {
     for (const fs::path& inner : sorted_entries(path)) find_below(inner, deep - 1, out);
 }
 
-// The pixel in the middle: a mean of two surfaces lies on neither.
+// Nearest neighbour: an interpolated range lies on neither surface.
 template <class T>
 Image<T> picked(const Image<T>& map, EquirectSize size) {
     Image<T> out(size.width, size.height);
@@ -102,7 +102,7 @@ ImageF picked_range(const ImageF& range, EquirectSize size) {
     return out;
 }
 
-// The axis that an encoded normal, (n + 1) / 2, points along most.
+// The dominant axis of an encoded normal, (n + 1) / 2.
 int axis_of_normal(Rgb8 c) {
     const int x = std::abs(2 * c.r - 255), y = std::abs(2 * c.g - 255), z = std::abs(2 * c.b - 255);
     return x >= y && x >= z ? 0 : y >= z ? 1 : 2;

@@ -89,7 +89,7 @@ TEST(Examples, Structured3dAndPano3d) {
     EXPECT_FALSE(rooms[0].held_out);
     EXPECT_TRUE(rooms[1].held_out);
     EXPECT_FLOAT_EQ(load_example(rooms[0], {32, 16}).range.at(1, 1), 2.5f);
-    // As the archives unpack, and a scene alone.
+    // As the archives unpack, and a single scene.
     const fs::path downloads = fresh("downloads");
     for (const char* archive : {"Structured3D_panorama_00", "Structured3D_panorama_01"})
         make_pair(downloads / archive / "Structured3D/scene_00012/2D_rendering/1/panorama/full/rgb_rawlight.png",
@@ -114,7 +114,7 @@ TEST(Examples, BadFoldersAndPictures) {
     for (DepthFiles& f : files) f.held_out = false;
     EXPECT_EQ(load_examples(files, false, {32, 16}, {}).size(), 1u);
     EXPECT_THROW(load_example(files[2], {32, 16}), Error);
-    // Ranges that teach nothing: none measured, or all of them far beyond any room, as of millimetres in floats.
+    // Useless ranges: none measured, or all far beyond any room, like millimetres stored as floats.
     for (const float range : {0.f, 2500.f}) {
         files[0].range = folder / "far.exr";
         save_exr(files[0].range, ImageF(64, 32, range));
@@ -122,7 +122,7 @@ TEST(Examples, BadFoldersAndPictures) {
     }
 }
 
-// The first archives of Structured3D hold no scene from 3000 on.
+// The first archives of Structured3D contain no scene from 3000 on.
 TEST(Examples, WithoutHeldOutPicturesTheFiguresSayWhatTheyAre) {
     const fs::path s3d = fresh("s3d-first"), scene = s3d / "scene_00012/2D_rendering/1/panorama/full";
     make_pair(scene / "rgb_rawlight.png", scene / "depth.png");
@@ -156,13 +156,13 @@ TEST(Examples, MeanRangeFillsWhatNobodyKnows) {
     EXPECT_NEAR(mean[2], (8 * 2 + 7 * 4) / 15., 1e-5);
 }
 
-// Color and range go together: a marked column is found again beside its range.
+// Color and range are transformed together: a marked column stays next to its range.
 TEST(PhotoLook, TurnsColorAndRangeTogether) {
     DepthExample example{ImageRgb8(64, 32), ImageF(64, 32, 1.f)};
     for (int y = 0; y < 32; ++y) example.color.at(10, y) = {255, 255, 255}, example.range.at(10, y) = 7.f;
-    Random dice(1, "test");
+    Random rng(1, "test");
     for (const bool mirrored : {false, true}) {
-        const DepthExample seen = seen_as(example, {.turn = 0.3f, .mirrored = mirrored}, dice);
+        const DepthExample seen = seen_as(example, {.turn = 0.3f, .mirrored = mirrored}, rng);
         int marked = 0;
         for (int x = 0; x < 64; ++x) {
             EXPECT_EQ(seen.color.at(x, 9).r == 255, seen.range.at(x, 9) == 7.f);
@@ -174,21 +174,21 @@ TEST(PhotoLook, TurnsColorAndRangeTogether) {
 
 TEST(PhotoLook, ChangesWhatItSays) {
     DepthExample example{ImageRgb8(64, 32, {120, 90, 60}), ImageF(64, 32, 1.f)};
-    Random dice(2, "test");
-    EXPECT_EQ(seen_as(example, {}, dice).color, example.color);
-    EXPECT_GT(seen_as(example, {.exposure_ev = 1}, dice).color.at(3, 3).r, 150);
-    const Rgb8 gray = seen_as(example, {.saturation = 0}, dice).color.at(3, 3);
+    Random rng(2, "test");
+    EXPECT_EQ(seen_as(example, {}, rng).color, example.color);
+    EXPECT_GT(seen_as(example, {.exposure_ev = 1}, rng).color.at(3, 3).r, 150);
+    const Rgb8 gray = seen_as(example, {.saturation = 0}, rng).color.at(3, 3);
     EXPECT_TRUE(gray.r == gray.g && gray.g == gray.b);
-    EXPECT_GT(seen_as(example, {.white = {1, 1, 2}}, dice).color.at(3, 3).b, 75);
-    const ImageRgb8 noisy = seen_as(example, {.noise = 0.05f}, dice).color;
+    EXPECT_GT(seen_as(example, {.white = {1, 1, 2}}, rng).color.at(3, 3).b, 75);
+    const ImageRgb8 noisy = seen_as(example, {.noise = 0.05f}, rng).color;
     double square = 0;
     for (const Rgb8 c : noisy.pixels) square += std::pow((c.r - 120) / 255., 2);
     EXPECT_NEAR(std::sqrt(square / static_cast<double>(noisy.size())), 0.05, 0.01);
     DepthExample edge = example;
     for (int y = 0; y < 32; ++y) edge.color.at(20, y) = {255, 255, 255};
-    EXPECT_GT(seen_as(edge, {.blur_px = 0.8f}, dice).color.at(21, 9).g, 110);
-    EXPECT_NE(seen_as(edge, {.jpeg_quality = 45}, dice).color, edge.color);
-    EXPECT_EQ(seen_as(edge, {.jpeg_quality = 45}, dice).range, edge.range);
+    EXPECT_GT(seen_as(edge, {.blur_px = 0.8f}, rng).color.at(21, 9).g, 110);
+    EXPECT_NE(seen_as(edge, {.jpeg_quality = 45}, rng).color, edge.color);
+    EXPECT_EQ(seen_as(edge, {.jpeg_quality = 45}, rng).range, edge.range);
 }
 
 TEST(PhotoLook, RandomLooksAreWithinReasonAndRepeat) {
@@ -201,7 +201,7 @@ TEST(PhotoLook, RandomLooksAreWithinReasonAndRepeat) {
     }
 }
 
-// A gray room, a window in it (no range), two things of the room's own gray.
+// A gray room with a window (no range) and two objects of the same gray.
 DepthExample gray_room() {
     DepthExample room{ImageRgb8(64, 32, {120, 120, 120}), ImageF(64, 32, 2.f), SurfaceMap(64, 32)};
     for (int y = 0; y < 32; ++y)
@@ -217,9 +217,9 @@ DepthExample gray_room() {
 
 TEST(Repaint, ChangesColorsOfWholeSurfacesAndNothingElse) {
     const DepthExample room = gray_room();
-    Random none(5, "repaint"), dice(5, "repaint"), again(5, "repaint");
+    Random none(5, "repaint"), rng(5, "repaint"), again(5, "repaint");
     EXPECT_EQ(repainted(room, 0, none).color, room.color);
-    const DepthExample other = repainted(room, 1, dice);
+    const DepthExample other = repainted(room, 1, rng);
     EXPECT_EQ(other.color, repainted(room, 1, again).color);
     EXPECT_EQ(other.range, room.range);
     EXPECT_EQ(other.color.at(55, 12), room.color.at(55, 12)) << "a window";
@@ -229,19 +229,19 @@ TEST(Repaint, ChangesColorsOfWholeSurfacesAndNothingElse) {
     EXPECT_NE(other.color.at(45, 22), other.color.at(39, 22)) << "thing and wall";
     DepthExample bare = room;
     bare.surfaces = {};
-    EXPECT_EQ(repainted(bare, 1, dice).color, room.color);
+    EXPECT_EQ(repainted(bare, 1, rng).color, room.color);
 }
 
-// What lies in shade stays darker than the rest of its surface, whatever the color.
+// Shaded parts of a surface stay darker than the rest, whatever the color.
 TEST(Repaint, KeepsShade) {
     int plain = 0;
     for (std::uint64_t i = 0; i < 40; ++i) {
         DepthExample room = gray_room();
         for (int y = 18; y < 25; ++y)
             for (int x = 10; x < 20; ++x) room.color.at(x, y) = {60, 60, 60};
-        Random dice(i, "shade");
-        const ImageRgb8 color = repainted(room, 1, dice).color;
-        if (color.at(2, 20) != color.at(7, 23)) continue;  // a pattern
+        Random rng(i, "shade");
+        const ImageRgb8 color = repainted(room, 1, rng).color;
+        if (color.at(2, 20) != color.at(7, 23)) continue;  // has a pattern
         ++plain;
         EXPECT_LT(color.at(15, 21).g, color.at(5, 21).g);
     }

@@ -15,12 +15,12 @@ namespace {
 
 constexpr float kNearestMetres = 0.1f;
 
-// A pixel that may lie on the floor (sine < 0 is down) or the ceiling.
+// A pixel that may belong to the floor (sine < 0 is down) or the ceiling.
 struct Sample {
     double relative, sine, weight;  // weight: solid angle
 };
 
-// Only steep rays tell a level plane from a wall: 20 degrees from the horizon and more.
+// Only steep rays distinguish a level plane from a wall: 20 degrees from the horizon and more.
 std::vector<Sample> steep_samples(const ImageF& relative) {
     const EquirectSize size{relative.width, relative.height};
     const int step = std::max(1, relative.width / 256);
@@ -35,25 +35,25 @@ std::vector<Sample> steep_samples(const ImageF& relative) {
     return samples;
 }
 
-// Scale, shift and ceiling that explain the samples.
+// Scale, shift and ceiling height that explain the samples.
 struct Planes {
     double scale = 0, shift = 0, ceiling = 0;
 };
 
-// Height above the camera of a sample, minus that of its plane: metres.
+// Height of a sample relative to its plane, metres.
 double misfit(const Sample& s, const Planes& p, double camera_height) {
     const double height = (p.scale * s.relative + p.shift) * s.sine;
     return s.sine < 0 ? height + camera_height : height - p.ceiling;
 }
-// Geman-McClure: an outlier has no say.
+// Geman-McClure weight: outliers have almost no influence.
 double trust(double residual, double sigma) {
     const double q = sigma * sigma / (sigma * sigma + residual * residual);
     return q * q;
 }
 
-// Weighted least squares around the planes of before: what is near its plane pulls.
+// Iteratively reweighted least squares: samples near the previous planes dominate.
 bool refit(const std::vector<Sample>& samples, double camera_height, double sigma, Planes& planes) {
-    // A whisper for "shift 0, ceiling 1 m", so that a room without a ceiling is solvable.
+    // Weak regularization towards "shift 0, ceiling 1 m", so that a room without a ceiling is solvable.
     Mat3d m{{}, {0, 1e-4, 0}, {0, 0, 1e-4}};
     Vec3d right{0, 0, 1e-4};
     for (const Sample& s : samples) {
@@ -87,7 +87,7 @@ MetricFit fit_metres(const ImageF& relative, float camera_height_m) {
     fit.camera_height_m = camera_height_m;
     fit.scale = nadir > 0 ? static_cast<float>(height / nadir) : camera_height_m;
 
-    // Several guesses of the shift, each drawn to the planes near it; the one that explains most of the sphere stays.
+    // Several initial shifts, each refined; the one that explains most of the sphere wins.
     double best = 0;
     Planes found;
     for (const double shift_share : {0., -0.3, -0.6, 0.25, 0.5, 0.75}) {
@@ -95,7 +95,7 @@ MetricFit fit_metres(const ImageF& relative, float camera_height_m) {
         bool good = planes.scale > 0;
         for (const double sigma : {0.6, 0.4, 0.25, 0.15, 0.1, 0.07, 0.05, 0.05, 0.05, 0.05})
             good = good && refit(samples, height, sigma * height, planes);
-        // A shift near the camera's height makes a sphere of everything, and a sphere has a bit of floor, too.
+        // A shift near the camera's height turns everything into a sphere, which has a bit of floor, too: reject.
         if (!good || !(planes.ceiling > 0.1 * height) || !(std::abs(planes.shift) < 0.9 * height)) continue;
         double explained = 0;
         for (const Sample& s : samples) explained += s.weight * trust(misfit(s, planes, height), 0.05 * height);
@@ -110,7 +110,7 @@ MetricFit fit_metres(const ImageF& relative, float camera_height_m) {
         (s.sine < 0 ? below : above) += s.weight;
     }
     fit.floor_share = below > 0 ? static_cast<float>(floor / below) : 0;
-    // A tenth of the lower half-space: less may as well be a table.
+    // A tenth of the lower hemisphere: less may be a table.
     if (!(fit.floor_share > 0.1f)) return fit;
     fit.scale = static_cast<float>(found.scale);
     fit.shift = static_cast<float>(found.shift);

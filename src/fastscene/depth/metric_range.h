@@ -1,5 +1,6 @@
-// From relative depth to metres. A network trained with a scale-and-shift-invariant loss knows depth up to
-// range = scale * depth + shift; the floor says the rest: it is flat, level, and a known height below the camera.
+// Recovers metres from relative depth. A network trained with a scale- and shift-invariant loss predicts range = scale
+// * depth + shift with unknown scale and shift; the floor determines them: it is flat, level, and at a known height
+// below the camera.
 #pragma once
 
 #include "fastscene/image/image.h"
@@ -9,15 +10,15 @@ namespace fastscene {
 struct MetricFit {
     float scale = 1, shift = 0;    // range_m = scale * relative + shift, scale > 0
     float camera_height_m = 1.6f;  // assumed
-    float ceiling_m = 0;           // found, above the camera; 0 where no level ceiling was found
-    float floor_share = 0;         // of the sphere's lower half that lies on the floor so found, by solid angle
-    bool sure = false;             // false: too little floor; scale is the nadir's, shift 0
+    float ceiling_m = 0;           // estimated, above the camera; 0 if no level ceiling was found
+    float floor_share = 0;         // share of the lower hemisphere, by solid angle, that lies on the floor found
+    bool sure = false;             // false: too little floor; then scale comes from the nadir, and shift is 0
 };
 
-// `relative`: equirectangular, grows with distance. Robust: furniture on the floor and lamps under the ceiling are
-// outliers. Paper: none; the published code divides depth by its maximum and takes the shift for zero.
+// `relative`: equirectangular, increasing with distance. Robust: furniture and lamps are outliers. Not in the paper;
+// the published code divides depth by its maximum and assumes shift 0.
 MetricFit fit_metres(const ImageF& relative, float camera_height_m);
-// Nothing comes nearer than a hand's breadth, whatever the shift says.
+// Ranges are limited below to a hand's breadth, whatever the shift.
 ImageF metric_range(const ImageF& relative, const MetricFit& fit);
 
 }  // namespace fastscene

@@ -7,10 +7,9 @@
 namespace fastscene {
 namespace {
 
-Vec3f random_color(Random& dice, float low, float high) {
-    const float level = std::exp(dice.uniform(std::log(low), std::log(high))), tint = dice.chance(0.3f) ? 0.9f : 0.35f;
-    return {level * (1 - tint * dice.uniform()), level * (1 - tint * dice.uniform()),
-            level * (1 - tint * dice.uniform())};
+Vec3f random_color(Random& rng, float low, float high) {
+    const float level = std::exp(rng.uniform(std::log(low), std::log(high))), tint = rng.chance(0.3f) ? 0.9f : 0.35f;
+    return {level * (1 - tint * rng.uniform()), level * (1 - tint * rng.uniform()), level * (1 - tint * rng.uniform())};
 }
 
 }  // namespace
@@ -36,15 +35,15 @@ Vec3f color_of(const Paint& paint, Vec3f point, Vec3f normal) {
     return paint.a + (paint.b - paint.a) * t;
 }
 
-Paint random_paint(Random& dice, float low, float high, float plain) {
+Paint random_paint(Random& rng, float low, float high, float plain) {
     Paint paint;
-    paint.a = random_color(dice, low, high);
-    paint.b = dice.chance(0.5f) ? paint.a * dice.uniform(0.5f, 1.3f) : random_color(dice, low, high);
-    if (!dice.chance(plain))
-        paint.pattern = static_cast<PaintPattern>(1 + dice.index(static_cast<int>(PaintPattern::count) - 1));
-    paint.scale = std::exp(dice.uniform(std::log(0.06f), std::log(0.8f)));
-    paint.turn = dice.chance(0.7f) ? (dice.chance(0.5f) ? 0.f : kPi / 2) : dice.uniform(0, kPi);
-    paint.seed = dice.next_u32();
+    paint.a = random_color(rng, low, high);
+    paint.b = rng.chance(0.5f) ? paint.a * rng.uniform(0.5f, 1.3f) : random_color(rng, low, high);
+    if (!rng.chance(plain))
+        paint.pattern = static_cast<PaintPattern>(1 + rng.index(static_cast<int>(PaintPattern::count) - 1));
+    paint.scale = std::exp(rng.uniform(std::log(0.06f), std::log(0.8f)));
+    paint.turn = rng.chance(0.7f) ? (rng.chance(0.5f) ? 0.f : kPi / 2) : rng.uniform(0, kPi);
+    paint.seed = rng.next_u32();
     return paint;
 }
 

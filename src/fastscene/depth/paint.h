@@ -1,4 +1,4 @@
-// What a surface may be painted with at random: two colors and a pattern of some scale.
+// A random surface texture: two colors and a pattern with a scale.
 #pragma once
 
 #include <cstdint>
@@ -13,15 +13,15 @@ enum class PaintPattern { plain, stripes, checker, planks, clouds, count };
 struct Paint {
     PaintPattern pattern = PaintPattern::plain;
     Vec3f a{0.5f, 0.5f, 0.5f}, b{0.5f, 0.5f, 0.5f};  // linear
-    float scale = 0.3f, turn = 0;                    // metres; radians within the surface
+    float scale = 0.3f, turn = 0;                    // metres; rotation in radians within the surface
     std::uint32_t seed = 0;
 };
 
-// A color between a and b: at a point in metres, on a surface that faces `normal` (its largest component decides how
-// the pattern lies).
+// The color at a point in metres on a surface with normal `normal`, whose largest component selects the pattern's
+// plane.
 Vec3f color_of(const Paint& paint, Vec3f point, Vec3f normal);
 
-// Colors between `low` and `high`, as albedo; `plain`: the share of paints without a pattern.
-Paint random_paint(Random& dice, float low, float high, float plain);
+// Colors between `low` and `high`, as albedo; `plain`: the share of textures without a pattern.
+Paint random_paint(Random& rng, float low, float high, float plain);
 
 }  // namespace fastscene

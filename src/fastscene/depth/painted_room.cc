@@ -15,10 +15,10 @@ namespace {
 
 constexpr float kFar = std::numeric_limits<float>::infinity();
 
-// A box or the ellipsoid in it, turned about its vertical axis. Room frame: y down, the camera at the origin.
+// A box or its inscribed ellipsoid, rotated about its vertical axis. Room frame: y down, the camera at the origin.
 struct Thing {
     Vec3f center, half;
-    float c = 1, s = 0;  // of the turn
+    float c = 1, s = 0;  // cosine and sine of the rotation
     bool round = false;
     bool shines = false, window = false;
     Paint paint;
@@ -29,22 +29,22 @@ struct Scene {
     std::array<Paint, 6> sides;  // -x +x ceiling floor -z +z
     std::vector<Thing> things;
     std::vector<Vec3f> lamps;
-    float ambient = 0.4f, corner = 0.3f;  // corners are darker by this
+    float ambient = 0.4f, corner = 0.3f;  // light is reduced by this in corners
     bool shadows = true;
 };
 
 struct Hit {
     float t = kFar;
-    Vec3f normal, local;  // local: where on the thing, for its pattern
+    Vec3f normal, local;  // local: position on the object, for its pattern
     const Paint* paint = nullptr;
-    const Thing* thing = nullptr;  // none: the room's box
+    const Thing* thing = nullptr;  // null: the room's box
 
     bool lights() const { return thing && (thing->shines || thing->window); }
 };
 
 Vec3f turned(Vec3f v, float c, float s) { return {c * v.x - s * v.z, v.y, s * v.x + c * v.z}; }
 
-// Entry into a box around the origin; kFar when missed or begun inside.
+// Distance at which a ray enters a box around the origin; kFar if it misses or starts inside.
 float enter_box(Vec3f o, Vec3f d, Vec3f half, std::size_t& axis) {
     float near = 0, far = kFar;
     axis = 3;
@@ -112,7 +112,7 @@ bool is_shadowed(const Scene& scene, Vec3f from, Vec3f lamp) {
 Vec3f light_at(const Scene& scene, Vec3f p, const Hit& hit) {
     const Vec3f albedo = color_of(*hit.paint, hit.local, hit.normal);
     if (hit.lights()) return albedo * 3.f;
-    float open = 1;  // less light comes into corners
+    float open = 1;  // ambient occlusion in corners
     for (std::size_t a = 0; a < 3; ++a)
         if (std::abs(hit.normal[a]) < 0.7f)
             open *= (1 - scene.corner * std::exp(-(p[a] - scene.low[a]) / 0.4f)) *
@@ -127,9 +127,9 @@ Vec3f light_at(const Scene& scene, Vec3f p, const Hit& hit) {
     return albedo * light;
 }
 
-// ---- chance ----
+// ---- randomization ----
 
-// Whether the camera is clear of it by a hand's breadth or more.
+// Whether the camera is at least a hand's breadth away from it.
 bool clear_of_camera(const Thing& t) {
     const Vec3f o = turned(-t.center, t.c, -t.s);
     Vec3f gap;
@@ -141,7 +141,7 @@ void add(Scene& scene, Thing thing) {
     if (clear_of_camera(thing)) scene.things.push_back(thing);
 }
 
-// A box on the floor: its middle, its size, its turn.
+// A box standing on the floor, by center, size and rotation.
 Thing standing(const Scene& scene, Vec3f size, float x, float z, float turn) {
     Thing t;
     t.half = size * 0.5f;
@@ -151,28 +151,28 @@ Thing standing(const Scene& scene, Vec3f size, float x, float z, float turn) {
 }
 
 // A table: a top and four legs; a seat: a box and a back.
-void add_furniture(Scene& scene, Random& dice) {
+void add_furniture(Scene& scene, Random& rng) {
     const float room = std::min(scene.high.x - scene.low.x, scene.high.z - scene.low.z);
-    Vec3f size{dice.uniform(0.3f, 2.2f), dice.chance(0.65f) ? dice.uniform(0.3f, 1.f) : dice.uniform(1.f, 2.3f),
-               dice.uniform(0.3f, 1.f)};
+    Vec3f size{rng.uniform(0.3f, 2.2f), rng.chance(0.65f) ? rng.uniform(0.3f, 1.f) : rng.uniform(1.f, 2.3f),
+               rng.uniform(0.3f, 1.f)};
     size.x = std::min(size.x, 0.6f * room);
     size.y = std::min(size.y, 0.95f * (scene.high.y - scene.low.y));
-    float turn = static_cast<float>(dice.index(4)) * kPi / 2;
-    float x = dice.uniform(scene.low.x, scene.high.x), z = dice.uniform(scene.low.z, scene.high.z);
-    if (dice.chance(0.7f)) {  // its back to a wall
+    float turn = static_cast<float>(rng.index(4)) * kPi / 2;
+    float x = rng.uniform(scene.low.x, scene.high.x), z = rng.uniform(scene.low.z, scene.high.z);
+    if (rng.chance(0.7f)) {  // back against a wall
         const float back = size.z / 2 + 0.02f;
-        const int wall = dice.index(4);
+        const int wall = rng.index(4);
         turn = static_cast<float>(wall) * kPi / 2;
         if (wall == 0) z = scene.low.z + back;
         if (wall == 2) z = scene.high.z - back;
         if (wall == 1) x = scene.high.x - back;
         if (wall == 3) x = scene.low.x + back;
-    } else if (dice.chance(0.4f)) {
-        turn += dice.uniform(-0.6f, 0.6f);
+    } else if (rng.chance(0.4f)) {
+        turn += rng.uniform(-0.6f, 0.6f);
     }
     Thing body = standing(scene, size, x, z, turn);
-    body.paint = random_paint(dice, 0.04f, 0.8f, 0.6f);
-    const float kind = dice.uniform();
+    body.paint = random_paint(rng, 0.04f, 0.8f, 0.6f);
+    const float kind = rng.uniform();
     if (kind < 0.25f && size.y < 1.1f) {
         Thing top = body;
         top.half.y = 0.025f;
@@ -197,91 +197,91 @@ void add_furniture(Scene& scene, Random& dice) {
         body.round = kind > 0.93f;
         add(scene, body);
     }
-    if (size.y < 1.2f && dice.chance(0.4f)) {  // something on it
-        Thing on = standing(scene, {dice.uniform(0.05f, 0.4f), dice.uniform(0.05f, 0.5f), dice.uniform(0.05f, 0.3f)}, x,
-                            z, dice.uniform(0, kPi));
+    if (size.y < 1.2f && rng.chance(0.4f)) {  // an object on top
+        Thing on = standing(scene, {rng.uniform(0.05f, 0.4f), rng.uniform(0.05f, 0.5f), rng.uniform(0.05f, 0.3f)}, x, z,
+                            rng.uniform(0, kPi));
         on.center.y -= size.y;
-        on.round = dice.chance(0.5f);
-        on.paint = random_paint(dice, 0.04f, 0.8f, 0.6f);
+        on.round = rng.chance(0.5f);
+        on.paint = random_paint(rng, 0.04f, 0.8f, 0.6f);
         add(scene, on);
     }
 }
 
-// A sheet on a wall: a picture, a window, a door, a curtain.
-void add_sheet(Scene& scene, Random& dice) {
-    const int wall = dice.index(4);
+// A thin panel on a wall: a picture, a window, a door, a curtain.
+void add_sheet(Scene& scene, Random& rng) {
+    const int wall = rng.index(4);
     const bool along_x = wall % 2 == 0;
     const float span = along_x ? scene.high.x - scene.low.x : scene.high.z - scene.low.z,
                 tall = scene.high.y - scene.low.y;
-    const float width = std::min(0.8f * span, dice.uniform(0.3f, 2.2f)), kind = dice.uniform();
+    const float width = std::min(0.8f * span, rng.uniform(0.3f, 2.2f)), kind = rng.uniform();
     const bool door = kind<0.25f, window = kind> 0.6f;
-    const float height = door ? std::min(2.05f, 0.9f * tall) : dice.uniform(0.3f, 0.6f) * tall,
-                along = dice.uniform(0, span - width) + width / 2;
+    const float height = door ? std::min(2.05f, 0.9f * tall) : rng.uniform(0.3f, 0.6f) * tall,
+                along = rng.uniform(0, span - width) + width / 2;
     const float thick = kind > 0.5f && !window ? 0.12f : 0.03f,
                 y = door ? scene.high.y - height / 2
-                         : scene.low.y + dice.uniform(0.5f, 0.6f) * (tall - height) + height / 2;
+                         : scene.low.y + rng.uniform(0.5f, 0.6f) * (tall - height) + height / 2;
     Thing t;
     t.half = along_x ? Vec3f{width / 2, height / 2, thick / 2} : Vec3f{thick / 2, height / 2, width / 2};
     t.center = along_x ? Vec3f{scene.low.x + along, y, wall == 0 ? scene.low.z : scene.high.z}
                        : Vec3f{wall == 1 ? scene.high.x : scene.low.x, y, scene.low.z + along};
-    t.paint = random_paint(dice, 0.05f, 0.9f, 0.3f);
+    t.paint = random_paint(rng, 0.05f, 0.9f, 0.3f);
     t.window = window;
     add(scene, t);
 }
 
-// A corner of the room that belongs to another: L-shaped rooms, pillars.
-void add_corner(Scene& scene, Random& dice) {
+// A corner cut off from the room: L-shaped rooms, pillars.
+void add_corner(Scene& scene, Random& rng) {
     const float w = scene.high.x - scene.low.x, d = scene.high.z - scene.low.z, tall = scene.high.y - scene.low.y;
-    const float x = dice.uniform(0.05f, 0.45f) * w, z = dice.uniform(0.05f, 0.45f) * d;
-    Thing t = standing(scene, {x, tall, z}, dice.chance(0.5f) ? scene.low.x + x / 2 : scene.high.x - x / 2,
-                       dice.chance(0.5f) ? scene.low.z + z / 2 : scene.high.z - z / 2, 0);
-    t.paint = scene.sides[dice.chance(0.5f) ? 0 : 4];
+    const float x = rng.uniform(0.05f, 0.45f) * w, z = rng.uniform(0.05f, 0.45f) * d;
+    Thing t = standing(scene, {x, tall, z}, rng.chance(0.5f) ? scene.low.x + x / 2 : scene.high.x - x / 2,
+                       rng.chance(0.5f) ? scene.low.z + z / 2 : scene.high.z - z / 2, 0);
+    t.paint = scene.sides[rng.chance(0.5f) ? 0 : 4];
     if (clear_of_camera(t)) scene.things.push_back(t);
 }
 
-Scene random_scene(Random& dice) {
+Scene random_scene(Random& rng) {
     Scene scene;
     const auto two = [&](float least) {
-        const float span = std::exp(dice.uniform(std::log(2.f), std::log(9.f))), share = dice.uniform(0.15f, 0.85f);
+        const float span = std::exp(rng.uniform(std::log(2.f), std::log(9.f))), share = rng.uniform(0.15f, 0.85f);
         return Vec2f{-std::max(least, share * span), std::max(least, (1 - share) * span)};
     };
     const Vec2f x = two(0.5f), z = two(0.5f);
-    const float below = dice.uniform(0.7f, 2.f);
-    scene.low = {x.x, -std::max(0.4f, dice.uniform(2.2f, 3.4f) - below), z.x};
+    const float below = rng.uniform(0.7f, 2.f);
+    scene.low = {x.x, -std::max(0.4f, rng.uniform(2.2f, 3.4f) - below), z.x};
     scene.high = {x.y, below, z.y};
-    const Paint walls = random_paint(dice, 0.2f, 0.85f, 0.7f);
-    for (Paint& side : scene.sides) side = dice.chance(0.25f) ? random_paint(dice, 0.15f, 0.85f, 0.6f) : walls;
-    scene.sides[2] = random_paint(dice, 0.45f, 0.9f, 0.85f);
-    scene.sides[3] = random_paint(dice, 0.05f, 0.6f, 0.3f);
-    scene.ambient = dice.uniform(0.25f, 0.7f);
-    scene.corner = dice.uniform(0.1f, 0.5f);
-    scene.shadows = dice.chance(0.7f);
-    if (dice.chance(0.35f)) add_corner(scene, dice);
-    if (dice.chance(0.12f)) add_corner(scene, dice);
-    for (int i = dice.index(15); i > 0; --i) add_furniture(scene, dice);
-    for (int i = dice.index(8); i > 0; --i) add_sheet(scene, dice);
-    for (int i = 1 + dice.index(3); i > 0; --i) {
-        const Vec3f at{dice.uniform(0.8f * scene.low.x, 0.8f * scene.high.x), scene.low.y + dice.uniform(0.1f, 0.6f),
-                       dice.uniform(0.8f * scene.low.z, 0.8f * scene.high.z)};
+    const Paint walls = random_paint(rng, 0.2f, 0.85f, 0.7f);
+    for (Paint& side : scene.sides) side = rng.chance(0.25f) ? random_paint(rng, 0.15f, 0.85f, 0.6f) : walls;
+    scene.sides[2] = random_paint(rng, 0.45f, 0.9f, 0.85f);
+    scene.sides[3] = random_paint(rng, 0.05f, 0.6f, 0.3f);
+    scene.ambient = rng.uniform(0.25f, 0.7f);
+    scene.corner = rng.uniform(0.1f, 0.5f);
+    scene.shadows = rng.chance(0.7f);
+    if (rng.chance(0.35f)) add_corner(scene, rng);
+    if (rng.chance(0.12f)) add_corner(scene, rng);
+    for (int i = rng.index(15); i > 0; --i) add_furniture(scene, rng);
+    for (int i = rng.index(8); i > 0; --i) add_sheet(scene, rng);
+    for (int i = 1 + rng.index(3); i > 0; --i) {
+        const Vec3f at{rng.uniform(0.8f * scene.low.x, 0.8f * scene.high.x), scene.low.y + rng.uniform(0.1f, 0.6f),
+                       rng.uniform(0.8f * scene.low.z, 0.8f * scene.high.z)};
         scene.lamps.push_back(at);
         Thing shade;
         shade.center = at;
-        shade.half = {dice.uniform(0.06f, 0.25f), dice.uniform(0.04f, 0.15f), 0.15f};
+        shade.half = {rng.uniform(0.06f, 0.25f), rng.uniform(0.04f, 0.15f), 0.15f};
         shade.half.z = shade.half.x;
-        shade.round = dice.chance(0.6f);
-        shade.paint = random_paint(dice, 0.4f, 0.9f, 1);
+        shade.round = rng.chance(0.6f);
+        shade.paint = random_paint(rng, 0.4f, 0.9f, 1);
         shade.shines = true;
-        if (dice.chance(0.7f)) add(scene, shade);
+        if (rng.chance(0.7f)) add(scene, shade);
     }
     return scene;
 }
 
 }  // namespace
 
-DepthExample painted_room(EquirectSize size, Random& dice) {
+DepthExample painted_room(EquirectSize size, Random& rng) {
     FASTSCENE_CHECK(size.width > 0 && size.height > 0);
-    const Scene scene = random_scene(dice);
-    const float yaw = dice.uniform(0, kPi / 2), c = std::cos(yaw), s = std::sin(yaw);
+    const Scene scene = random_scene(rng);
+    const float yaw = rng.uniform(0, kPi / 2), c = std::cos(yaw), s = std::sin(yaw);
     ImageColor light(size.width, size.height);
     ImageF range(size.width, size.height);
     double mean = 0;
@@ -290,16 +290,15 @@ DepthExample painted_room(EquirectSize size, Random& dice) {
             const Vec3f d = turned(direction_of_pixel(x, y, size), c, s);
             const Hit hit = first_hit(scene, d);
             range.at(x, y) = hit.thing && hit.thing->window ? 0.f : hit.t;
-            // Another ray beside the center's softens edges.
+            // A second ray besides the center's antialiases edges.
             const Vec3f beside = turned(
-                direction_at(Vec2f{static_cast<float>(x) + dice.uniform(), static_cast<float>(y) + dice.uniform()},
-                             size),
+                direction_at(Vec2f{static_cast<float>(x) + rng.uniform(), static_cast<float>(y) + rng.uniform()}, size),
                 c, s);
             const Hit other = first_hit(scene, beside);
             light.at(x, y) = (light_at(scene, d * hit.t, hit) + light_at(scene, beside * other.t, other)) * 0.5f;
             mean += luminance(light.at(x, y));
         }
-    // As a camera's automatic would.
+    // Automatic exposure.
     const float gain = 0.3f / std::max(1e-4f, static_cast<float>(mean / static_cast<double>(light.size())));
     for (Vec3f& v : light.pixels) v = v * gain;
     return {srgb8_from_linear(light), std::move(range)};

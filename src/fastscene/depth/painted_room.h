@@ -1,7 +1,6 @@
-// Painted rooms: boxes in a box, colored at random, one of them in a few hundredths of a second. A network learns on
-// them where walls, floor and things stand whatever they look like; furnished and traced rooms (docs/dataset.md) teach
-// it the rest. After the domain randomisation of Tobin et al. 2017: what varies wildly in training is taken for a
-// variation when it is met.
+// Synthetic rooms made of randomly textured boxes, rendered in a few hundredths of a second each. Networks learn from
+// them where walls, floor and objects are regardless of appearance; path traced rooms (docs/dataset.md) teach the rest.
+// Domain randomization (Tobin et al. 2017): with enough variation in training, reality looks like another variation.
 #pragma once
 
 #include "fastscene/base/random.h"
@@ -10,9 +9,9 @@
 
 namespace fastscene {
 
-// Width 2 to 9 m, niches and pillars, up to 14 pieces of furniture made of boxes and ellipsoids, windows whose depth is
-// unknown, one to three lamps with their shadows. The camera is upright, 0.7 to 2 m above the floor. Range is exact at
-// the pixels' centers. Depends on the dice only.
-DepthExample painted_room(EquirectSize size, Random& dice);
+// Width 2 to 9 m, niches and pillars, up to 14 pieces of furniture made of boxes and ellipsoids, windows with unknown
+// depth, one to three lamps with shadows. The camera is level, 0.7 to 2 m above the floor. Range is exact at pixel
+// centers. Depends on the rng only.
+DepthExample painted_room(EquirectSize size, Random& rng);
 
 }  // namespace fastscene

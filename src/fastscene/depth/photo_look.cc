@@ -19,7 +19,7 @@ Image<T> turned(const Image<T>& image, int columns, bool mirrored) {
     return out;
 }
 
-// Three taps across and three down; the picture closes at its sides.
+// Separable 3 x 3 filter with circular columns.
 ImageColor blurred(const ImageColor& image, float sigma) {
     const float side = std::exp(-0.5f / (sigma * sigma)), scale = 1 / (1 + 2 * side);
     ImageColor across(image.width, image.height), out(image.width, image.height);
@@ -40,23 +40,23 @@ ImageColor blurred(const ImageColor& image, float sigma) {
 
 }  // namespace
 
-PhotoLook random_photo_look(Random& dice) {
+PhotoLook random_photo_look(Random& rng) {
     PhotoLook look;
-    look.turn = dice.uniform();
-    look.mirrored = dice.chance(0.5f);
-    look.exposure_ev = 0.6f * dice.normal();
-    const float warm = 0.12f * dice.normal(), green = 0.04f * dice.normal();
+    look.turn = rng.uniform();
+    look.mirrored = rng.chance(0.5f);
+    look.exposure_ev = 0.6f * rng.normal();
+    const float warm = 0.12f * rng.normal(), green = 0.04f * rng.normal();
     look.white = {std::exp(warm - green), std::exp(green), std::exp(-warm - green)};
-    look.gamma = std::clamp(std::exp(0.18f * dice.normal()), 0.6f, 1.6f);
-    look.saturation = dice.uniform(0.4f, 1.4f);
-    if (dice.chance(0.1f)) look.saturation = 0;  // gray pictures, too
-    if (dice.chance(0.4f)) look.blur_px = dice.uniform(0.3f, 0.9f);
-    if (dice.chance(0.5f)) look.noise = 0.05f * std::pow(dice.uniform(), 2.f);
-    if (dice.chance(0.3f)) look.jpeg_quality = 45 + dice.index(50);
+    look.gamma = std::clamp(std::exp(0.18f * rng.normal()), 0.6f, 1.6f);
+    look.saturation = rng.uniform(0.4f, 1.4f);
+    if (rng.chance(0.1f)) look.saturation = 0;  // gray pictures, too
+    if (rng.chance(0.4f)) look.blur_px = rng.uniform(0.3f, 0.9f);
+    if (rng.chance(0.5f)) look.noise = 0.05f * std::pow(rng.uniform(), 2.f);
+    if (rng.chance(0.3f)) look.jpeg_quality = 45 + rng.index(50);
     return look;
 }
 
-DepthExample seen_as(const DepthExample& example, const PhotoLook& look, Random& dice) {
+DepthExample seen_as(const DepthExample& example, const PhotoLook& look, Random& rng) {
     const int columns = static_cast<int>(look.turn * static_cast<float>(example.color.width));
     DepthExample out{turned(example.color, columns, look.mirrored), turned(example.range, columns, look.mirrored)};
     ImageColor light = linear_from_srgb8(out.color);
@@ -70,7 +70,7 @@ DepthExample seen_as(const DepthExample& example, const PhotoLook& look, Random&
         for (std::size_t a = 0; a < 3; ++a) {
             const float v = std::pow(std::clamp(srgb_from_linear(gray + (c[a] - gray) * look.saturation), 0.f, 1.f),
                                      look.gamma);
-            seen[a] = look.noise > 0 ? v + look.noise * dice.normal() : v;
+            seen[a] = look.noise > 0 ? v + look.noise * rng.normal() : v;
         }
         out.color.pixels[i] = {byte_from_unit(seen.x), byte_from_unit(seen.y), byte_from_unit(seen.z)};
     }

@@ -1,4 +1,5 @@
-// One room seen by many cameras: what training varies so that a network trained on pictures of ours understands photos.
+// Data augmentation: the same room as seen by many cameras, so that a network trained on our pictures generalizes to
+// photos.
 #pragma once
 
 #include "fastscene/base/random.h"
@@ -8,17 +9,17 @@
 namespace fastscene {
 
 struct PhotoLook {
-    float turn = 0;  // about the vertical axis, in whole turns: free on a panorama
+    float turn = 0;  // rotation about the vertical axis, in turns: an exact symmetry of panoramas
     bool mirrored = false;
     float exposure_ev = 0;
     Vec3f white{1, 1, 1};  // multiplies linear color
     float gamma = 1, saturation = 1;
-    float blur_px = 0, noise = 0;  // noise: deviation of sRGB values
-    int jpeg_quality = 100;        // 100 = never compressed
+    float blur_px = 0, noise = 0;  // noise: standard deviation of sRGB values
+    int jpeg_quality = 100;        // 100 = no compression
 };
-PhotoLook random_photo_look(Random& dice);
+PhotoLook random_photo_look(Random& rng);
 
-// Color and range turned and mirrored together; the rest is done to the color. `dice` makes the noise.
-DepthExample seen_as(const DepthExample& example, const PhotoLook& look, Random& dice);
+// Rotates and mirrors color and range together; everything else affects color only. `rng` generates the noise.
+DepthExample seen_as(const DepthExample& example, const PhotoLook& look, Random& rng);
 
 }  // namespace fastscene

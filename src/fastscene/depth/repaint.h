@@ -1,5 +1,5 @@
-// A furnished room in other colors: what training changes so that a network reads the shape of things, and not what our
-// rooms like to paint them (domain randomisation, Tobin et al. 2017, on furnished rooms).
+// Domain randomization on furnished rooms (Tobin et al. 2017): recolors surfaces, so that a network learns shape
+// instead of our rooms' typical colors.
 #pragma once
 
 #include "fastscene/base/random.h"
@@ -7,14 +7,14 @@
 
 namespace fastscene {
 
-// A surface: the piece that it belongs to (0: the bare shell), and the axis of the camera's frame that it faces most (0
-// x, 1 y, 2 z).
+// A surface: the object it belongs to (0: the room itself), and the dominant axis of its normal in the camera's frame
+// (0 x, 1 y, 2 z).
 SurfaceId surface_id(int piece, int axis);
 int piece_of(SurfaceId id);
 int axis_of(SurfaceId id);
 
-// Floor, ceiling, walls and things each get another paint (paint.h) with `share` of a chance, laid on in metres; light
-// and shade stay. Where range is not known nothing changes. The example as it is where its surfaces are not known.
-DepthExample repainted(const DepthExample& example, float share, Random& dice);
+// Gives floor, ceiling, walls and objects each a new texture (paint.h) with probability `share`, scaled in metres;
+// shading is kept. Pixels without range stay unchanged, and so does the whole example if its surfaces are unknown.
+DepthExample repainted(const DepthExample& example, float share, Random& rng);
 
 }  // namespace fastscene

@@ -10,10 +10,10 @@
 namespace fastscene {
 namespace {
 
-constexpr EquirectSize kLook{512, 256};  // lines of a room are found at this size; finer is furniture
+constexpr EquirectSize kLook{512, 256};  // resolution for line detection; finer lines are furniture
 
-// A change counts against the strongest tenth of its picture: a dim room has edges too. The root makes the
-// faint line between two white walls count nearly as much as the frame of a window.
+// Normalizes by the strongest tenth of the picture, since dim rooms have edges too. The square root makes the faint
+// line between two white walls count nearly as much as a window frame.
 void normalize(ImageF& lines) {
     std::vector<float> sorted = lines.pixels;
     const auto at = sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() * 9 / 10);
@@ -26,7 +26,7 @@ void normalize(ImageF& lines) {
 
 RoomLines find_lines(const ImageColor& panorama) {
     const ImageColor small = equirect_from_equirect(panorama, kLook);
-    Image<Vec3f> seen(kLook.width, kLook.height);  // as the eye has it
+    Image<Vec3f> seen(kLook.width, kLook.height);  // in perceptual (sRGB) values
     for (std::size_t i = 0; i < small.size(); ++i)
         seen.pixels[i] = {srgb_from_linear(small.pixels[i].x), srgb_from_linear(small.pixels[i].y),
                           srgb_from_linear(small.pixels[i].z)};
@@ -37,7 +37,7 @@ RoomLines find_lines(const ImageColor& panorama) {
     for (int y = 2; y < kLook.height - 2; ++y)
         for (int x = 0; x < kLook.width; ++x) {
             const auto at = [&](int dx, int dy) { return seen.at(wrap_column(x + dx, kLook.width), y + dy); };
-            // A long line agrees with itself beside: three places, one change.
+            // Long lines are consistent along their direction: averages three positions.
             const auto mean3 = [&](int dx, int dy, bool along_x) {
                 return (along_x ? at(dx - 2, dy) + at(dx, dy) + at(dx + 2, dy)
                                 : at(dx, dy - 2) + at(dx, dy) + at(dx, dy + 2)) *

@@ -1,12 +1,11 @@
-// The lines of a room as its panorama shows them: where floor, ceiling and walls meet, the picture changes.
+// Room lines in a panorama: edges where floor, ceiling and walls meet.
 #pragma once
 
 #include "fastscene/image/image.h"
 
 namespace fastscene {
 
-// How strongly the picture changes across a line that runs level or upright, 0..1, at a size of its own
-// (equirectangular).
+// Edge strength across horizontal or vertical lines, 0..1, at an internal resolution (equirectangular).
 struct RoomLines {
     ImageF level, upright;
 };
@@ -14,8 +13,8 @@ struct RoomLines {
 // Linear color, any size.
 RoomLines find_lines(const ImageColor& panorama);
 
-// Strength of one of the two at longitude and latitude (radians, up is positive): the best of the pixel and its two
-// neighbours across the line, for a guess is never exact. `level`: it is the level ones.
+// Strength at longitude and latitude (radians, up is positive): the maximum over the pixel and its two neighbours
+// across the line, to tolerate small errors. `level`: horizontal lines.
 float strength_at(const ImageF& lines, float lon, float lat, bool level);
 
 }  // namespace fastscene

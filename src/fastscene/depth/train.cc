@@ -12,16 +12,16 @@
 namespace fastscene {
 namespace {
 
-constexpr std::size_t kMostHeldOut = 60;  // looked at again and again
+constexpr std::size_t kMostHeldOut = 60;  // limit, since they are evaluated repeatedly
 constexpr std::size_t kPaintedHeldOut = 40;
-constexpr float kRepaintedSurfaces = 0.6f;  // of a repainted room's
+constexpr float kRepaintedSurfaces = 0.6f;  // share of a room's surfaces that are repainted
 
 void check_sizes(const DepthTrainParams& p) {
     if (p.height % 32 != 0) throw UsageError("--height: expected a multiple of 32, found {}", p.height);
     if (p.channels % 4 != 0) throw UsageError("--channels: expected a multiple of 4, found {}", p.channels);
 }
 
-// Evenly spread, so that every place keeps its part.
+// Evenly spaced, so that every place stays represented.
 template <class T>
 std::vector<T> thinned(const std::vector<T>& all, std::size_t most) {
     if (all.size() <= most) return all;
@@ -40,8 +40,8 @@ std::vector<DepthFiles> with_fate(const std::vector<DepthFiles>& all, bool held_
 std::vector<DepthExample> painted_rooms(EquirectSize size, std::size_t count, std::uint64_t seed) {
     std::vector<DepthExample> out;
     for (std::size_t i = 0; i < count; ++i) {
-        Random dice(seed, "held-out painted room", i);
-        out.push_back(painted_room(size, dice));
+        Random rng(seed, "held-out painted room", i);
+        out.push_back(painted_room(size, rng));
     }
     return out;
 }
@@ -61,7 +61,7 @@ EgformerTrained train_depth(const DepthTraining& training, const std::filesystem
         for (DepthFiles& one : find_depth_files(data)) files.push_back(std::move(one));
         names.push_back(data.string());
     }
-    // Before the rooms are painted that the training is measured with.
+    // Before the validation rooms are rendered.
     make_directories(folder);
     check_writable(folder / "training.json");
     const auto wanted = static_cast<std::size_t>(std::max(1., p.share * static_cast<double>(files.size())));
@@ -92,13 +92,13 @@ EgformerTrained train_depth(const DepthTraining& training, const std::filesystem
         mean_range_by_latitude(examples.empty() ? painted_rooms(size, kPaintedHeldOut, run.seed) : examples),
         training.start,
         {{"data", names}, {"painted", painted}, {"repainted", p.repainted}}};
-    task.draw = [&](Random& dice) {
-        const bool paint = dice.chance(static_cast<float>(painted)),
-                   repaint = dice.chance(static_cast<float>(p.repainted));
-        const PhotoLook look = random_photo_look(dice);
-        if (paint) return seen_as(painted_room(size, dice), look, dice);
-        const DepthExample& room = examples[static_cast<std::size_t>(dice.index(static_cast<int>(examples.size())))];
-        return seen_as(repaint ? repainted(room, kRepaintedSurfaces, dice) : room, look, dice);
+    task.draw = [&](Random& rng) {
+        const bool paint = rng.chance(static_cast<float>(painted)),
+                   repaint = rng.chance(static_cast<float>(p.repainted));
+        const PhotoLook look = random_photo_look(rng);
+        if (paint) return seen_as(painted_room(size, rng), look, rng);
+        const DepthExample& room = examples[static_cast<std::size_t>(rng.index(static_cast<int>(examples.size())))];
+        return seen_as(repaint ? repainted(room, kRepaintedSurfaces, rng) : room, look, rng);
     };
     run.note(fmt::format("depth: {} pictures to train on, {} held out, {:.0f} % of the examples are painted rooms",
                          examples.size(), task.held_out.size(), 100 * painted));

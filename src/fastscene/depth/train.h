@@ -1,4 +1,4 @@
-// Training the depth network: `fastscene depth train`.
+// Training of the depth network: `fastscene depth train`.
 #pragma once
 
 #include <filesystem>
@@ -13,14 +13,14 @@ namespace fastscene {
 struct DepthTrainParams {
     int height = 128, channels = 16;
     double painted = 0.3, repainted = 0.3, direct = 0.2;
-    double share = 1;  // of the examples, for a quick try
+    double share = 1;  // share of the examples, for quick experiments
     TrainingParams training{.steps = 20000,
                             .batch = 4,
-                            .rate = 5e-4,
-                            .last_rate = 2e-5,
+                            .learning_rate = 5e-4,
+                            .final_learning_rate = 2e-5,
                             .warmup = 200,
-                            .average = 0.998,
-                            .look_steps = 1000};
+                            .ema_decay = 0.998,
+                            .eval_steps = 1000};
 };
 template <class V>
 void visit_fields(DepthTrainParams& p, V&& v) {
@@ -40,13 +40,13 @@ void visit_fields(DepthTrainParams& p, V&& v) {
 }
 
 struct DepthTraining {
-    std::vector<std::filesystem::path> data;  // folders (examples.h); none: painted rooms alone (painted_room.h)
-    std::filesystem::path start;              // weights to start from; empty: random ones
+    std::vector<std::filesystem::path> data;  // folders (examples.h); none: synthetic rooms only (painted_room.h)
+    std::filesystem::path start;              // initial weights; empty: random
     DepthTrainParams params;
 };
 
-// Works in `folder`: egformer.safetensors is the network, the rest as nn/training.h says. A tenth of all places is held
-// out. Throws UsageError for settings that make no sense, Error when a folder has no pictures.
+// Trains in `folder`: egformer.safetensors is the network, other files as in nn/training.h. Holds out a tenth of all
+// places. Throws UsageError for invalid settings, Error if a folder has no pictures.
 EgformerTrained train_depth(const DepthTraining& training, const std::filesystem::path& folder, const Run& run);
 
 }  // namespace fastscene

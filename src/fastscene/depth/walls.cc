@@ -10,30 +10,29 @@
 namespace fastscene {
 namespace {
 
-constexpr float kLeastShare = 0.03f;  // of the sphere: less may be a cupboard, or a piece of something round
+constexpr float kLeastShare = 0.03f;  // share of the sphere: less may be a cupboard or a part of something round
 constexpr std::size_t kMostWalls = 8;
-constexpr float kThickness = 0.05f;    // of the distance: what a network's walls waver
-constexpr float kUpright = 0.35f;      // the most that a wall's normal may point up or down: sofas slope more
-constexpr float kNormalCosine = 0.9f;  // between a pixel's normal and its plane's, 25 degrees
-constexpr float kFlatCosine = 0.978f;  // between the mean normals of a wall's halves, 12 degrees
+constexpr float kThickness = 0.05f;    // of the distance: the typical error of a network's walls
+constexpr float kUpright = 0.35f;      // maximum vertical component of a wall's normal; sofas are more slanted
+constexpr float kNormalCosine = 0.9f;  // between a pixel's normal and its plane's: 25 degrees
+constexpr float kFlatCosine = 0.978f;  // between the mean normals of a wall's halves: 12 degrees
 
-constexpr int kYaws = 72, kDistances = 96;  // of the votes: 5 degrees, 4 %
+constexpr int kYaws = 72, kDistances = 96;  // Hough bins: 5 degrees, 4 %
 constexpr float kNearest_m = 0.3f, kStep = 0.04f;
 float yaw_of_bin(int i) { return (static_cast<float>(i) + 0.5f) * 2 * kPi / kYaws; }
 int bin_of_distance(float m) {
     return std::clamp(static_cast<int>(std::log(m / kNearest_m) / kStep), 0, kDistances - 1);
 }
 
-// A pixel that may lie on a wall, seen from above.
+// A pixel that may be on a wall, projected to the floor plan.
 struct Spot {
-    Vec2f at, normal;  // (x, z) in metres; the surface's normal, towards the camera's far side, not of unit length
-                       // where it slopes
-    float weight;      // solid angle; 0: taken by a plane
+    Vec2f at, normal;  // (x, z) in metres; horizontal part of the surface normal, facing away from the camera
+    float weight;      // solid angle; 0: already assigned to a plane
 };
 
 Vec2f ahead(float yaw) { return {std::sin(yaw), std::cos(yaw)}; }
 
-// What is neither floor nor ceiling and stands upright.
+// Pixels that are neither floor nor ceiling and have a horizontal normal.
 std::vector<Spot> upright_spots(const ImageF& range, float floor_m, float ceiling_m) {
     const EquirectSize size{range.width, range.height};
     const int step = std::max(1, range.width / 256);
@@ -55,9 +54,9 @@ std::vector<Spot> upright_spots(const ImageF& range, float floor_m, float ceilin
     return spots;
 }
 
-// The plane that most spots vote for; share: of the votes, smoothed.
+// The plane with the most Hough votes; share: of the smoothed votes.
 Wall most_voted(const std::vector<Spot>& spots) {
-    constexpr int kReach = 3;  // yaws to each side: a coarse normal is no better
+    constexpr int kReach = 3;  // yaw bins to each side, for the tolerance of coarse normals
     std::vector<float> votes(static_cast<std::size_t>(kYaws) * kDistances);
     const auto vote = [&](int yaw, int distance) -> float& {
         return votes[static_cast<std::size_t>((yaw + kYaws) % kYaws * kDistances + distance)];
@@ -84,7 +83,7 @@ bool is_on(const Spot& s, const Wall& wall, float thickness) {
     return std::abs(dot(s.at, ahead(wall.yaw)) - wall.distance_m) < thickness * wall.distance_m;
 }
 
-// The line, as seen from above, through what is near the wall and faces it; far ones have less say.
+// Line fit in the floor plan through the spots near the wall and facing it; distant ones weigh less.
 Wall refined(const std::vector<Spot>& spots, Wall wall) {
     for (int i = 0; i < 12; ++i) {
         const Vec2f n = ahead(wall.yaw);
@@ -99,7 +98,7 @@ Wall refined(const std::vector<Spot>& spots, Wall wall) {
         if (!(sum > 0)) return {};
         mx /= sum, mz /= sum;
         const double a = xx / sum - mx * mx, b = xz / sum - mx * mz, c = zz / sum - mz * mz;
-        // The direction across which they spread least.
+        // The direction of minimum variance.
         const double along = 0.5 * std::atan2(2 * b, a - c);  // from x towards z
         double nx = -std::sin(along), nz = std::cos(along);
         if (nx * mx + nz * mz < 0) nx = -nx, nz = -nz;
@@ -110,8 +109,7 @@ Wall refined(const std::vector<Spot>& spots, Wall wall) {
     return wall;
 }
 
-// Does what lies on the plane look the same way at its left and its right end? A piece of something round lies on a
-// plane, too.
+// Whether the normals at the left and right end of the plane agree; a part of a round object fits a plane, too.
 bool is_flat(const std::vector<Spot>& spots, const Wall& wall) {
     const Vec2f n = ahead(wall.yaw), right{n.y, -n.x};
     float weight = 0, middle = 0;
@@ -128,8 +126,8 @@ bool is_flat(const std::vector<Spot>& spots, const Wall& wall) {
     return dot(ends[0], ends[1]) > kFlatCosine * length(ends[0]) * length(ends[1]);
 }
 
-// How strong the picture's lines are where a wall at `distance` would meet floor and ceiling, along the longitudes at
-// which it is seen.
+// Strength of the picture's lines where a wall at `distance` would meet floor and ceiling, over the longitudes at which
+// it is visible.
 float line_strength(const RoomLines& lines, float yaw, const std::vector<float>& azimuths, float distance,
                     float floor_m, float ceiling_m) {
     float sum = 0;
@@ -141,7 +139,7 @@ float line_strength(const RoomLines& lines, float yaw, const std::vector<float>&
     return sum / static_cast<float>(azimuths.size() * (ceiling_m > 0 ? 2 : 1));
 }
 
-// Azimuths from the wall's yaw, every degree and a half, at which it is seen: columns of the map with something of it.
+// Azimuths relative to the wall's yaw, every 1.5 degrees, at which it is visible.
 std::vector<float> azimuths_of(const ImageF& range, const Wall& wall) {
     const EquirectSize size{range.width, range.height};
     std::vector<float> out;
@@ -155,7 +153,7 @@ std::vector<float> azimuths_of(const ImageF& range, const Wall& wall) {
             const Vec3f p = direction_of_pixel(x, y, size) * range.at(x, y);
             on += is_on({{p.x, p.z}, {}, 0}, wall, kThickness);
         }
-        if (on * 8 >= size.height) out.push_back(azimuth);  // a quarter of what was looked at
+        if (on * 8 >= size.height) out.push_back(azimuth);  // in a quarter of the rows examined
     }
     return out;
 }
@@ -168,13 +166,13 @@ std::vector<Wall> upright_planes(const ImageF& range, float floor_m, float ceili
     constexpr float kSphere = 4 * kPi;
     while (walls.size() < kMostWalls) {
         Wall wall = most_voted(spots);
-        if (!(wall.share > kLeastShare * kSphere / 2)) break;  // votes are of those alone whose normals agree
+        if (!(wall.share > kLeastShare * kSphere / 2)) break;  // only spots with consistent normals vote
         wall = refined(spots, wall);
         float on = 0;
         for (const Spot& s : spots) on += is_on(s, wall, kThickness) ? s.weight : 0;
         wall.share = on / kSphere;
         if (wall.share >= kLeastShare && is_flat(spots, wall)) walls.push_back(wall);
-        // Gone in either case, and what lies a little off with them, or it would be the next wall.
+        // Removed in any case, along with slightly deviating spots, which would otherwise become the next wall.
         const std::size_t before = spots.size();
         std::erase_if(spots, [&](const Spot& s) {
             return is_on(s, wall, 2 * kThickness) && dot(s.normal, ahead(wall.yaw)) > 0.5f;
@@ -188,11 +186,11 @@ std::vector<Wall> upright_planes(const ImageF& range, float floor_m, float ceili
 std::vector<Wall> walls_with_lines(const ImageF& range, const RoomLines& lines, float floor_m, float ceiling_m) {
     constexpr int kSteps = 15;  // to each side, in distance
     constexpr float kFactor = 0.02f;
-    constexpr float kClearer = 0.12f;  // than what the picture has at other distances
+    constexpr float kClearer = 0.12f;  // required margin over the line strength at other distances
     std::vector<Wall> out;
     for (Wall wall : upright_planes(range, floor_m, ceiling_m)) {
         const std::vector<float> azimuths = azimuths_of(range, wall);
-        if (azimuths.size() < 8) continue;  // 12 degrees: no line to speak of
+        if (azimuths.size() < 8) continue;  // 12 degrees: too short for a line
         std::array<float, 2 * kSteps + 1> strengths{};
         for (int i = -kSteps; i <= kSteps; ++i)
             strengths[static_cast<std::size_t>(i + kSteps)] = line_strength(

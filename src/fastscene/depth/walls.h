@@ -1,5 +1,4 @@
-// The walls of a room, found in its range map: large upright planes, kept where the picture's lines say that floor or
-// ceiling meets a wall there.
+// Wall detection in a range map: large vertical planes, kept if the picture has matching lines at floor or ceiling.
 #pragma once
 
 #include <vector>
@@ -9,20 +8,20 @@
 
 namespace fastscene {
 
-// An upright plane, or the front of furniture as large. Its points p (x right, y down, z ahead; the camera at the
-// origin) have p.x * sin(yaw) + p.z * cos(yaw) = distance_m.
+// A vertical plane, or the front of furniture of similar size. Its points p (x right, y down, z forward; the camera at
+// the origin) satisfy p.x * sin(yaw) + p.z * cos(yaw) = distance_m.
 struct Wall {
-    float yaw = 0;         // radians, -pi..pi: where it is met at right angles; to the right is positive
+    float yaw = 0;         // radians, -pi..pi: longitude of its normal; positive to the right
     float distance_m = 0;  // of its plane
-    float share = 0;       // of the sphere, by solid angle, whose range lies within a twentieth of the plane
-    float line_m = 0;  // the distance at which lines of the picture run as its foot and its top would; 0: none is seen
+    float share = 0;       // share of the sphere, by solid angle, with a range within a twentieth of the plane's
+    float line_m = 0;      // distance at which the picture's lines match its foot and top; 0: none found
 };
 
-// Of a range map in metres along each pixel's ray, equirectangular, with the floor `floor_m` below the camera and the
-// ceiling `ceiling_m` above it (0: not known). The largest first; none with less than 3 % of the sphere. line_m is 0.
+// From an equirectangular range map in metres along each ray, with the floor `floor_m` below the camera and the ceiling
+// `ceiling_m` above it (0: unknown). Largest first; only those with at least 3 % of the sphere. line_m is 0.
 std::vector<Wall> upright_planes(const ImageF& range, float floor_m, float ceiling_m);
 
-// Those of them along which the picture has lines where floor and ceiling meet them, with line_m.
+// The subset with matching lines at floor and ceiling, with line_m set.
 std::vector<Wall> walls_with_lines(const ImageF& range, const RoomLines& lines, float floor_m, float ceiling_m);
 
 }  // namespace fastscene

@@ -7,8 +7,8 @@
 namespace fastscene {
 namespace {
 
-// Unknown pixels as the mean of their known surroundings, from small neighbourhoods to large ones; columns wrap.
-// Works on 1/range, so that the sky (0) averages like any other value.
+// Replaces unknown pixels by the mean of their known surroundings, from small neighbourhoods to large ones; columns
+// wrap. Works on 1/range, so that the sky (0) can be averaged.
 void fill_unknown(ImageF& inverse, ImageMask& known) {
     if (inverse.width <= 1 || inverse.height <= 1) return;
     const int w = (inverse.width + 1) / 2, h = (inverse.height + 1) / 2;
@@ -29,7 +29,7 @@ void fill_unknown(ImageF& inverse, ImageMask& known) {
     for (int y = 0; y < inverse.height; ++y)
         for (int x = 0; x < inverse.width; ++x)
             if (!known.at(x, y)) inverse.at(x, y) = half.at(x / 2, y / 2);
-    // A few sweeps take the blocks out.
+    // A few smoothing sweeps remove block artifacts.
     for (int sweep = 0; sweep < 8; ++sweep)
         for (int y = 0; y < inverse.height; ++y)
             for (int x = 0; x < inverse.width; ++x) {

@@ -18,7 +18,7 @@ void append(std::string& list, const std::string& item) { list += (list.empty() 
 // a … z, aa, ab …
 std::string mark_of(std::size_t i) { return (i < 26 ? "" : mark_of(i / 26 - 1)) + static_cast<char>('a' + i % 26); }
 
-// "inf": equal to what it should be, and so better than any number.
+// "inf": equal to its reference, and so better than any number.
 double value_of(const Json& cell) {
     const Json& value = cell.at("value");
     return value.is_number() ? value.get<double>() : std::numeric_limits<double>::infinity();

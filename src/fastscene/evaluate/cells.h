@@ -1,6 +1,5 @@
-// What the cells of a table say, whatever it is written in: figures, what they leave out, which is the best, and the
-// notes below. `results`: results.json's content (rows.h has the rows'); those that earlier versions wrote are read
-// too.
+// Contents of table cells, independent of the output format: figures, what they omit, which is best, and footnotes.
+// `results`: the content of results.json (rows.h describes the rows), including that of earlier versions.
 #pragma once
 
 #include <string>
@@ -10,28 +9,28 @@
 
 namespace fastscene {
 
-// "3.91", "inf", or "–" with nothing measured.
+// "3.91", "inf", or "–" if nothing was measured.
 std::string cell_text(const Json& cell, int digits);
-// The deviation between scenes; empty: none.
+// Standard deviation between scenes; empty: none.
 std::string deviation_text(const Json& cell, int digits);
-// "4 of 5" where a mean is not over all scenes of its row; else empty.
+// "4 of 5" if a mean does not cover all scenes of its row; else empty.
 std::string share_text(const Json& cell);
 
 std::string row_title(const Json& row);
 // "Them (published)", "FastScene (the paper, published)".
 std::string published_title(const Json& row);
-// "4" or "4 of 5": what a row's means are over.
+// "4" or "4 of 5": the number of scenes that a row's means cover.
 std::string row_scenes(const Json& row);
-// Rows that were asked for other numbers of scenes: the table says how many.
+// Whether rows were asked for different numbers of scenes, so that the table must state them.
 bool scene_counts_differ(const Json& results);
 
-// Whether this cell is the best of the measured rows: at least two of them, all over the same scenes, and not the same
-// to the digits that are shown. Published rows are not among them.
+// Whether this cell is the best of the measured rows: at least two, all over the same scenes, and not equal in the
+// displayed digits. Published rows are excluded.
 bool is_best(const Json& results, const Json& row, const Json& column);
 
-// Why cells are empty and what figures leave out: each reason once, marked a, b, c …
+// Reasons for empty cells and omissions, each listed once and marked a, b, c …
 struct Footnote {
-    std::string mark, columns, text;  // columns: labels of those it stands in
+    std::string mark, columns, text;  // columns: labels of the columns in which it occurs
 };
 class Footnotes {
   public:
@@ -44,9 +43,9 @@ class Footnotes {
 };
 std::vector<std::string> cell_notes(const Json& cell);
 
-// A line for every scene that failed; `variant` (not empty): of this row alone.
+// A line per failed scene; `variant` (if not empty): only of this row.
 std::vector<std::string> failures_of(const Json& results, const std::string& variant = "");
-// Which parameter files the measures were given, by column; says so where scenes were given different ones.
+// Which parameter files the measures used, by column; states if they differ between scenes.
 struct ParameterNote {
     std::string column, text;
     bool mixed = false;

@@ -9,7 +9,7 @@ namespace fastscene {
 namespace {
 
 constexpr double kWidth = 460, kBarHeight = 16, kLabelStep = 16, kBarGap = 12, kTop = 34;
-constexpr std::size_t kLabelLetters = 54;  // of a line; phones show them larger
+constexpr std::size_t kLabelLetters = 54;  // of a line; phones enlarge them
 
 std::string text_at(double x, double y, const std::string& anchor, const std::string& text,
                     const std::string& style = "") {
@@ -17,7 +17,7 @@ std::string text_at(double x, double y, const std::string& anchor, const std::st
                        style.empty() ? "" : " class=\"" + style + "\"", html_escaped(text));
 }
 
-// In lines of at most so many letters, broken between words where there are some.
+// Breaks text into lines of at most that many letters, between words if possible.
 std::vector<std::string> lines_of(const std::string& text, std::size_t letters) {
     std::vector<std::string> lines;
     for (std::size_t begin = 0; begin < text.size();) {
@@ -26,7 +26,7 @@ std::vector<std::string> lines_of(const std::string& text, std::size_t letters) 
             const std::size_t space = text.rfind(' ', end);
             if (space != std::string::npos && space > begin) end = space;
             while (end > begin + 1 && (static_cast<unsigned char>(text[end]) & 0xC0) == 0x80)
-                --end;  // not inside a letter of several bytes
+                --end;  // never inside a multi-byte character
         }
         lines.push_back(text.substr(begin, end - begin));
         begin = end + (end < text.size() && text[end] == ' ');
@@ -39,14 +39,14 @@ std::string frame(double width, double height, const std::string& title, const s
                        html_escaped(title), inside);
 }
 
-// 1, 2 or 5 times a power of ten, about five steps to the span.
+// 1, 2 or 5 times a power of ten, giving about five ticks.
 double nice_step(double span) {
     const double rough = std::max(span, 1e-9) / 5, power = std::pow(10, std::floor(std::log10(rough)));
     return rough <= power ? power : rough <= 2 * power ? 2 * power : rough <= 5 * power ? 5 * power : 10 * power;
 }
 
 struct Axis {
-    double low = 0, high = 1, from = 0, to = 1;  // values, and where they lie
+    double low = 0, high = 1, from = 0, to = 1;  // value range, and its pixel range
     double at(double v) const { return from + (v - low) / (high - low) * (to - from); }
     double step() const { return nice_step(high - low); }
     double first() const { return std::ceil(low / step() - 1e-9) * step(); }

@@ -1,4 +1,4 @@
-// Charts for the report: SVG that stands in a page and takes its colors (report.css). Text is escaped here.
+// Charts for the report: inline SVG that uses the page's colors (report.css). Escapes text.
 #pragma once
 
 #include <optional>
@@ -9,11 +9,11 @@
 namespace fastscene {
 
 struct Bar {
-    std::string label, kind;  // kind: ours, source, peer, published: its color
+    std::string label, kind;  // kind: ours, source, peer, published; selects the color
     double value = 0;
-    std::string text;  // the value as it is written
+    std::string text;  // the value as displayed
 };
-// Horizontal bars from zero, one below the other, each under its label; `hint` says which way is better.
+// Horizontal bars from zero, stacked, each under its label; `hint` says which direction is better.
 std::string bar_chart(const std::string& title, const std::string& hint, const std::vector<Bar>& bars);
 
 struct Curve {
@@ -21,7 +21,7 @@ struct Curve {
     std::vector<std::pair<double, double>> points;  // left to right
     bool dashed = false;
 };
-// Curves with their names at the end of a legend below; the value axis starts at zero where that costs little.
+// Curves with a legend below; the value axis includes zero if that costs little space.
 std::string line_chart(const std::string& title, const std::string& x_label, const std::string& y_label,
                        const std::vector<Curve>& curves);
 

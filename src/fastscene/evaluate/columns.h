@@ -1,4 +1,4 @@
-// The columns that a table of results may have: what each means, who fills it, which way is better.
+// The columns of result tables: meaning, source of the values, which direction is better.
 #pragma once
 
 #include <string>
@@ -12,10 +12,10 @@ struct Column {
     std::string key, label, unit;
     Better better = Better::neither;
     int digits = 2;
-    std::string measure;        // of measure_names(), or "cost": every scene has it
-    std::string image_measure;  // of image_measure_names() (metrics/images.h), where pictures fill it
+    std::string measure;        // from measure_names(), or "cost", which every scene has
+    std::string image_measure;  // from image_measure_names() (metrics/images.h), if computed from pictures
     std::string about;
-    bool quoted = false;  // somebody's figure, the same for every scene: it deviates by nothing
+    bool quoted = false;  // a quoted figure, the same for every scene, without deviation
 };
 const std::vector<Column>& columns();
 const Column& column_of(std::string_view key);  // must exist

@@ -24,8 +24,8 @@ struct Job {
     const SuiteVariant* variant;
     const SuiteScene* scene;
     std::uint64_t seed;
-    fs::path place;  // below scenes/ and measured/
-    double weight;   // of the time, in scenes made from nothing
+    fs::path place;  // relative to scenes/ and measured/
+    double weight;   // relative duration, in scenes made from scratch
     fs::path folder(const fs::path& out) const { return scene->run.empty() ? out / "scenes" / place : scene->run; }
 };
 
@@ -50,8 +50,8 @@ Suite first_scenes(Suite suite, int count) {
     return suite;
 }
 
-// Variants of one scene mostly share its beginning: a finished stage of a sibling is tried first. Its key decides
-// whether it fits.
+// Variants of a scene often share their first stages: a sibling's finished stages are copied first, and their keys
+// decide whether they are valid.
 void start_from_sibling(const std::vector<Job>& jobs, const Job& job, const fs::path& out) {
     const fs::path to = job.folder(out);
     if (fs::exists(to / "run.json")) return;
@@ -61,10 +61,10 @@ void start_from_sibling(const std::vector<Job>& jobs, const Job& job, const fs::
             continue;
         make_directories(to);
         for (const std::string_view name : {"panorama", "depth"}) {
-            fs::remove_all(to / name);  // what a kill left of an earlier copy
+            fs::remove_all(to / name);  // left over from an interrupted copy
             fs::copy(from / name, to / name, fs::copy_options::recursive);
         }
-        write_file(to / "run.json", read_file(from / "run.json"));  // last, and whole: it says that the copy is
+        write_file(to / "run.json", read_file(from / "run.json"));  // last: its presence marks the copy as complete
         return;
     }
 }
@@ -77,7 +77,7 @@ Sample cost_of(const Json& report) {
     return sample;
 }
 
-// Of a run that somebody else made.
+// For a run made elsewhere.
 Json cost_of_stages(const RunFolder& folder) {
     Cost total;
     for (const std::string_view stage : kStages)
@@ -123,8 +123,7 @@ class Evaluation {
     }
 
   private:
-    // Rows that differ in what comes after the panorama are judged by the same true pictures; another preset lights its
-    // room otherwise.
+    // Rows that differ only after the panorama share the same ground truth; other presets light the room differently.
     fs::path truth_of(const Job& job) const {
         const std::string quality = job.scene->run.empty() ? job.variant->quality
                                                            : recorded_run({job.scene->run}).request.quality;
@@ -137,7 +136,7 @@ class Evaluation {
         return std::nullopt;
     }
 
-    // The scene made, or gone on with; a run of the suite's stays as it is. Returns the report of its cost.
+    // Makes or resumes the scene; existing runs listed in the suite are left unchanged. Returns the cost report.
     Json make(const Job& job, const RunFolder& folder, const Run& run) const {
         if (!job.scene->run.empty()) return cost_of_stages(folder);
         start_from_sibling(jobs_, job, options_.out);
@@ -203,7 +202,7 @@ class Evaluation {
         return results;
     }
 
-    const Suite suite_;  // of the scenes that were chosen
+    const Suite suite_;  // restricted to the selected scenes
     EvaluateOptions options_;
     const Run& run_;
     std::string last_stage_;
@@ -216,7 +215,7 @@ class Evaluation {
 }  // namespace
 
 Json evaluate(const Suite& suite, const EvaluateOptions& options, const Run& run) {
-    Evaluation evaluation(suite, options, run);  // refuses what cannot be before anything is written
+    Evaluation evaluation(suite, options, run);  // validates before anything is written
     make_directories(options.out);
     const FolderLock lock(options.out);
     return evaluation.go();

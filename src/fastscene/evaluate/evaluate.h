@@ -1,5 +1,5 @@
-// Evaluate: a suite's scenes are made (or taken as they are, where the run folder has them), measured, and put into one
-// table beside published figures and other systems' pictures.
+// Evaluation: makes a suite's scenes (or uses existing runs), measures them, and tabulates them beside published
+// figures and other systems' results.
 #pragma once
 
 #include <filesystem>
@@ -13,18 +13,18 @@ namespace fastscene {
 
 struct EvaluateOptions {
     std::filesystem::path out;
-    std::filesystem::path weights;  // of metrics, as for metrics_weights()
-    int scenes = 0;                 // only the first so many; 0: all
-    std::vector<SuitePeer> peers;   // besides those of the suite
+    std::filesystem::path weights;  // as for metrics_weights()
+    int scenes = 0;                 // only the first n; 0: all
+    std::vector<SuitePeer> peers;   // in addition to those of the suite
 };
 
-// Writes into options.out, anew after every scene, so that one may look while it goes on:
-//   results.json  everything below, as numbers        scenes/VARIANT/SCENE-SEED/  the runs: resumed, never made twice
-//   report.html   one page that stands alone          measured/…                  pictures and scores, kept by content
-//   table.md .csv .tex, scenes.csv
-// A scene that fails is named with its reason below the table, and the others go on. Returns results.json
-// (docs/evaluate.md has its form). Throws UsageError for a peer's folder that holds nothing of the suite, before
-// anything is written; Stopped on request; then all that was made stays.
+// Writes into options.out, updated after every scene, so that results can be viewed while it runs:
+// results.json: everything below, as numbers; scenes/VARIANT/SCENE-SEED/: the runs, resumed and never made twice;
+// report.html: a self-contained page; measured/…: pictures and scores, cached by content;
+// table.md .csv .tex, scenes.csv.
+// A failed scene is listed with its reason below the table, and the others continue. Returns results.json (format:
+// docs/evaluate.md). Throws UsageError for a peer's folder without any of the suite's scenes, before anything is
+// written; Stopped on request, keeping all finished work.
 Json evaluate(const Suite& suite, const EvaluateOptions& options, const Run& run);
 
 }  // namespace fastscene

@@ -10,7 +10,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Scenes that cannot be made (no picture of them is a panorama), and a peer that has pictures of them.
+// Scenes that cannot be made (their pictures are no panoramas), and a peer with pictures of them.
 class TwoScenes : public testing::Test {
   protected:
     void SetUp() override {

@@ -1,4 +1,4 @@
-// One scene's failure is its own: the others go on, whatever it was.
+// A scene's failure is isolated: the others continue.
 #pragma once
 
 #include <string>
@@ -8,7 +8,7 @@
 
 namespace fastscene {
 
-// Why a scene failed, for its line below the tables. Not for Stopped, which ends the whole.
+// Why a scene failed, for the line below the table. Not for Stopped, which ends the evaluation.
 inline std::string failure_text(const std::exception& e) {
     if (dynamic_cast<const CheckFailed*>(&e)) return std::string("a mistake of ours, please report it: ") + e.what();
     return is_lack_of_memory(e) ? "not enough memory for this scene" : short_message(e);

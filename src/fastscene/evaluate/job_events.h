@@ -1,4 +1,4 @@
-// Passes on what one scene of many says, with its number before it and with how far the whole suite is.
+// Forwards events of one scene, prefixed with its number and with the progress of the whole suite.
 #pragma once
 
 #include <algorithm>
@@ -10,7 +10,7 @@ namespace fastscene {
 
 class JobEvents : public EventSink {
   public:
-    // The scene takes `share` of the whole, from `begin` on. `sink` may be null.
+    // The scene covers the share `share` of the total progress, starting at `begin`. `sink` may be null.
     JobEvents(std::string name, double begin, double share, EventSink* sink)
         : name_(std::move(name)), begin_(begin), share_(share), sink_(sink) {}
 
@@ -18,7 +18,7 @@ class JobEvents : public EventSink {
         if (!sink_) return;
         const auto* progress = std::get_if<ProgressEvent>(&event);
         if (!progress) return sink_->tell(event);
-        // Making a scene knows how far it is, and is most of it; measuring comes after and does not.
+        // Making a scene reports its progress and takes most of the time; measuring does not report.
         constexpr double kMaking = 0.8;
         if (progress->overall >= 0) within_ = std::max(within_, kMaking * progress->overall);
         sink_->tell(

@@ -20,7 +20,7 @@ namespace fs = std::filesystem;
 
 constexpr std::size_t kShownPairs = 3, kShownStills = 8;
 
-// What pictures are kept under: what made them, or their content where somebody else did.
+// Cache key of pictures: the settings that made them, or their content if they come from elsewhere.
 std::string fingerprint(const fs::path& pictures) {
     if (pictures.empty()) return "";
     const auto stage = finished_stage(pictures.parent_path().parent_path(), pictures.parent_path().filename().string());
@@ -31,7 +31,7 @@ std::string fingerprint(const fs::path& pictures) {
     return hash.hex();
 }
 
-// Spread over all of them: neighbours look alike.
+// Evenly spaced, since neighbours look alike.
 std::vector<fs::path> some_of(const std::vector<fs::path>& files, std::size_t wanted) {
     const std::size_t count = std::min(files.size(), wanted);
     std::vector<fs::path> out;

@@ -39,7 +39,7 @@ class SceneMeasures {
         sheet_.show_pairs("Panorama 0's own crop, and the splats from the same place", {"panorama 0", dir / "input"},
                           {"splats", dir / "origin"});
     }
-    // Another system's: as it made them, or its splats by the cameras of our own scene.
+    // Another system's results: its own pictures, or its splats rendered with the cameras of our scene.
     void stills(const OtherScene& other, const std::optional<RunFolder>& ours, int width) {
         fs::path dir = other.pictures;
         if (dir.empty() && other.splats.empty()) return sheet_.note_all("stills", "needs pictures or splats");
@@ -115,7 +115,7 @@ class SceneMeasures {
         return {{"count", p.count}, {"size", p.size_px}, {"fov", p.fov_deg}, {"radius", p.radius_m}};
     }
 
-    // What `sphere` draws as wide as the folder's panorama 0, against it.
+    // Compares `sphere`, rendered at the width of the folder's panorama 0, against it.
     void source(const RunFolder& folder, const Json& params, const std::string& label,
                 const std::function<ImageRgb8(int width)>& sphere) {
         const fs::path dir = sheet_.made("source", params, folder, [&](const fs::path& to) {
@@ -130,7 +130,7 @@ class SceneMeasures {
                           {label, dir / "splats"}, true);
     }
 
-    // `theirs`: judged instead of the run's own splats.
+    // `theirs`: evaluated instead of the run's own splats.
     void held_out(const RunFolder& folder, const fs::path& theirs) {
         if (!has_room(recorded_run(folder).request.source))
             return sheet_.note_all("held-out", "needs a room behind the scene: a prompt, not a picture");
@@ -160,7 +160,7 @@ class SceneMeasures {
         return params;
     }
 
-    // Where poses lie, as the sheet has it.
+    // Pose sampling region, as labelled in the report.
     struct HeldOutPlace {
         std::string folder, group, caption;
     };
@@ -187,7 +187,8 @@ class SceneMeasures {
         make_directories(to / "splats");
         for (const fs::path& strip : pictures_in(strips / "truth", "held-out")) {
             const std::string name = strip.filename().string();
-            if (std::stoi(strip.stem().string()) >= p.views) continue;  // of an earlier, longer look at this scene
+            // from an earlier evaluation of this scene with more views
+            if (std::stoi(strip.stem().string()) >= p.views) continue;
             const ImageRgb8 all = load_rgb8(strip);
             save_png(to / "truth" / name, cut_out(all, 0, 0, all.height, all.height));
             save_png(to / "splats" / name, cut_out(all, all.height, 0, all.height, all.height));
@@ -222,7 +223,8 @@ class SceneMeasures {
         put("psnr_b", truth.at("bounds").at("B"), "psnr_mean");
         put("gap_a", truth, "gap_to_a_db");
         put("closed", truth, "closed_share", 100);
-        const Json at_walked = truth.value("walked_poses", Json::object());  // not in what older programs measured
+        // absent in measurements by earlier versions
+        const Json at_walked = truth.value("walked_poses", Json::object());
         put("walked", at_walked, "walk_psnr_mean");
         put("splat_loss", at_walked, "splat_stage_loses_db");
     }

@@ -1,5 +1,4 @@
-// What a measure's figures hang on besides the pictures: its parameter files and networks, by content. A score is used
-// again only where they are the same.
+// Identity of a measure's parameter files and networks, by content: cached scores are reused only if it matches.
 #pragma once
 
 #include <filesystem>
@@ -9,8 +8,8 @@
 namespace fastscene {
 
 struct ParameterFiles {
-    std::vector<std::filesystem::path> files;  // as measure_files() has them (metrics/images.h)
-    std::string identity;                      // of their content, 32 digits; empty: the measure needs none
+    std::vector<std::filesystem::path> files;  // as in measure_files() (metrics/images.h)
+    std::string identity;                      // hash of their content, 32 digits; empty: the measure needs none
 };
 ParameterFiles parameters_of(const std::filesystem::path& weights, const std::string& image_measure);
 

@@ -17,7 +17,7 @@ namespace fs = std::filesystem;
 
 bool is_source(const fs::path& file) { return file.stem() == "source"; }
 
-// What the peer has of a scene; `pictures` may also hold source.png.
+// The peer's files for a scene; `pictures` may also contain source.png.
 OtherScene contribution(const SuitePeer& peer, const std::string& scene) {
     OtherScene other;
     const fs::path folder = peer.folder / scene;
@@ -40,7 +40,7 @@ bool is_empty(const OtherScene& other) {
     return other.pictures.empty() && other.sphere.empty() && other.splats.empty();
 }
 
-// The stills without the sphere that lies beside them.
+// The stills, without the panorama in the same folder.
 fs::path stills_alone(const OtherScene& other, const fs::path& work) {
     if (other.pictures.empty() || other.sphere.empty()) return other.pictures;
     const fs::path alone = work / "given";
@@ -60,7 +60,7 @@ double minutes_in(const fs::path& file) {
     return minutes;
 }
 
-// Its time: measured of this scene, or told once for all.
+// The peer's duration: for this scene, or one figure for all.
 void add_minutes(const SuitePeer& peer, const std::string& scene, Measured& measured) {
     const fs::path own = peer.folder / scene / "minutes.txt", all = peer.folder / "minutes.txt";
     if (!fs::exists(own) && !fs::exists(all)) return;

@@ -1,10 +1,11 @@
-// Peers: what another system made, measured by the same code. A peer's folder holds for each scene of the suite, by its
-// name,
-//   SCENE/*.png, *.jpg     its own renders, judged as they are (`stills`),
-//   SCENE/source.png       its picture all around from panorama 0's place (`source`),
-//   SCENE.ply .spz .glb    Gaussian splats in our frame, drawn by our renderer at the suite's own cameras: for every
-//   measure, SCENE/minutes.txt      its time; minutes.txt beside the scenes: one figure for all of them.
-// bench/peers/ brings the outputs of several systems into this form.
+// Peers: results of other systems, measured by the same code. A peer's folder has, for each scene of the suite, by its
+// name:
+// SCENE/*.png, *.jpg: its own renderings, evaluated as they are (`stills`);
+// SCENE/source.png: its panorama at panorama 0's position (`source`);
+// SCENE.ply .spz .glb: Gaussian splats in our frame, rendered by our renderer with the suite's cameras, for every
+// measure;
+// SCENE/minutes.txt: its duration; minutes.txt beside the scenes: one figure for all of them.
+// bench/peers/ converts the outputs of several systems to this layout.
 #pragma once
 
 #include <functional>
@@ -16,10 +17,10 @@
 
 namespace fastscene {
 
-// Our own finished run of a scene: it lends its cameras, its panorama and its room.
+// Our own finished run of a scene, which provides its cameras, panorama and room.
 struct OwnRun {
     RunFolder folder;
-    std::filesystem::path truth;  // where its true pictures are kept
+    std::filesystem::path truth;  // cache of its ground truth
 };
 struct PeerInputs {
     const Suite& suite;
@@ -27,10 +28,10 @@ struct PeerInputs {
     std::function<std::optional<OwnRun>(const SuiteScene&)> own_run;
 };
 
-// Throws UsageError for a name that another row has, a folder that holds nothing of the suite's scenes, or a suite that
-// measures nothing of a peer. Nothing is written.
+// Throws UsageError for a duplicate row name, a folder without any of the suite's scenes, or a suite without measures
+// for peers. Writes nothing.
 void check_peers(const std::vector<SuitePeer>& peers, const Suite& suite);
-// A record a scene, as evaluate keeps them.
+// One record per scene, in evaluate's format.
 std::vector<Json> peer_records(const SuitePeer& peer, const PeerInputs& inputs, const Run& run);
 
 }  // namespace fastscene

@@ -11,7 +11,7 @@ namespace {
 struct Knot {
     double at, r, g, b;
 };
-// Even steps look even; darker is always less.
+// Perceptually uniform; lower values are always darker.
 constexpr std::array<Knot, 6> kRamp{{{0, 0, 0, 4},
                                      {0.2, 59, 15, 112},
                                      {0.4, 140, 41, 129},

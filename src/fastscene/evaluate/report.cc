@@ -1,4 +1,4 @@
-// The page: table, charts, protocol, scenes. Everything is inside it, so that it can be sent and opened anywhere.
+// The HTML report: table, charts, protocol, scenes. Self-contained, so that it can be sent and opened anywhere.
 #include <fmt/format.h>
 
 #include <set>
@@ -13,7 +13,7 @@ extern const std::string_view kReportStyle;  // report.css
 
 std::string text_of(const Json& json, const char* key) { return json.value(key, std::string()); }
 
-// A label may already say its unit.
+// Appends the unit, unless the label already contains it.
 std::string label_of(const Json& column) {
     const std::string unit = text_of(column, "unit");
     return text_of(column, "label") + (unit.empty() || unit == "min" ? "" : " (" + unit + ")");
@@ -66,7 +66,7 @@ std::string table_html(const Json& results, const Footnotes& footnotes) {
     return out + "</table></div>\n";
 }
 
-// Words in `quotes` as code.
+// Words in `backquotes` as code.
 std::string with_code(const std::string& text) {
     std::string out;
     bool inside = false;
@@ -75,7 +75,7 @@ std::string with_code(const std::string& text) {
     return inside ? html_escaped(text) : out;
 }
 
-// Below the table: what failed, what cells leave out and why they are empty, each once.
+// Below the table: failures, omissions and reasons for empty cells, each once.
 std::string notes_html(const Json& results, const Footnotes& footnotes) {
     std::string items, failures, mixed;
     for (const Footnote& note : footnotes.all())
@@ -101,7 +101,7 @@ std::string list_html(const Json& items) {
     return out.empty() ? "" : "<ul class=\"notes\">\n" + out + "</ul>\n";
 }
 
-// With the files that its measure was given.
+// With the parameter files of each measure.
 std::string columns_html(const Json& results) {
     std::string out = "<dl>\n";
     const std::vector<ParameterNote> parameters = parameter_notes(results);
@@ -119,7 +119,7 @@ std::string count_text(std::size_t count, const char* one, const char* many) {
     return fmt::format("{} {}", count, count == 1 ? one : many);
 }
 
-// Rooms, not what each row made of them.
+// Counts rooms, not the results of each row.
 std::string size_text(const Json& results) {
     const auto done = results.at("scenes_done").get<int>(), all = results.at("scenes_all").get<int>();
     if (done < all) return fmt::format("{} of {} scenes so far", done, all);

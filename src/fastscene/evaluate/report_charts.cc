@@ -1,4 +1,4 @@
-// The page's charts: bars where rows have one figure, curves where they are points.
+// The report's charts: bars where rows have one figure, curves where they have points.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -16,7 +16,7 @@ std::string better_hint(const Json& column) {
     return better == "higher" ? "higher is better" : better == "lower" ? "lower is better" : "";
 }
 
-// In a chart of one variant its rows need not repeat its name.
+// In a chart of a single variant, its name is omitted from the rows.
 std::string short_title(const Json& results, const Json& row) {
     const std::string group = row.at("group");
     const auto& rows = results.at("rows");
@@ -28,7 +28,7 @@ std::string short_title(const Json& results, const Json& row) {
 
 }  // namespace
 
-// Bars for columns that at least two rows have a number in, not all of them published.
+// Bar charts for columns with numbers in at least two rows, not all of them published.
 std::string bars_html(const Json& results) {
     std::string out;
     for (const Json& column : results.at("columns")) {
@@ -48,7 +48,7 @@ std::string bars_html(const Json& results) {
     return out;
 }
 
-// Curves: one chart for each row's name, series and unit.
+// Curves: one chart per row name, series and unit.
 std::string curves_html(const Json& results) {
     std::map<std::string, std::map<std::string, Curve>> charts;  // title -> curves by column
     std::vector<std::string> titles;

@@ -21,7 +21,7 @@ constexpr int kStillWidth = 300, kPairWidth = 420, kSphereWidth = 1060, kJpegQua
 
 std::string picture_data(const fs::path& out, const fs::path& picture, int width) {
     const fs::path file = out / picture, kept = out / "measured" / "thumbnails";
-    if (!fs::exists(file)) return "";  // deleted since; the page says so by its gap
+    if (!fs::exists(file)) return "";  // deleted since; the page leaves a gap
     const std::string key = Hash()
                                 .add(file.string())
                                 .add(fs::file_size(file))
@@ -33,7 +33,7 @@ std::string picture_data(const fs::path& out, const fs::path& picture, int width
             make_directories(kept);
             save_jpeg(small, thumbnail(load_rgb8(file), width), kJpegQuality);
         } catch (const Error&) {
-            return "";  // another system's picture may be broken: its scores say so, and the page stays
+            return "";  // another system's picture may be broken: its scores report that
         }
     return "data:image/jpeg;base64," + base64(read_file(small));
 }
@@ -42,7 +42,7 @@ std::string figures_html(const Json& figures, const fs::path& out) {
     std::string html;
     for (const Json& figure : figures) {
         const bool wide = figure.at("wide").get<bool>();
-        const int columns = wide ? 0 : figure.value("columns", 0);  // rows beside each other
+        const int columns = wide ? 0 : figure.value("columns", 0);  // rows side by side
         const bool stills = columns == 0 && figure.at("pictures").size() > 3;
         const std::string caption = figure.at("caption");
         const std::string kind = wide ? " wide" : stills ? " stills" : columns ? " beside" : "";
@@ -51,7 +51,7 @@ std::string figures_html(const Json& figures, const fs::path& out) {
         html += columns ? fmt::format(" style=\"--columns: {}\">\n", columns) : ">\n";
         for (const Json& picture : figure.at("pictures")) {
             const std::string label = html_escaped(picture.at("label"));
-            if (picture.at("file") == "") {  // a gap in the grid
+            if (picture.at("file") == "") {  // an empty grid cell
                 html += "<div></div>\n";
                 continue;
             }

@@ -1,4 +1,4 @@
-// Parts of the page.
+// Sections of the page.
 #pragma once
 
 #include <filesystem>
@@ -10,7 +10,7 @@ namespace fastscene {
 
 std::string bars_html(const Json& results);
 std::string curves_html(const Json& results);
-// Every room once, with what each row made of it beside each other. `out`: where the pictures' paths start.
+// Every room once, with the results of all rows side by side. `out`: base of the pictures' paths.
 std::string scenes_html(const Json& results, const std::filesystem::path& out);
 
 std::string text_of(const Json& json, const char* key);

@@ -1,5 +1,4 @@
-// The page's scenes: a section a room. What several rows made of it stands beside each other, what they share stands
-// once.
+// The page's scene sections, one per room. Results of several rows are side by side, shared pictures are shown once.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -18,10 +17,10 @@ namespace fs = std::filesystem;
 struct RoomResults {
     std::string scene;
     std::uint64_t seed = 0;
-    std::vector<const Json*> records;  // a row each
+    std::vector<const Json*> records;  // one per row
 };
 
-// In the order in which they first appear; a peer's scene joins the first room of its name.
+// In order of first appearance; a peer's scene joins the first room of the same name.
 std::vector<RoomResults> rooms_of(const Json& results) {
     std::vector<RoomResults> rooms;
     for (const Json& record : results.at("records")) {
@@ -36,7 +35,7 @@ std::vector<RoomResults> rooms_of(const Json& results) {
     return rooms;
 }
 
-// Figures of a room: a row for each of its rows' groups, a column for what any of them has.
+// Figures of a room: a table row per group of each row, a column for each figure that any of them has.
 std::string facts_html(const RoomResults& room, const Json& results) {
     std::vector<std::pair<std::string, std::map<std::string, std::string>>> rows;  // title, column -> text
     std::vector<const Json*> shown;
@@ -55,7 +54,7 @@ std::string facts_html(const RoomResults& room, const Json& results) {
         }
     std::erase_if(rows, [](const auto& row) { return row.second.empty(); });
     if (shown.empty()) return "";
-    std::sort(shown.begin(), shown.end());  // in the table's order: they lie in one array
+    std::sort(shown.begin(), shown.end());  // pointers into one array: sorts into the table's order
     std::string out = "<div class=\"wide-facts\"><table class=\"facts\"><tr><th></th>";
     for (const Json* column : shown) out += "<th>" + html_escaped(label_of(*column)) + "</th>";
     for (auto& [title, texts] : rows) {
@@ -65,7 +64,7 @@ std::string facts_html(const RoomResults& room, const Json& results) {
     return out + "</tr></table></div>\n";
 }
 
-// One figure of several rows: what they should be once, and beside it what each has made, over its difference.
+// Combines the figures of several rows: the reference once, then each result above its difference.
 Json beside(const std::vector<std::pair<std::string, const Json*>>& figures) {
     const Json& first = *figures.front().second;
     Json merged{{"caption", first.at("caption")},
@@ -88,7 +87,7 @@ Json beside(const std::vector<std::pair<std::string, const Json*>>& figures) {
     return merged;
 }
 
-// The rows' figures at equal places of equal kind together; those of one row alone with its name.
+// Groups the rows' figures by position and kind; figures of a single row are labelled with its name.
 Json figures_of(const RoomResults& room) {
     Json out = Json::array();
     std::size_t most = 0;
@@ -114,7 +113,7 @@ Json figures_of(const RoomResults& room) {
     return out;
 }
 
-// Panorama 0, once for each way to take it.
+// Panorama 0, once per way of making it.
 std::string panoramas_html(const RoomResults& room, const fs::path& out) {
     std::vector<std::string> shown;
     std::string html;
@@ -144,7 +143,7 @@ std::string room_html(const RoomResults& room, const Json& results, const fs::pa
             html += fmt::format("<div class=\"todo failed\"><p>{} failed</p>{}</div>\n",
                                 html_escaped(text_of(*record, "variant")), html_escaped(text_of(*record, "failed")));
     const Json figures = figures_of(room);
-    // A comparison all around shows panorama 0 anyway.
+    // Panoramic comparisons show panorama 0 anyway.
     if (std::none_of(figures.begin(), figures.end(), [](const Json& figure) { return figure.at("wide").get<bool>(); }))
         html += panoramas_html(room, out);
     html += facts_html(room, results);

@@ -216,7 +216,7 @@ TEST(Tables, SayTheSameInEveryForm) {
     EXPECT_TRUE(is_in(scenes, "\"ours\",\"\",\"a\",0,clip_l14,,\"fetch clip-vit-large-patch14;")) << scenes;
 }
 
-// What a name holds is text in every form.
+// Names are shown literally in every format.
 TEST(Tables, NamesStartNothing) {
     const std::string name = "[*] a_b _c_ `d` <i>e</i> \"f\", #1 50% $g$ {h}\nj|k";
     const Json results = results_of(suite_of_two(), {record(name, 4, 30.0), record("*", 5, 30.0)});

@@ -23,8 +23,8 @@ struct RowKey {
 // All figures of one cell.
 struct Cell {
     std::vector<double> values;
-    std::vector<std::string> scenes, infinite;                            // which have a figure
-    std::vector<std::pair<std::string, std::vector<std::string>>> notes;  // each once, with its scenes
+    std::vector<std::string> scenes, infinite;  // scenes with a figure, and those with an infinite one
+    std::vector<std::pair<std::string, std::vector<std::string>>> notes;  // each once, with the scenes it applies to
     int counted = 0, pictures = 0;
     bool shared = false;
 
@@ -61,7 +61,7 @@ struct Row {
     RowKey key;
     std::vector<std::string> scenes;
     std::map<std::string, Cell> cells;
-    Json curve = Json::object();  // series and at, where it is a point of a curve
+    Json curve = Json::object();  // series and at, if it is a point of a curve
 };
 
 Row& row_of(std::vector<Row>& rows, const RowKey& key) {
@@ -90,7 +90,7 @@ void add_sample(Row& row, const Json& sample, const std::string& scene) {
     }
 }
 
-// A scene's name, with its seed where it has several.
+// A scene's name, with its seed if it has several.
 std::string scene_id(const Suite& suite, const Json& record) {
     const std::string name = record.at("scene");
     for (const SuiteScene& scene : suite.scenes)
@@ -145,7 +145,7 @@ Json table_rows(const Suite& suite, const std::vector<Json>& records) {
             add_once(row.scenes, scene);
         }
     }
-    // A variant without figures of its own beside its cost (holes, several radii) would be an empty row.
+    // A variant with nothing but its cost (its figures are curves) would be an empty row.
     std::erase_if(rows, [&](const Row& row) {
         const bool has_groups = std::any_of(
             rows.begin(), rows.end(), [&](const Row& r) { return r.key.name == row.key.name && !r.key.group.empty(); });
@@ -154,7 +154,7 @@ Json table_rows(const Suite& suite, const std::vector<Json>& records) {
         });
         return row.key.group.empty() && has_groups && !has_shown;
     });
-    // A variant's own row stands before those of its parts, and its curves' points come last.
+    // A variant's main row comes before those of its groups, and points of curves come last.
     const auto place_of = [&](const Row& row) {
         const auto first = std::find_if(rows.begin(), rows.end(), [&](const Row& r) {
             return r.key.name == row.key.name && (r.key.kind == "peer") == (row.key.kind == "peer");

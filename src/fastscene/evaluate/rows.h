@@ -1,4 +1,4 @@
-// Rows of the table: means over scenes and seeds, published figures and other systems' beside them.
+// Table rows: means over scenes and seeds, with published figures and other systems' results.
 #pragma once
 
 #include <vector>
@@ -9,17 +9,18 @@
 namespace fastscene {
 
 // [{"name", "group", "kind": ours|source|peer|published, "scenes", "of", "cells"}], published ones first; points of a
-// curve also have "series" and "at". "scenes": how many were measured, "of" how many the suite asks for. A cell:
-// {"value", "sd", "count", "of", "scenes", "notes", "pictures"}, what does not apply is not there.
-//   value     the mean over the scenes that have a figure, `count` of `of`; "scenes" says which. Infinite ones do not
-//   count; "inf" where all are sd        the deviation between scenes, of two and more notes     why it has no value,
-//   or what the value leaves out; those that do not hold for the whole row begin with their scenes pictures {"counted",
-//   "of"} where means over pictures left some out
-// `records`: what evaluate keeps of each scene of `suite`.
+// curve also have "series" and "at". "scenes": how many were measured, "of" how many the suite asks for. A cell is
+// {"value", "sd", "count", "of", "scenes", "notes", "pictures"}, without entries that do not apply:
+// value: mean over the scenes that have a figure, `count` of `of`, listed in "scenes"; infinite ones are excluded,
+// "inf" if all are infinite;
+// sd: standard deviation between scenes, for two or more;
+// notes: why the value is missing, or what it omits; prefixed by scene names if they do not hold for the whole row;
+// pictures: {"counted", "of"} if means over pictures omit some.
+// `records`: evaluate's records of the scenes of `suite`.
 Json table_rows(const Suite& suite, const std::vector<Json>& records);
 
-// {column: [{"files", "identity", "scenes"}]}: what the measures were given. More than one for a column: its figures do
-// not compare.
+// {column: [{"files", "identity", "scenes"}]}: the parameters that measures used. With more than one entry a column's
+// figures are not comparable.
 Json parameters_used(const Suite& suite, const std::vector<Json>& records);
 
 }  // namespace fastscene

@@ -11,7 +11,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// The report names every file that is, references too.
+// The report lists all transparent files, including references.
 int transparent_in(const Json& report, const fs::path& folder) {
     int count = 0;
     for (const Json& file : report.at("transparent"))
@@ -19,7 +19,7 @@ int transparent_in(const Json& report, const fs::path& folder) {
     return count;
 }
 
-// Each reason once, with the first picture that it holds for.
+// Each reason once, with the first picture that it applies to.
 void note_undefined(const Json& report, const std::string& measure, Score& score) {
     std::map<std::string, std::pair<std::string, int>> reasons;
     for (const auto& [picture, why] : report.at("undefined").items())
@@ -45,7 +45,7 @@ Score score_from_report(const Json& report, const std::string& measure, int tran
     }
     score.value = score.counted == 0 && infinite > 0 ? Json("inf") : report.at("mean").value(measure, Json());
     if (report.at("missing").contains(measure))
-        score.notes.push_back(report.at("missing").at(measure));  // its file is there, but broken
+        score.notes.push_back(report.at("missing").at(measure));  // the file exists but is broken
     note_undefined(report, measure, score);
     if (const Json left_out = report.value("left_out", Json::object()); !left_out.empty())
         score.notes.push_back(fmt::format("{} of {} pictures cannot be read and are left out ({})", left_out.size(),

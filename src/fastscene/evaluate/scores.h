@@ -1,5 +1,4 @@
-// Scores: what one measure says of a folder of pictures, kept on disk under all that it hangs on, so that what was
-// judged once is not judged again, and what changed is.
+// Scores: the result of one measure for a folder of pictures, cached on disk by everything it depends on.
 #pragma once
 
 #include <filesystem>
@@ -12,24 +11,23 @@
 namespace fastscene {
 
 struct Score {
-    Json value;  // the mean over the pictures that have one; "inf" where all are equal to their references; null: none
-                 // has
-    int pictures = 0, counted = 0;   // counted: those in the mean
-    std::vector<std::string> notes;  // which pictures are not in it, and why; which are not what they seem
+    Json value;  // mean over the pictures that have a value; "inf" if all equal their references; null: none
+    int pictures = 0, counted = 0;   // counted: number in the mean
+    std::vector<std::string> notes;  // pictures excluded from the mean, with reasons; other caveats
 };
 
 struct ScoreInputs {
     std::filesystem::path pictures, reference;  // folders; reference may be empty
-    std::string pictures_key, reference_key;    // of what is in them
+    std::string pictures_key, reference_key;    // hash of their content
     std::string prompt;                         // empty: none
     std::filesystem::path weights;
     std::string parameters;  // identity of the measure's parameter files
 };
-// `kept`/`measure`/ has the score. Throws Error where a picture is wrong.
+// Caches in `kept`/`measure`/. Throws Error if a picture is invalid.
 Score score_of(const std::string& measure, const ScoreInputs& inputs, const std::filesystem::path& kept,
                const Run& run);
 
-// Of what measure_images reported (metrics/images.h); `transparent`: how many of the pictures are so in parts.
+// From the report of measure_images (metrics/images.h); `transparent`: number of partly transparent pictures.
 Score score_from_report(const Json& report, const std::string& measure, int transparent);
 
 }  // namespace fastscene

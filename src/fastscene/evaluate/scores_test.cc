@@ -19,7 +19,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Says how often pictures were judged.
+// Counts how often pictures were measured.
 struct Listener : EventSink {
     int judged = 0;
     void tell(const Event& event) override {
@@ -46,7 +46,7 @@ void save_transparent(const fs::path& file) {
     ASSERT_TRUE(png_image_write_to_file(&image, file.c_str(), 0, pixels.data(), 0, nullptr));
 }
 
-// A model that differs in its means alone: files of one size.
+// Models that differ in their means only: files of equal size.
 NiqeModel model_about(double mean) {
     NiqeModel model{std::vector<double>(kNiqeFeatures, mean), std::vector<double>(kNiqeFeatures * kNiqeFeatures, 0)};
     for (int i = 0; i < kNiqeFeatures; ++i) model.covariance[static_cast<std::size_t>(i * kNiqeFeatures + i)] = 1;
@@ -60,7 +60,8 @@ class Scores : public testing::Test {
         for (const char* name : {"out/work", "pictures", "weights"}) make_directories(folder_ / name);
         save_png(folder_ / "pictures/a.png", grainy(1, 90));
         save_png(folder_ / "pictures/b.png", grainy(2, 60));
-        ::setenv("FASTSCENE_MODELS", (folder_ / "none").c_str(), 1);  // not what whoever runs this has pulled
+        ::setenv("FASTSCENE_MODELS", (folder_ / "none").c_str(),
+                 1);  // must not depend on the models pulled by the user running the test
     }
     void TearDown() override { fs::remove_all(folder_); }
 
@@ -95,7 +96,7 @@ TEST_F(Scores, AnotherParameterFileIsAnotherScore) {
     EXPECT_EQ(first.parameters.at("niqe").at("files"), Json({file.generic_string()}));
 
     save_niqe_model(file, model_about(2.5));
-    fs::last_write_time(file, time);  // as long and as old as the one before
+    fs::last_write_time(file, time);  // same size and time as the previous file
     const Measured second = judge();
     EXPECT_EQ(listener_.judged, 2);
     EXPECT_NE(second.samples[0].values.at("niqe"), first.samples[0].values.at("niqe"));
@@ -145,7 +146,7 @@ TEST(Parameters, ContentIsWhatCounts) {
     fs::remove_all(folder);
     make_directories(folder / "one");
     make_directories(folder / "two");
-    std::string bytes(17u << 20, 'w');  // of this length not every byte is read, but its ends are
+    std::string bytes(17u << 20, 'w');  // files of this size are hashed partially, including both ends
     write_file(folder / "one/model", bytes);
     write_file(folder / "two/model", bytes);
     EXPECT_EQ(content_identity(folder / "one/model"), content_identity(folder / "two/model"));

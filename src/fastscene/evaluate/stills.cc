@@ -17,11 +17,11 @@
 namespace fastscene {
 namespace {
 
-// Nearer to a surface than this nobody stands.
+// Minimum distance of a camera from any surface, metres.
 constexpr float kClearance = 0.3f;
 constexpr float kPitchesDeg[] = {0.f, -15.f, 10.f};
 
-// How far one may go in a direction: the least range near it, less the clearance.
+// Free distance in a direction: the minimum range around it, less the clearance.
 float free_way(const ImageF& range, Vec3f direction) {
     const Vec2f at = pixel_of_direction(direction, {range.width, range.height});
     const int x = static_cast<int>(at.x), y = std::min(static_cast<int>(at.y), range.height - 1),

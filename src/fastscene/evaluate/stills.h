@@ -1,8 +1,9 @@
-// Stills: the pictures of a scene that are judged without a reference. Three sets with the same directions tell what
-// each step costs:
-//   walked: the splats, from around panorama 0's place (what a visitor sees; the paper's "30 images of each scene");
-//   origin: the splats, from panorama 0's place itself;
-//   input:  panorama 0 cut by the same cameras: what the splats were trained to look like.
+// Stills: pictures of a scene for no-reference measures. Three sets with the same directions isolate the cost of each
+// step:
+// walked: rendered from the splats, from positions around panorama 0 (what a visitor sees; the paper's "30 images of
+// each scene");
+// origin: rendered from the splats at panorama 0's position;
+// input: cut from panorama 0 with the same cameras, the splats' training target.
 #pragma once
 
 #include <vector>
@@ -14,13 +15,13 @@
 
 namespace fastscene {
 
-// Directions all around, level, down and up in turn; places in a ball of radius_m, where `range` (empty: unknown)
-// leaves free space. The same for every scene and system.
+// Directions all around, level, down and up in turn; positions in a ball of radius_m, limited to the free space by
+// `range` (empty: unknown). The same for every scene and system.
 std::vector<Rigid> still_poses(const StillsParams& params, const ImageF& range);
-// Square; params.size_px, or as fine as a panorama of this width at the middle of the picture, to 64 pixels.
+// Square; params.size_px, or the resolution of a panorama of this width at the picture's center, rounded to 64 pixels.
 Pinhole still_camera(const StillsParams& params, int panorama_width);
 
-// NN.png each.
+// Writes NN.png each.
 void save_walked_stills(const std::filesystem::path& folder, const Splats& splats, const StillsParams& params,
                         const Pinhole& camera, const ImageF& range, const Run& run);
 void save_origin_stills(const std::filesystem::path& folder, const Splats& splats, const StillsParams& params,

@@ -17,7 +17,7 @@ extern const std::size_t kSuiteCount;
 namespace {
 namespace fs = std::filesystem;
 
-// The settings of make by their flags' names, without the dashes: walk, walk-viewpoints, splat-steps …
+// Settings of `make` by flag name, without dashes: walk, walk-viewpoints, splat-steps …
 template <class Visit>
 void visit_settings(SceneParams& params, const Visit& visit) {
     visit_sections(params, [&](std::string_view section, auto& fields) {
@@ -46,7 +46,7 @@ std::string weights_file(const TomlTable& table, const std::string& name, const 
     return file;
 }
 
-// Paths start at `folder`.
+// Relative paths start at `folder`.
 void apply_settings(const TomlTable& table, const fs::path& folder, SceneParams& params) {
     visit_settings(params, [&](const std::string& name, auto& value) {
         using T = std::decay_t<decltype(value)>;
@@ -59,10 +59,10 @@ void apply_settings(const TomlTable& table, const fs::path& folder, SceneParams&
         else value = static_cast<T>(table.number(name, 0, -1e30, 1e30));
     });
     if (table.has("splat-count") && !table.has("splat-per-m2"))
-        params.splat.per_m2 = 0;  // who names a number of Gaussians means it
+        params.splat.per_m2 = 0;  // an explicit number of Gaussians overrides the density
     try {
         check_params(params);
-    } catch (const UsageError& e) {  // "--walk-steps: expected …": the same name stands in the table
+    } catch (const UsageError& e) {  // "--walk-steps: expected …": the table uses the same name
         const std::string text = e.what(), name = text.starts_with("--") ? text.substr(2, text.find(':') - 2) : "";
         throw Error("{}: {}", table.place(name), text.substr(std::min(text.size(), text.find(':') + 2)));
     }
@@ -136,8 +136,8 @@ class Reader {
                                            column.key, column.measure, fmt::join(suite_.measures, ", ")));
     }
 
-    // Held-out poses are asked of a room: a suite that measures nothing else and has none would make its scenes for an
-    // empty table.
+    // Held-out poses need a known room: a suite that measures nothing else and has no such scene would give an empty
+    // table.
     void check_rooms() const {
         const bool any = std::any_of(suite_.scenes.begin(), suite_.scenes.end(),
                                      [](const SuiteScene& s) { return has_room(s.source); });
@@ -241,15 +241,15 @@ class Reader {
     }
 
     std::string quality_of(const TomlTable& table) const {
-        const TomlTable& where = table.has("quality") ? table : top_;  // whose line it is that is wrong
+        const TomlTable& where = table.has("quality") ? table : top_;  // the table whose line is wrong
         const std::string quality = where.text("quality", "standard");
         const std::vector<std::string> known = qualities();
         if (std::find(known.begin(), known.end(), quality) == known.end())
             where.fail("quality", fmt::format("unknown \"{}\"{}", quality, meant(quality, known)));
         return forced_quality_.empty() ? quality : forced_quality_;
     }
-    // Rows that name presets of their own lose what they are called by when --quality takes their place. One that then
-    // is another row again is left out; of the others the table says it.
+    // With --quality, rows that name their own presets lose their distinction. Those that become duplicates are
+    // dropped; for the others the table notes it.
     void settle_forced_quality() {
         std::vector<std::string> left_out, changed;
         for (const std::string& name : replaced_) {
@@ -273,7 +273,7 @@ class Reader {
     }
     SceneParams params_of(const TomlTable& table, const toml::table* own) const {
         SceneParams params = params_of_quality(quality_of(table));
-        if (top_.has("diffusion360")) params.panorama.width = 1024;  // what the model was trained for
+        if (top_.has("diffusion360")) params.panorama.width = 1024;  // the model's training resolution
         if (const toml::table* common = top_.table("settings"))
             apply_settings({*common, file_.string(), "[settings]", setting_names()}, file_.parent_path(), params);
         if (own) apply_settings({*own, file_.string(), "settings", setting_names()}, file_.parent_path(), params);
@@ -314,7 +314,7 @@ class Reader {
     std::string forced_quality_;
     std::set<std::string> names_, rows_;
     std::vector<std::string> row_names_;  // of the file's variants
-    std::vector<std::string> replaced_;   // of those whose own preset --quality takes the place of
+    std::vector<std::string> replaced_;   // rows whose own preset is overridden by --quality
     Suite suite_;
 };
 
@@ -331,7 +331,8 @@ std::string folder_name_of(std::string_view text) {
     }
     if (out.size() > kLongest) {
         std::size_t end = kLongest;
-        while (end > 0 && (static_cast<unsigned char>(out[end]) & 0xc0) == 0x80) --end;  // no letter is cut in two
+        // never cuts a UTF-8 character in two
+        while (end > 0 && (static_cast<unsigned char>(out[end]) & 0xc0) == 0x80) --end;
         out.resize(end);
     }
     while (out.ends_with('-')) out.pop_back();

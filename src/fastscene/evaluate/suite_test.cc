@@ -20,7 +20,7 @@ Suite read(const std::string& text, const std::string& quality = "") {
     return read_suite(text, "mine", "mine.toml", quality);
 }
 
-// What the error of a wrong suite says; empty when there is none.
+// The error message for an invalid suite; empty if it is valid.
 std::string complaint(const std::string& text) {
     try {
         read(text);
@@ -144,12 +144,12 @@ TEST(Suite, ATypoNamesFileLineKeyAndWhatWasMeant) {
            {"mine.toml:9: [[peer]]: name", "twice"});
     expect(kHead + "[scene]\nprompt = \"x\"\n", {"mine.toml:3:", "[[scene]]"});
     expect(kHead + "quality = \"drat\"\n[[variant]]\nname = \"a\"\n" + kScene,
-           {"mine.toml:3: quality: unknown \"drat\""});  // its own line, not the row's
+           {"mine.toml:3: quality: unknown \"drat\""});  // reported at its own line, not at the row's
     expect(kHead + kScene + "[held-out]\nradii = [0.3, 0.6, 0.3]\n", {"[held-out]", "radii", "0.3 twice"});
     expect(kHead + "quality = draft\n" + kScene, {"mine.toml:3:", "expected TOML"});
 }
 
-// A folder of its own with a file in it.
+// A temporary folder with a file in it.
 class SuiteFiles : public testing::Test {
   protected:
     void SetUp() override {
@@ -170,7 +170,7 @@ class SuiteFiles : public testing::Test {
             return e.what();
         }
     }
-    // A finished run, as far as a suite asks.
+    // A finished run, with what a suite reads from it.
     void make_run(const std::string& name, const std::string& last_stage) const {
         make_directories(folder_ / name);
         write_json(folder_ / name / "run.json", {{"prompt", "a loft"},

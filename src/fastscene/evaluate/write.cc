@@ -24,8 +24,8 @@ std::string replaced(std::string text, std::string_view what, std::string_view b
         text.replace(at, what.size(), by);
     return text;
 }
-// What a name holds is shown and starts nothing: no emphasis, code, tag, link or new cell. An underscore within a word
-// starts none.
+// Escapes Markdown: names must not start emphasis, code, tags, links or cells. An underscore within a word needs no
+// escape.
 std::string markdown_escaped(const std::string& text) {
     const auto in_word = [&](std::size_t at) {
         return at < text.size() &&
@@ -43,7 +43,7 @@ std::string markdown_escaped(const std::string& text) {
 }
 std::string csv_quoted(const std::string& text) { return "\"" + replaced(text, "\"", "\"\"") + "\""; }
 std::string latex_escaped(const std::string& text) {
-    // A row follows the \\ of the row above, which takes [2pt] and * for its own.
+    // After the \\ of the row above, LaTeX would interpret a leading [2pt] or * as its argument.
     std::string out = text.starts_with('[') || text.starts_with('*') ? "{}" : "";
     for (const char c : text) {
         if (c == '\\') out += "\\textbackslash{}";
@@ -93,7 +93,7 @@ bool has_deviations(const Json& results) {
     return false;
 }
 
-// What stands below the table: failures first, then what cells leave out, then how it was measured.
+// Below the table: failures first, then omissions, then the protocol.
 std::string markdown_notes(const Json& results, const Footnotes& footnotes) {
     std::string notes;
     for (const std::string& failure : failures_of(results)) notes += fmt::format("- failed: {}\n", one_line(failure));

@@ -1,4 +1,4 @@
-// Pictures whose pixels are means of samples: what shrinks must look at all that it leaves out.
+// Supersampling: downscaled pictures must average all source pixels.
 #pragma once
 
 #include <algorithm>
@@ -9,12 +9,12 @@
 
 namespace fastscene {
 
-// Samples a side of a pixel so that they lie no farther apart than the source's pixels (angles in radians).
+// Samples per pixel side such that they are no farther apart than the source's pixels (angles in radians).
 inline int samples_a_side(double target_angle, double source_angle) {
     return std::clamp(static_cast<int>(std::ceil(target_angle / source_angle - 0.05)), 1, 64);
 }
 
-// Means of n x n samples a pixel: sample(picture point) -> color.
+// Averages n x n samples per pixel: sample(picture point) -> color.
 template <class Sample>
 ImageColor averaged(int width, int height, int n, const Sample& sample) {
     ImageColor out(width, height);

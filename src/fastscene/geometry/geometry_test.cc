@@ -13,7 +13,7 @@ namespace {
 constexpr EquirectSize kSize{512, 256};
 
 Vec3f random_direction(Random& r) { return normalize(Vec3f{r.normal(), r.normal(), r.normal()}); }
-// A picture without detail finer than the pixels: a low polynomial of the direction.
+// A band-limited picture: a low-order polynomial of the direction.
 Vec3f soft_color(Vec3f d) { return {0.5f + 0.4f * d.x * d.y, 0.5f + 0.3f * d.z, 0.5f + 0.4f * d.y * d.z * d.x}; }
 ImageColor soft_equirect(EquirectSize size) {
     ImageColor out(size.width, size.height);
@@ -80,7 +80,7 @@ TEST(Cubemap, FacesLookWhereTheirNamesSay) {
     EXPECT_EQ(axis(CubeFace::down), (Vec3f{0, 1, 0}));
     for (const CubeFace f : kCubeFaces) {
         const Mat3f m = pano_from_face(f);
-        EXPECT_EQ(cross(m.column(0), m.column(1)), m.column(2)) << name_of(f);  // no mirror images
+        EXPECT_EQ(cross(m.column(0), m.column(1)), m.column(2)) << name_of(f);  // no reflections
         EXPECT_EQ(face_of_direction(axis(f)), f);
     }
 }
@@ -94,7 +94,7 @@ TEST(Reproject, ShrinkingAveragesInsteadOfSkipping) {
 }
 
 TEST(RangeEdges, SlantedPlanesHoldTogetherAndJumpsAreCut) {
-    // A floor 1.4 m below, to the horizon at 40 m; a pillar 2 m away in front of it.
+    // A floor 1.4 m below, to the horizon at 40 m; in front a pillar at 2 m.
     ImageF range(512, 256, 40.f);
     for (int y = 0; y < 256; ++y)
         for (int x = 0; x < 512; ++x) {

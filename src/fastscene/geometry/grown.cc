@@ -13,7 +13,7 @@ ImageMask grown(const ImageMask& mask, int reach, bool wraps) {
         return wraps ? mask.at(wrap_column(x, w), y) != 0 : x >= 0 && x < w && mask.at(x, y) != 0;
     };
     for (int y = 0; y < h; ++y) {
-        int near = 0;  // marked ones among those within reach of x
+        int near = 0;  // number of marked ones within reach of x
         for (int x = -reach; x < reach; ++x) near += marked(x, y);
         for (int x = 0; x < w; ++x) {
             near += marked(x + reach, y);

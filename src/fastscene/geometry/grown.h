@@ -1,12 +1,12 @@
-// Grown: a mask and what lies close about it.
+// Mask dilation.
 #pragma once
 
 #include "fastscene/image/image.h"
 
 namespace fastscene {
 
-// Nonzero within `reach` pixels of a nonzero pixel, along the columns and the rows. `wraps`: the last column is the
-// first one's neighbour.
+// Nonzero within `reach` pixels of a nonzero pixel, horizontally and vertically (a square). `wraps`: columns are
+// circular.
 ImageMask grown(const ImageMask& mask, int reach, bool wraps);
 
 }  // namespace fastscene

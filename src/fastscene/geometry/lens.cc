@@ -29,7 +29,7 @@ constexpr LensModel kModels[] = {{"SIMPLE_PINHOLE", 0, 3},
                                  {"EUCM", 16, 6},
                                  {"EQUIRECTANGULAR", 17, 2}};
 
-// Distorted radius per undistorted radius (tangent of the angle) in a perspective lens.
+// Ratio of distorted to undistorted radius (tangent of the angle) in a perspective lens.
 double radial(const std::array<double, 6>& k, double r2) {
     return (1 + r2 * (k[0] + r2 * (k[1] + r2 * k[2]))) / (1 + r2 * (k[3] + r2 * (k[4] + r2 * k[5])));
 }
@@ -39,14 +39,14 @@ double fisheye_radius(const std::array<double, 6>& k, double angle) {
     return angle * factor;
 }
 
-// What decentred and tilted lenses add at a point. The order of p1 and p2 is OpenCV's.
+// Tangential and thin prism distortion at a point. p1 and p2 in OpenCV's order.
 Vec2d sideways(const Lens& lens, Vec2d at) {
     const double r2 = at.x * at.x + at.y * at.y, r4 = r2 * r2;
     return {2 * lens.p1 * at.x * at.y + lens.p2 * (r2 + 2 * at.x * at.x) + lens.s[0] * r2 + lens.s[1] * r4,
             2 * lens.p2 * at.x * at.y + lens.p1 * (r2 + 2 * at.y * at.y) + lens.s[2] * r2 + lens.s[3] * r4};
 }
 
-// Where a ray lands whose tangent to the axis is r, by what is radial alone.
+// Distorted radius of a ray whose angle to the axis has the tangent r, by radial distortion alone.
 double bent_radius(const Lens& lens, double r) {
     const std::array<double, 6>& k = lens.k;
     switch (lens.kind) {
@@ -86,7 +86,8 @@ Lens Lens::resized(int new_width, int new_height) const {
 double Lens::reach() const {
     constexpr double kFarthest = 20, kStep = 1e-3;  // 87 degrees
     constexpr double kAll = std::numeric_limits<double>::infinity();
-    if (kind == LensKind::division) return k[0] > 0 ? 0.5 / std::sqrt(k[0]) : kAll;  // beyond it the root has no value
+    // the square root is undefined beyond
+    if (kind == LensKind::division) return k[0] > 0 ? 0.5 / std::sqrt(k[0]) : kAll;
     if (is_pinhole() || kind == LensKind::equirectangular || kind == LensKind::field_of_view ||
         kind == LensKind::unified)
         return kAll;

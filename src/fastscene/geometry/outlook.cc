@@ -9,11 +9,11 @@
 namespace fastscene {
 namespace {
 
-constexpr int kSweeps = 24;          // a level; the coarser level hands over a good start
-constexpr float kAcross = 0.5f;      // weight of the pixels above and below against those beside, within a layer
-constexpr float kSameColor = 1e-4f;  // square of a difference that nobody sees
+constexpr int kSweeps = 24;          // per level; the coarser level provides the initial values
+constexpr float kAcross = 0.5f;      // weight of vertical neighbours relative to horizontal ones, within a layer
+constexpr float kSameColor = 1e-4f;  // square of an imperceptible difference
 
-// A pixel of the outside with nothing else about it.
+// An outside pixel whose neighbours are all outside.
 bool is_outside(const ImageF& range, int x, int y) {
     for (int j = std::max(0, y - 1); j <= std::min(range.height - 1, y + 1); ++j)
         for (int i = x - 1; i <= x + 1; ++i)
@@ -26,7 +26,7 @@ struct Level {
     ImageMask known;
 };
 
-// First the rows shrink, each to its mean; then the columns. A pixel is the mean of its known children.
+// Downsamples rows, then columns. A pixel is the mean of its known children.
 Level coarser(const Level& fine) {
     const int w = fine.color.width, h = fine.color.height;
     const int across = w > 1 ? 2 : 1, down = w == 1 ? 2 : 1;
@@ -48,12 +48,12 @@ Level coarser(const Level& fine) {
     return out;
 }
 
-// Between row y and the next: do both lie in one layer? Two rows do when their means differ by less than what is seen
-// within each.
+// Vertical weights between row y and the next: nonzero if they belong to one layer, i.e. their means differ by less
+// than the variation within each.
 std::vector<float> weights_across(const Level& level) {
     const int w = level.color.width, h = level.color.height;
     std::vector<Vec3f> mean(static_cast<std::size_t>(h));
-    std::vector<float> spread(static_cast<std::size_t>(h), -1.f);  // below 0: nothing is known
+    std::vector<float> spread(static_cast<std::size_t>(h), -1.f);  // negative: unknown
     for (int y = 0; y < h; ++y) {
         Vec3f sum;
         float squares = 0, count = 0;
@@ -77,8 +77,8 @@ std::vector<float> weights_across(const Level& level) {
     return out;
 }
 
-// Every unknown pixel becomes the mean of its neighbours, again and again: the rows close at the seam. All even rows,
-// then all odd ones, so that rows of one kind may be done at the same time.
+// Relaxation: repeatedly replaces unknown pixels by the mean of their neighbours, with circular columns. Even rows,
+// then odd rows, so that each half can run in parallel.
 void relax(Level& level) {
     const int w = level.color.width, h = level.color.height;
     const std::vector<float> across = weights_across(level);
@@ -128,7 +128,7 @@ ImageColor outside_picture(const ImageColor& color, const ImageF& range) {
             }
         return any;
     };
-    // Where all of the outside is slits and specks, their mixed colors must do.
+    // If the outside consists of slits and specks only, their mixed colors are used.
     if (!mark([&](int x, int y) { return is_outside(range, x, y); }) &&
         !mark([&](int x, int y) { return !std::isfinite(range.at(x, y)); }))
         return {};

@@ -22,26 +22,25 @@ TEST(Outlook, GoesOnAlongTheRows) {
     const ImageColor out = outside_picture(color, range);
     for (int y = 12; y < 20; ++y)
         for (int x = 0; x < 64; ++x) {
-            EXPECT_NEAR(out.at(x, y).x, static_cast<float>(y), 1.5f) << x;  // layers stay layers
-            EXPECT_FLOAT_EQ(out.at(x, y).z, 1.f);                           // nothing of the wall
+            EXPECT_NEAR(out.at(x, y).x, static_cast<float>(y), 1.5f) << x;  // layers are preserved
+            EXPECT_FLOAT_EQ(out.at(x, y).z, 1.f);                           // no color of the wall
         }
     EXPECT_FLOAT_EQ(out.at(0, 0).z, 1.f);
-    for (const Vec3f& c : out.pixels)
-        EXPECT_TRUE(c.x >= 9.f && c.x <= 22.f);  // what was seen with nothing else about it
+    for (const Vec3f& c : out.pixels) EXPECT_TRUE(c.x >= 9.f && c.x <= 22.f);  // pixels surrounded by outside
     EXPECT_EQ(out.at(30, 16), color.at(30, 16));
 }
 
-// A hedge behind a window: what a curtain hides of it is as bright as the hedge, and no streaks begin at the window's
-// rim.
+// A hedge behind a window: the part hidden by a curtain is as bright as the hedge, without streaks from the window's
+// border.
 TEST(Outlook, WhatWasNotSeenIsSmoothAndAsBright) {
     ImageColor color(256, 128, Vec3f{1, 1, 1});
     ImageF range(256, 128, 2.f);
-    Random dice(1, "hedge");
+    Random rng(1, "hedge");
     float seen = 0, count = 0;
     for (int y = 40; y < 90; ++y)
         for (int x = 100; x < 140; ++x) {
             range.at(x, y) = kOutside;
-            const float v = dice.chance(0.3f) ? 0.02f : dice.uniform(0.2f, 0.4f);
+            const float v = rng.chance(0.3f) ? 0.02f : rng.uniform(0.2f, 0.4f);
             color.at(x, y) = {v, v, v};
             seen += v;
             ++count;

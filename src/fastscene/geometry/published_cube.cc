@@ -16,7 +16,7 @@ Mat3d rotation_of(CubeFace face) {
     return {in_double(m.row0), in_double(m.row1), in_double(m.row2)};
 }
 
-// On the way to the faces the rotations are those of angles in single precision, 4e-8 off; next to a pole that is seen.
+// For picture -> faces, rotations are built from single-precision angles, 4e-8 off; near a pole that is visible.
 Mat3d published_rotation(CubeFace face) {
     const double quarter = static_cast<float>(std::numbers::pi / 2), half = static_cast<float>(std::numbers::pi);
     const auto in_single = [](double v) { return static_cast<double>(static_cast<float>(v)); };
@@ -39,7 +39,7 @@ Mat3d published_rotation(CubeFace face) {
     return {};
 }
 
-// A place in [-1, 1] as a position among n pixels whose first and last centers lie at -1 and 1.
+// A coordinate in [-1, 1] as a pixel position, where the centers of the first and last of n pixels are at -1 and 1.
 float position_of(float place, int n) { return (place + 1.f) * (static_cast<float>(n - 1) / 2.f); }
 
 float multiply_add(float a, float w, float sum) { return std::fma(a, w, sum); }
@@ -47,8 +47,8 @@ Vec3f multiply_add(Vec3f a, float w, Vec3f sum) {
     return {std::fma(a.x, w, sum.x), std::fma(a.y, w, sum.y), std::fma(a.z, w, sum.z)};
 }
 
-// Values outside the picture are zero. The four products are rounded as the official program's library rounds them (one
-// after the other, fused): the last bit decides where a value is cut to a byte afterwards.
+// Zero outside the picture. The four products are rounded as in the official program's library (sequential, fused): the
+// last bit decides how a value is later truncated to a byte.
 template <class T>
 T bilinear(const Image<T>& image, Vec2f place) {
     const float px = position_of(place.x, image.width), py = position_of(place.y, image.height);
@@ -62,7 +62,7 @@ T bilinear(const Image<T>& image, Vec2f place) {
     sum = multiply_add(at(x, y + 1), (1 - u) * v, sum);
     return multiply_add(at(x + 1, y + 1), u * v, sum);
 }
-// Halves go to the even neighbour.
+// Ties round to even.
 template <class T>
 T nearest(const Image<T>& image, Vec2f place) {
     const int x = static_cast<int>(std::nearbyint(position_of(place.x, image.width)));

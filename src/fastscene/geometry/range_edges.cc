@@ -8,12 +8,12 @@
 namespace fastscene {
 namespace {
 
-// Surfaces seen flatter than about 80 degrees from head on change by six pixel angles of range a pixel.
+// On surfaces seen at more than about 80 degrees from head-on, range changes by six pixel angles per pixel.
 constexpr float kSteepness = 6.f;
-// How far a slope may miss the jump and still explain it.
+// Relative error within which a slope still explains a step.
 constexpr float kExplained = 0.35f;
 
-// Is the step from b to c a jump? a and d are the pixels before and after on the same line.
+// Whether the step from b to c is a jump. a and d are the adjacent pixels on the same line.
 bool is_jump(float a, float b, float c, float d, float tolerance) {
     const float jump = std::fabs(c - b);
     if (jump <= tolerance * std::fmin(b, c)) return false;
@@ -31,7 +31,7 @@ ImageMask range_edges(const ImageF& range) {
     const float down = kSteepness * std::numbers::pi_v<float> / static_cast<float>(h);
     parallel_for(h, 16, [&](std::int64_t begin, std::int64_t end) {
         for (int y = static_cast<int>(begin); y < end; ++y) {
-            // Pixels of one row come closer towards the poles.
+            // Pixels of a row are closer together towards the poles.
             const float right = std::fmax(0.2f, std::sin((static_cast<float>(y) + 0.5f) / static_cast<float>(h) *
                                                          std::numbers::pi_v<float>)) *
                                 down;

@@ -7,12 +7,12 @@
 namespace fastscene {
 namespace {
 
-// The pixel at any integer position: columns wrap, rows beyond a pole come back half a turn away.
+// The pixel at any integer position: columns wrap, rows beyond a pole continue at the opposite longitude.
 Vec3f pixel_on_sphere(const ImageColor& image, int x, int y) {
     const int w = image.width, h = image.height;
     if (y >= 0 && y < h) return image.at(wrap_column(x, w), y);
     y = std::clamp(y < 0 ? -1 - y : 2 * h - 1 - y, 0, h - 1);
-    // Of an odd number of columns: half a turn ends between two.
+    // With an odd number of columns, the opposite longitude is between two of them.
     return lerp(image.at(wrap_column(x + w / 2, w), y), image.at(wrap_column(x + w - w / 2, w), y), 0.5f);
 }
 

@@ -1,5 +1,5 @@
-// Reproject: pictures move between the sphere and flat cameras. Bilinear at subpixel positions; where
-// the target's pixels are larger than the source's, several samples a pixel are averaged (area filter).
+// Reprojection between the sphere and perspective cameras. Bilinear at subpixel positions; supersampled (area filter)
+// where target pixels are larger than the source's.
 #pragma once
 
 #include "fastscene/geometry/pinhole.h"
@@ -9,13 +9,13 @@
 
 namespace fastscene {
 
-// Bilinear value of an equirectangular picture at picture point `pixel` (pixel centers at +0.5). Columns wrap;
-// above the top row the picture goes on over the pole, half a turn away.
+// Bilinear sample of an equirectangular picture at picture point `pixel` (pixel centers at +0.5). Columns wrap; above
+// the top row the picture continues across the pole.
 Vec3f sample_equirect(const ImageColor& equirect, Vec2f pixel);
-// Bilinear value of a flat picture; outside, the border pixel.
+// Bilinear sample of a perspective picture, clamped at the border.
 Vec3f sample_flat(const ImageColor& picture, Vec2f pixel);
 
-// What a pinhole camera at the panorama's center sees. Rotation pano_from_camera.
+// The view of a pinhole camera at the panorama's center. Rotation: pano_from_camera.
 ImageColor pinhole_from_equirect(const ImageColor& equirect, const Pinhole& camera, const Mat3f& pano_from_camera);
 // The panorama at another size and orientation.
 ImageColor equirect_from_equirect(const ImageColor& equirect, EquirectSize size, const Mat3f& source_from_target = {});

@@ -11,14 +11,16 @@ namespace fastscene {
 namespace {
 
 constexpr int kMostSamples =
-    64;  // a side, of a pixel that is longer in columns than in rows: next to a pole it may hold them all
+    // maximum samples per side, for a pixel that is longer in columns than in rows; next to a pole it may span all of
+    // them
+    64;
 constexpr int kCubicSamples = 8;
 constexpr std::size_t kTapsAtOnce =
-    1 << 20;  // what a pixel that holds half a picture gathers before equal ones are put together
+    1 << 20;  // maximum taps of a pixel before merging duplicates; enough for half a picture
 constexpr float kUnit = 65536.f;
-// Next to the poles and in turned pictures the source is read along columns, which no processor foresees.
+// Near the poles and in rotated pictures, the source is read along columns, which hardware prefetchers do not predict.
 constexpr std::size_t kPrefetchAhead = 96;
-constexpr int kGrain = 8;  // rows a piece
+constexpr int kGrain = 8;  // rows per task
 
 }  // namespace
 
@@ -33,29 +35,28 @@ SpherePicture perspective_picture(const Pinhole& camera, const Mat3f& world_from
     return {SpherePicture::Kind::perspective, camera.width, camera.height, camera, world_from_camera};
 }
 
-// Rows of the target that one piece of work has planned; pieces are put together in order.
+// Rows planned by one task; tasks' results are concatenated in order.
 struct ResamplePlan::Build {
     const SpherePicture& source;
     const SpherePicture& target;
     Filter filter;
     float feather_deg;
-    std::vector<std::vector<Tap>> rows;  // general rows, in order of their pixels
+    std::vector<std::vector<Tap>> rows;  // rows with arbitrary taps, in pixel order
 
     struct Samples {
         int nx, ny;
     };
-    // Samples a side so that they lie no farther apart than the source's pixels.
+    // Samples per side such that they are no farther apart than the source's pixels.
     Samples samples_at(int x, int y, Vec3f here) const {
         if (filter == Filter::point) return {1, 1};
         const Vec2f angle = pixel_angles(target, here);
         const float pitch = pitch_at(source, here);
-        // A lens has directions that it hardly shows, and any number of samples there; a sphere shows all of them.
+        // A lens shows some directions with extreme density and would need any number of samples; a sphere does not.
         const int most_of_all = source.kind == SpherePicture::Kind::perspective
                                     ? kMostSamples
                                     : std::max(kMostSamples, 2 * std::max(source.width, source.height));
         const auto count = [&](float ratio) {
-            // Areas are summed up from pixels that a sample falls in: several samples a pixel, whole numbers of them
-            // for whole ratios.
+            // Area filtering needs several samples per pixel, an integer number for integer ratios.
             const float wanted = filter == Filter::area && ratio > 1.05f
                                      ? std::ceil(ratio - 0.05f) * (ratio < 4 ? 4.f : 2.f)
                                      : ratio;
@@ -63,7 +64,7 @@ struct ResamplePlan::Build {
         };
         Samples n{count(angle.x / pitch), count(angle.y / pitch)};
         if (source.kind != SpherePicture::Kind::equirect) return n;
-        // Towards the poles a panorama's columns lie closer than its rows. One sample looks at two of them.
+        // Towards the poles a panorama's columns are closer than its rows. One bilinear sample covers two of them.
         const bool whole = filter == Filter::area;
         if (!whole && crowding(source, here) * std::max(angle.x, angle.y) <= 2 * pitch) return n;
         const int most = std::max(kMostSamples, 2 * std::max(n.nx, n.ny));
@@ -74,7 +75,7 @@ struct ResamplePlan::Build {
             return (samples + each - 1) / each * each;
         };
         Samples more{enough(n.nx, extent.x), enough(n.ny, extent.y)};
-        // Columns that cross a pixel aslant are met by its samples of both ways.
+        // Columns that cross a pixel diagonally are covered by samples in both directions.
         const float needed = 2 * std::max(extent.x, extent.y) * static_cast<float>(std::max(n.nx, n.ny));
         const float thinned = std::sqrt(needed / (static_cast<float>(more.nx) * static_cast<float>(more.ny)));
         if (whole || thinned >= 1) return more;
@@ -86,7 +87,7 @@ struct ResamplePlan::Build {
         const Vec3f here = direction_in(target, {static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f});
         const Samples n = samples_at(x, y, here);
         const bool one = n.nx == 1 && n.ny == 1;
-        // Of many samples a pixel, how each is made no longer shows.
+        // With many samples per pixel, the filter of each no longer matters.
         const int side = filter == Filter::bicubic && n.nx * n.ny <= kCubicSamples ? 4
                          : filter == Filter::area && !one                          ? 1
                                                                                    : 2;
@@ -130,7 +131,7 @@ struct ResamplePlan::Build {
                 static_cast<std::uint16_t>(fy & 0xffff)};
     }
 
-    // One tap a pixel.
+    // Merges duplicate taps.
     static void merge(std::vector<SourceTap>& taps) {
         std::stable_sort(taps.begin(), taps.end(),
                          [](const SourceTap& a, const SourceTap& b) { return a.pixel < b.pixel; });
@@ -141,7 +142,7 @@ struct ResamplePlan::Build {
         }
         taps.resize(count);
     }
-    // Their sum becomes 1, also where part of the pixel is not shown.
+    // Normalized to sum 1, even if part of the pixel is not visible.
     static std::vector<Tap> shares_of(const std::vector<SourceTap>& taps) {
         double sum = 0;
         for (const SourceTap& tap : taps) sum += static_cast<double>(tap.weight);
@@ -163,8 +164,8 @@ ResamplePlan::ResamplePlan(const SpherePicture& source, const SpherePicture& tar
     FASTSCENE_CHECK(source.width >= 1 && source.height >= 1 && target.width >= 1 && target.height >= 1);
     for (const SpherePicture* p : {&source, &target}) {
         if (p->kind == SpherePicture::Kind::equirect) continue;
-        FASTSCENE_CHECK(p->camera.fx > 0 && p->camera.fy > 0);  // an angle of view below 180 degrees
-        // Faces that look less far leave gaps between them.
+        FASTSCENE_CHECK(p->camera.fx > 0 && p->camera.fy > 0);  // a field of view below 180 degrees
+        // Faces with a smaller field of view leave gaps between them.
         FASTSCENE_CHECK(p->kind != SpherePicture::Kind::cube ||
                         2 * p->camera.fx <= 1.0001f * static_cast<float>(p->camera.width));
     }
@@ -219,13 +220,12 @@ template <class T>
 }
 
 namespace {
-// Two neighbouring pixels of three channels, and two lanes that hold whatever lies beside them; and such pairs of two
-// targets.
+// Two adjacent three-channel pixels plus two unused lanes; and such pairs for two targets.
 using Lanes = float __attribute__((vector_size(32)));
 using TwoLanes = float __attribute__((vector_size(64)));
-constexpr std::int64_t kLanePixels = 3;                                      // pixels that a load of Lanes touches
-constexpr std::size_t kAtOnce = 4;                                           // targets
-using Wholes = std::uint32_t __attribute__((vector_size(2 * kAtOnce * 4)));  // first and v << 16 | u of each target
+constexpr std::int64_t kLanePixels = 3;                                      // pixels touched by a load of Lanes
+constexpr std::size_t kAtOnce = 4;                                           // targets processed at once
+using Wholes = std::uint32_t __attribute__((vector_size(2 * kAtOnce * 4)));  // `first`, and v << 16 | u, of each target
 
 inline Lanes lanes_at(const Vec3f* p) {
     Lanes out;
@@ -235,7 +235,7 @@ inline Lanes lanes_at(const Vec3f* p) {
 inline TwoLanes two(const Vec3f* a, const Vec3f* b) {
     return __builtin_shufflevector(lanes_at(a), lanes_at(b), 0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15);
 }
-// Two blends of rows, then of the two pixels in them, which leaves the targets in lanes 0-2 and 8-10.
+// Blends rows, then the two pixels in them; the targets are in lanes 0-2 and 8-10.
 inline TwoLanes blend(TwoLanes top, TwoLanes low, TwoLanes u, TwoLanes v) {
     const TwoLanes left = top + (low - top) * v;
     const TwoLanes right = __builtin_shufflevector(left, left, 3, 4, 5, 6, 7, 7, 7, 7, 11, 12, 13, 14, 15, 15, 15, 15);
@@ -266,7 +266,7 @@ inline void blend_four(const Quad* quads, const Vec3f* pixels, std::int64_t row,
 void ResamplePlan::apply_to(const ImageColor& source, ImageColor& out) const {
     FASTSCENE_CHECK(source.width == source_width_ && source.height == source_height_ && out.width == width_ &&
                     out.height == height_);
-    // Wide loads must not end beyond the picture.
+    // Wide loads must not read past the picture.
     const std::int64_t wide = cubic_ ? 0
                                      : std::max<std::int64_t>(
                                            0, static_cast<std::int64_t>(source.size()) - source_width_ - kLanePixels);

@@ -1,8 +1,7 @@
-// Resample: any picture of the sphere (equirectangular, cubemap, perspective) from any other, at any size and
-// orientation. A plan is worked out once for a pair of pictures and then applied to as many as there are: it is a
-// sparse matrix whose rows are mostly four neighbouring pixels. Where target pixels are larger than the source's,
-// samples over the whole pixel are averaged: shrinking does not skip, but with the filter that says so. Columns wrap,
-// rows go on over the poles, and cube faces go on in their neighbours.
+// Resampling between any pictures of the sphere (equirectangular, cubemap, perspective), at any size and orientation. A
+// plan is computed once per pair of geometries and applied to any number of pictures: a sparse matrix, most rows of
+// which are four neighbouring pixels. Where target pixels are larger than the source's, the area filter averages over
+// the whole pixel. Columns wrap, rows continue across the poles, and cube faces continue in their neighbours.
 #pragma once
 
 #include <array>
@@ -12,50 +11,52 @@
 
 namespace fastscene {
 
-// A picture of directions. Frame of the picture: x right, y down, z forward (conventions.md).
+// The geometry of a spherical picture. Its frame: x right, y down, z forward (conventions.md).
 struct SpherePicture {
     enum class Kind : std::uint8_t { equirect, cube, perspective } kind = Kind::equirect;
-    int width = 0, height = 0;  // of the whole picture; a cube is its six faces (kCubeFaces) below each other
+    int width = 0, height = 0;  // of the whole picture; a cubemap stacks its six faces (kCubeFaces) vertically
     Pinhole camera;             // of a face, or of the perspective picture
     Mat3f world_from_picture{};
 };
 SpherePicture equirect_picture(EquirectSize size, const Mat3f& world_from_picture = {});
-// Faces that look farther than 90 degrees overlap. Square.
+// Square faces; with a field of view above 90 degrees they overlap.
 SpherePicture cube_picture(int face_size, float fov_deg = 90.f, const Mat3f& world_from_picture = {});
 SpherePicture perspective_picture(const Pinhole& camera, const Mat3f& world_from_camera = {});
 
 enum class Filter : std::uint8_t {
     bilinear,
     bicubic,  // Catmull-Rom: sharper, may overshoot
-    point,  // bilinear at the pixel's center, whatever its size: for pictures of like scale, and to compare with other
-            // programs
-    area,   // the mean of the source over the target's pixel; bilinear where the target is finer
+    // bilinear at the pixel's center, whatever its size: for pictures of similar scale, and for comparison with other
+    // programs
+    point,
+    area,  // mean over the target pixel's area; bilinear where the target is finer
 };
 
 class ResamplePlan {
   public:
-    // feather_deg (cube sources that overlap): width of the band along a face's border in which faces are blended;
-    // 0 = each pixel from the face it looks through. Pictures of one pixel and more; cameras that look less than 180
-    // degrees far, and a cube's at least 90.
+    // feather_deg (overlapping cube sources): width of the band along face borders in which faces are blended; 0 = each
+    // pixel from the face that contains it. Pictures must not be empty; cameras need a field of view below 180 degrees,
+    // and a cube's at least 90.
     ResamplePlan(const SpherePicture& source, const SpherePicture& target, Filter filter, float feather_deg = 0);
 
     // Pixels that the source does not show (perspective sources only) become T{}. The source must have the planned
     // size.
     ImageColor apply(const ImageColor& source) const;
-    // Of a range map: where something infinite (the sky) or NaN takes part, the pixel that has the most part in it.
+    // For range maps: if an infinite (sky) or NaN value contributes, takes the pixel with the largest weight.
     ImageF apply(const ImageF& source) const;
     void apply_to(const ImageColor& source,
-                  ImageColor& out) const;  // `out` of the planned size: no memory is asked for
+                  ImageColor& out) const;  // `out` must have the planned size: nothing is allocated
     // Nonzero where the source shows the pixel.
     ImageMask covered() const;
-    // Fixed point view for those who compare with other libraries: where pixel (x, y) samples the source, pixel centers
-    // at +0.5; NaN for rows that are more than one place.
+    // For comparison with other libraries: where pixel (x, y) samples the source, pixel centers at +0.5; NaN for rows
+    // with more than one sample.
     Vec2f place(int x, int y) const;
 
   private:
-    // Four (bicubic: sixteen) neighbouring pixels about a place, in 1/65536 of a pixel; or row -1 - first of `begin_`.
+    // Four (bicubic: sixteen) neighbouring pixels around a position, in 1/65536 of a pixel; or row -1 - first of
+    // `begin_`.
     struct Quad {
-        std::int32_t first;  // upper left of the middle four
+        std::int32_t first;  // top left of the middle four
         std::uint16_t u, v;
     };
     struct Tap {

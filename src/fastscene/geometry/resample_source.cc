@@ -11,7 +11,7 @@ using Kind = SpherePicture::Kind;
 
 int part_height(const SpherePicture& p) { return p.kind == Kind::cube ? p.width : p.height; }
 
-// How deep inside a face the direction lies, in degrees from its nearest border; negative outside.
+// Angular distance in degrees of a direction inside a face from its nearest border; negative outside.
 float depth_in_face_deg(const Pinhole& camera, Vec3f in_face) {
     if (!(in_face.z > 0)) return -1;
     const float half = std::atan2(static_cast<float>(camera.width) / 2.f, camera.fx);
@@ -25,7 +25,7 @@ std::array<float, 4> weights_of(int side, float t) {
     return catmull_rom(t);
 }
 
-// The pixel (x, y) of a part, wherever it really is: over the pole, across the seam, in the neighbouring face.
+// Adds pixel (x, y) of a part, resolved across the pole, the seam, or in the neighbouring face.
 void add_pixel(const SpherePicture& s, int part, int x, int y, float weight, std::vector<SourceTap>& taps) {
     const int w = s.width, h = part_height(s);
     if (s.kind == Kind::equirect) {
@@ -34,7 +34,8 @@ void add_pixel(const SpherePicture& s, int part, int x, int y, float weight, std
             return;
         }
         y = std::clamp(y < 0 ? -1 - y : 2 * h - 1 - y, 0, h - 1);
-        for (const int half_turn : {w / 2, w - w / 2})  // of an odd number of columns: half a turn ends between two
+        // with an odd number of columns, the opposite longitude is between two
+        for (const int half_turn : {w / 2, w - w / 2})
             taps.push_back({y * w + wrap_column(x + half_turn, w), 0.5f * weight});
         return;
     }
@@ -43,7 +44,7 @@ void add_pixel(const SpherePicture& s, int part, int x, int y, float weight, std
         taps.push_back({(part * h + std::clamp(y, 0, h - 1)) * w + std::clamp(x, 0, w - 1), weight});
         return;
     }
-    // The face's plane goes on; what is seen through there lies in the neighbour.
+    // Extends the face's plane; the direction through that point belongs to the neighbour.
     const Vec3f d = pano_from_face(kCubeFaces[static_cast<std::size_t>(part)]) *
                     s.camera.direction_at({static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f});
     const auto other = static_cast<int>(face_of_direction(d));
@@ -61,7 +62,7 @@ void add_pixel(const SpherePicture& s, int part, int x, int y, float weight, std
         }
 }
 
-// First pixel of a neighbourhood, and the place within its middle cell.
+// First pixel of a neighbourhood, and the position within its middle cell.
 struct Cell {
     int x, y;
     float u, v;
@@ -123,7 +124,7 @@ float pitch_at(const SpherePicture& s, Vec3f direction) {
     const Vec3f d = transpose(s.world_from_picture) * direction;
     const float z = s.kind == Kind::perspective ? std::fabs(d.z)
                                                 : std::max({std::fabs(d.x), std::fabs(d.y), std::fabs(d.z)});
-    return z * z / s.camera.fx;  // away from the axis a pixel sees less
+    return z * z / s.camera.fx;  // off-axis pixels subtend smaller angles
 }
 
 float crowding(const SpherePicture& s, Vec3f direction) {
@@ -155,7 +156,7 @@ Vec2f pixel_angles(const SpherePicture& t, Vec3f direction) {
     }
     const float z = t.kind == Kind::perspective ? std::fabs(d.z)
                                                 : std::max({std::fabs(d.x), std::fabs(d.y), std::fabs(d.z)});
-    // The larger of its two angles away from the axis; a pixel of a very wide camera is no wider than its half space.
+    // The larger of its two angles off axis; limited for very wide cameras.
     return {2 * std::atan(0.5f * z / t.camera.fx), 2 * std::atan(0.5f * z / t.camera.fy)};
 }
 

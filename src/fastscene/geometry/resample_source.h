@@ -1,4 +1,4 @@
-// Where a direction lands in a picture of the sphere, and which pixels make up its color there. Private to geometry/.
+// Projection of directions into spherical pictures, and the pixels that contribute to a sample. Private to geometry/.
 #pragma once
 
 #include "fastscene/geometry/resample.h"
@@ -9,33 +9,33 @@ struct SourceTap {
     std::int32_t pixel;
     float weight;
 };
-// A direction's place in the source.
+// The position of a direction in the source.
 struct SourcePlace {
-    Vec2f pixel;   // picture point in the part, pixel centers at +0.5
-    int part = 0;  // face of a cube, else 0
+    Vec2f pixel;   // picture point within the part, pixel centers at +0.5
+    int part = 0;  // face of a cubemap, else 0
     float weight = 1;
 };
 
 // Unit direction (world) through a picture point of the target.
 Vec3f direction_in(const SpherePicture& picture, Vec2f point);
-// Places of a world direction, at most six; none where a perspective source does not look.
+// Positions of a world direction, at most six; none if a perspective source does not show it.
 int places_of(const SpherePicture& source, Vec3f direction, float feather_deg, std::array<SourcePlace, 6>& out);
-// Smallest angle between neighbouring pixels about a place, radians.
+// Minimum angle between neighbouring pixels around a position, radians.
 float pitch_at(const SpherePicture& source, Vec3f direction);
-// How much closer than `pitch_at` says neighbours in a row of an equirectangular source lie there: at least 1, very
-// many at the poles.
+// How much closer neighbours in a row of an equirectangular source are than `pitch_at`: at least 1, unbounded at the
+// poles.
 float crowding(const SpherePicture& source, Vec3f direction);
-// How many columns of an equirectangular source a target's pixel (its left top corner) spans from its left to its right
-// side, and from top to bottom.
+// Number of columns of an equirectangular source that a target pixel (given by its top left corner) spans from left to
+// right, and from top to bottom.
 Vec2f columns_across(const SpherePicture& source, const SpherePicture& target, Vec2f corner);
-// Width and height of a target's pixel as angles, radians, where it looks along `direction`.
+// Angular width and height, in radians, of the target's pixel in the given direction.
 Vec2f pixel_angles(const SpherePicture& target, Vec3f direction);
-// All pixels of the place's neighbourhood (side: 1 nearest, 2 bilinear, 4 bicubic) are in the part itself.
+// Whether all pixels of the neighbourhood (side: 1 nearest, 2 bilinear, 4 bicubic) are in the part itself.
 bool is_inside(const SpherePicture& source, const SourcePlace& place, int side);
 // Appends the neighbourhood's pixels.
 void add_taps(const SpherePicture& source, const SourcePlace& place, int side, std::vector<SourceTap>& taps);
 
-// Catmull-Rom weights of the four pixels about a place t between the middle two.
+// Catmull-Rom weights of the four pixels around a position t between the middle two.
 inline std::array<float, 4> catmull_rom(float t) {
     return {t * (-0.5f + t * (1.f - 0.5f * t)), 1.f + t * t * (-2.5f + 1.5f * t), t * (0.5f + t * (2.f - 1.5f * t)),
             t * t * (-0.5f + 0.5f * t)};

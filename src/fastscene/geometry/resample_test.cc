@@ -13,7 +13,7 @@
 namespace fastscene {
 namespace {
 
-// A picture without detail finer than the pixels: spherical waves of a few cycles a turn.
+// A band-limited picture: spherical waves of a few cycles per turn.
 Vec3f wavy_color(Vec3f d) {
     return {0.5f + 0.3f * std::sin(5 * d.x + 2 * d.y) * std::cos(4 * d.z), 0.5f + 0.4f * std::sin(6 * d.z + d.x),
             0.5f + 0.4f * d.y * std::cos(7 * d.x)};
@@ -77,7 +77,7 @@ TEST(Resample, RoundTripThroughTheCubeKeepsBandLimitedPictures) {
                 const ImageColor back = ResamplePlan(cube, pano, filter, feather)
                                             .apply(ResamplePlan(pano, cube, filter).apply(picture));
                 EXPECT_GT(psnr_between(back, picture), 45) << width << ' ' << face << ' ' << feather;
-                EXPECT_LT(greatest_difference(back, picture), 0.02f);  // also at seams, corners and poles
+                EXPECT_LT(greatest_difference(back, picture), 0.02f);  // including seams, corners and poles
             }
         }
 }
@@ -85,7 +85,7 @@ TEST(Resample, RoundTripThroughTheCubeKeepsBandLimitedPictures) {
 TEST(Resample, SeamAndPolesAreExact) {
     const SpherePicture source = equirect_picture({256, 128});
     const ImageColor picture = painted(source);
-    // A camera that looks at the seam, one at each pole.
+    // A camera facing the seam, and one at each pole.
     for (const Vec3f forward : {Vec3f{0, 0, -1}, Vec3f{0, 1, 0}, Vec3f{0, -1, 0}}) {
         const Vec3f right = std::fabs(forward.y) > 0.5f ? Vec3f{1, 0, 0} : Vec3f{-1, 0, 0};
         const SpherePicture view = perspective_picture(Pinhole::with_fov(120, 120, 30),
@@ -93,7 +93,7 @@ TEST(Resample, SeamAndPolesAreExact) {
         EXPECT_LT(greatest_difference(ResamplePlan(source, view, Filter::bicubic).apply(picture), painted(view)),
                   0.004f);
     }
-    // The same size and orientation is the same picture.
+    // Identity: same size and orientation.
     EXPECT_LT(greatest_difference(ResamplePlan(source, source, Filter::bicubic).apply(picture), picture), 2e-4f);
 }
 
@@ -107,7 +107,7 @@ TEST(Resample, ShrinkingNeverSkips) {
         for (const Filter filter : {Filter::bilinear, Filter::bicubic, Filter::area})
             for (const Vec3f& c : ResamplePlan(pano, target, filter).apply(stripes).pixels)
                 ASSERT_NEAR(c.x, 0.5f, 0.1f) << static_cast<int>(filter);
-    // Whole factors are plain means.
+    // Integer factors are plain means.
     Random r(3, "resample");
     ImageColor noise(128, 64);
     for (Vec3f& c : noise.pixels) c = {r.uniform(), r.uniform(), r.uniform()};
@@ -138,7 +138,7 @@ TEST(Resample, AnySizeMakesAnyOther) {
                                         source.camera.fx > 0 && filter == Filter::bilinear ? 5.f : 0.f);
                 const ImageMask covered = plan.covered();
                 const ImageColor out = plan.apply(ImageColor(source.width, source.height, Vec3f{0.25f, 0.5f, 1.f}));
-                for (std::size_t i = 0; i < out.size(); ++i)  // an even picture stays even
+                for (std::size_t i = 0; i < out.size(); ++i)  // a uniform picture stays uniform
                     ASSERT_LT(length(out.pixels[i] - (covered.pixels[i] ? Vec3f{0.25f, 0.5f, 1.f} : Vec3f{})), 1e-4f)
                         << source.width << 'x' << source.height << " to " << target.width << 'x' << target.height
                         << " pixel " << i;
@@ -169,7 +169,7 @@ TEST(Resample, WholeFactorsArePlainMeansAtThePolesToo) {
     }
 }
 
-// Columns of one pixel: nothing that shrinks may show them, next to the poles either.
+// Stripes one pixel wide must be averaged out by any downscaling, also near the poles.
 TEST(Resample, ShrinkingSkipsNoColumns) {
     for (const EquirectSize size : {EquirectSize{400, 200}, {700, 60}, {150, 300}}) {
         ImageColor stripes(size.width, size.height);
@@ -232,7 +232,7 @@ TEST(Resample, CamerasThatCannotBeAreRefused) {
                  CheckFailed);
     EXPECT_THROW(ResamplePlan(perspective_picture(Pinhole::with_fov(20, 20, 200)), pano, Filter::bilinear),
                  CheckFailed);
-    EXPECT_THROW(ResamplePlan(cube_picture(20, 80), pano, Filter::bilinear), CheckFailed);  // there would be gaps
+    EXPECT_THROW(ResamplePlan(cube_picture(20, 80), pano, Filter::bilinear), CheckFailed);  // would leave gaps
     EXPECT_THROW(ResamplePlan(pano, pano, Filter::bilinear).apply(ImageColor(32, 16)), CheckFailed);
 }
 
@@ -241,7 +241,7 @@ TEST(Resample, FeatheringBlendsWhereFacesDisagree) {
     ImageColor faces(cube.width, cube.height);
     for (int y = 0; y < faces.height; ++y)
         for (int x = 0; x < faces.width; ++x)
-            faces.at(x, y) = Vec3f{1, 1, 1} * (static_cast<float>(y / 100) / 5.f);  // each face its own gray
+            faces.at(x, y) = Vec3f{1, 1, 1} * (static_cast<float>(y / 100) / 5.f);  // a different gray for each face
     const auto steepest = [&](float feather) {
         const ImageColor out = ResamplePlan(cube, pano, Filter::bilinear, feather).apply(faces);
         float most = 0;

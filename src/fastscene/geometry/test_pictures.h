@@ -1,4 +1,4 @@
-// For tests: how far two pictures of one size are apart.
+// For tests: maximum difference between two pictures of equal size.
 #pragma once
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// Color: linear floats inside, sRGB 8 bit in files (IEC 61966-2-1).
+// Color: linear floats in memory, sRGB 8 bit in files (IEC 61966-2-1).
 #pragma once
 
 #include <algorithm>
@@ -19,7 +19,7 @@ inline std::uint8_t byte_from_unit(float v) {
 }
 
 inline Vec3f srgb_from_linear(Vec3f c) { return {srgb_from_linear(c.x), srgb_from_linear(c.y), srgb_from_linear(c.z)}; }
-// sRGB values as floats in [0, 1]; light brighter than white is white.
+// sRGB-encoded floats in [0, 1]; brighter light is clamped.
 inline Vec3f unit_from_linear(Vec3f c) {
     const Vec3f v = srgb_from_linear(c);
     return {std::min(1.f, v.x), std::min(1.f, v.y), std::min(1.f, v.z)};
@@ -34,7 +34,7 @@ inline Vec3f linear_from_srgb8(Rgb8 c) {
     }();
     return {table[c.r], table[c.g], table[c.b]};
 }
-// sRGB values as floats in [0, 1]: the space in which splats are trained and compared.
+// sRGB-encoded floats in [0, 1]: the space in which splats are trained and compared.
 inline Vec3f unit_from_srgb8(Rgb8 c) {
     return {static_cast<float>(c.r) / 255.f, static_cast<float>(c.g) / 255.f, static_cast<float>(c.b) / 255.f};
 }

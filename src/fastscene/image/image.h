@@ -1,5 +1,5 @@
-// Image<T>: a rectangle of values, rows from top to bottom, x to the right. The center of pixel
-// (x, y) lies at (x + 0.5, y + 0.5); the top left corner of the picture is (0, 0).
+// Image<T>: a row-major 2D array, top row first. The center of pixel (x, y) lies at (x + 0.5, y + 0.5); the top left
+// corner of the image is (0, 0).
 #pragma once
 
 #include <cstddef>

@@ -53,12 +53,12 @@ TEST(Ssim, EqualIsOneSymmetricAndFallsWithNoise) {
     EXPECT_GT(ssim(a, near), ssim(a, b));
 }
 
-// Far from the border of a constant pair the windows see constants: SSIM has a closed form.
+// Away from the border, windows of constant pictures are constant: SSIM has a closed form.
 TEST(Ssim, ConstantPicturesInTheMiddle) {
     const int n = 64;
     const ImageRgb8 a(n, n, Rgb8{51, 51, 51}), b(n, n, Rgb8{102, 102, 102});
     const double x = 0.2, y = 0.4, expected = (2 * x * y + 1e-4) / (x * x + y * y + 1e-4);
-    EXPECT_NEAR(ssim(a, b), expected, 0.05);  // the zero-padded rim differs
+    EXPECT_NEAR(ssim(a, b), expected, 0.05);  // zero padding affects the border
 }
 
 }  // namespace

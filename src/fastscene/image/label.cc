@@ -7,7 +7,7 @@
 namespace fastscene {
 namespace {
 
-// Seven rows from top to bottom, five dots each: the highest of the five bits is the left one.
+// Seven rows from top to bottom, five dots each; the highest of the five bits is the leftmost dot.
 struct Glyph {
     char letter;
     std::array<std::uint8_t, kGlyphHeight> rows;

@@ -1,4 +1,4 @@
-// Labels on contact sheets: a small fixed font, so that pictures can be named without a font library.
+// Text labels for contact sheets in a small built-in font.
 #pragma once
 
 #include <string_view>
@@ -7,14 +7,14 @@
 
 namespace fastscene {
 
-// Glyphs are 5 x 7 dots with one dot between them; a dot is `scale` pixels wide.
+// Glyphs are 5 x 7 dots, spaced by one dot; a dot is `scale` pixels wide.
 inline constexpr int kGlyphWidth = 6, kGlyphHeight = 7;
 
-// Writes at (x, y), the text's top left corner. Letters, digits and -._, are known, others leave a gap; what lies
-// outside of the picture is cut off.
+// Draws text with its top left corner at (x, y). Supports letters, digits and -._, ; others leave a gap. Clipped at the
+// picture's border.
 void draw_label(ImageRgb8& image, std::string_view text, int x, int y, Rgb8 color, int scale = 1);
 
-// Copies `part` into `image` with its top left corner at (x, y); what lies outside is cut off.
+// Copies `part` into `image` with its top left corner at (x, y), clipped.
 void paste(ImageRgb8& image, const ImageRgb8& part, int x, int y);
 
 }  // namespace fastscene

@@ -1,4 +1,4 @@
-// The eight ways in which EXIF says that a picture lies (tag 0x0112): mirrored or not, times four quarter turns.
+// The eight EXIF orientations (tag 0x0112): four rotations, mirrored or not.
 #pragma once
 
 #include <utility>
@@ -10,8 +10,8 @@ namespace fastscene {
 // 5 to 8: rows of the upright picture are columns of the stored one.
 inline bool lies_on_its_side(int orientation) { return orientation >= 5; }
 
-// The picture as it was meant to be seen. `orientation` 1 to 8: 1 = as it is, 3 = half a turn, 6 = a quarter clockwise,
-// 8 = a quarter counter-clockwise; 2, 4, 5, 7 = mirrored.
+// Rotates the picture upright. `orientation` 1 to 8: 1 = unchanged, 3 = by 180 degrees, 6 = 90 degrees clockwise, 8 =
+// 90 degrees counterclockwise; 2, 4, 5, 7 = mirrored.
 template <class T>
 Image<T> upright(Image<T> stored, int orientation) {
     FASTSCENE_CHECK(orientation >= 1 && orientation <= 8);
@@ -21,7 +21,7 @@ Image<T> upright(Image<T> stored, int orientation) {
     Image<T> out(side ? stored.height : stored.width, side ? stored.width : stored.height);
     for (int y = 0; y < out.height; ++y)
         for (int x = 0; x < out.width; ++x) {
-            // Where the stored picture has what belongs at (x, y).
+            // Position in the stored picture of the upright pixel (x, y).
             const bool from_right = orientation == 2 || orientation == 3 || orientation == 7 || orientation == 8;
             const bool from_below = orientation == 3 || orientation == 4 || orientation == 6 || orientation == 7;
             const int u = side ? y : x, v = side ? x : y;

@@ -21,9 +21,9 @@ Window gaussian_window() {
     for (double& v : w) v /= sum;
     return w;
 }
-// The code of the splatting papers makes its window in single precision, and libtorch adds its eleven numbers up in
-// four lanes. By the last bit of that sum the window falls short of 1 by 7e-8, which even areas notice: the score moves
-// in the fifth decimal. There it is 11 x 11 products, rounded too; here it stays separable, with their sum.
+// The splatting papers' code computes its window in single precision, and libtorch sums its eleven weights in four
+// lanes. Due to that sum's rounding, the window's total is 7e-8 below 1, which changes scores of uniform areas in the
+// fifth decimal. Their window is a rounded 11 x 11 product; here it stays separable, with the same sum.
 Window single_window() {
     std::array<float, 2 * kRadius + 1> w{};
     std::array<float, 4> lanes{};
@@ -46,7 +46,7 @@ Window single_window() {
 
 using Plane = Image<double>;
 
-// Separable blur; what lies outside the picture counts as 0.
+// Separable blur with zero padding.
 Plane blur(const Plane& in, const Window& window) {
     Plane across(in.width, in.height), out(in.width, in.height);
     for (int y = 0; y < in.height; ++y)
@@ -109,7 +109,7 @@ struct Factors {
 
 double mean_squared_error(const ImageRgb8& a, const ImageRgb8& b, const ImageMask& mask) {
     FASTSCENE_CHECK(a.same_size(b) && (mask.empty() || mask.same_size(a)));
-    std::int64_t sum = 0;  // whole numbers: exact
+    std::int64_t sum = 0;  // integers: exact
     std::size_t count = 0;
     for (std::size_t i = 0; i < a.size(); ++i) {
         if (!mask.empty() && !mask.pixels[i]) continue;
@@ -139,8 +139,8 @@ double ssim_of_channel(const Image<double>& x, const Image<double>& y, double pe
     return sum / (static_cast<double>(x.width - 2 * edge) * (x.height - 2 * edge));
 }
 
-// With p, q, r the derivatives of the map by blur(x), blur(x^2), blur(x y), and the window symmetric:
-// dS/dx = blur(p) + 2 x blur(q) + y blur(r).
+// With p, q, r the derivatives of the map by blur(x), blur(x^2), blur(x y), and a symmetric window: dS/dx = blur(p) + 2
+// x blur(q) + y blur(r).
 Image<double> ssim_gradient(const Image<double>& x, const Image<double>& y) {
     FASTSCENE_CHECK(x.same_size(y) && !x.empty());
     const Window window = single_window();

@@ -11,19 +11,20 @@
 namespace fastscene {
 namespace {
 
-// A branch of dilation 8 at a quarter of the size sees 32 pixels to each side.
+// The receptive field: a branch of dilation 8 at a quarter of the resolution extends 32 pixels to each side.
 constexpr int kContext = 48;
 // The network was trained on faces of 512.
 constexpr int kLargestCrop = 512;
-// Pixels that go through the network together: two faces' worth bounds the memory to about 1.3 GB for the full network.
+// Maximum pixels per network batch: two faces' worth bounds memory to about 1.3 GB for the full network.
 constexpr std::int64_t kMostPixels = 2 * 512 * 512;
-// How far the correction at a hole's rim reaches inward.
+// How far the correction at a hole's rim extends inward.
 constexpr float kFeather_px = 24;
-// A network that adds to the harmonic fill continues what it sees at the rim; farther in than this it only guesses, and
-// the fill does no worse: that of linear light, which is how shades fade on a wall.
+// A network that adds to the harmonic fill is reliable near the rim, where it continues known structures; farther in it
+// only guesses, and the harmonic fill in linear light, which matches smooth shading on walls, is no worse.
 constexpr float kSure_px = 4, kUnsure_px = 6;
 
-// Distance of each hole pixel to the nearest known one, in pixels (two sweeps, at most 8 % long); 0 for known pixels.
+// Distance of each hole pixel to the nearest known one, in pixels (two-pass chamfer, at most 8 % too long); 0 for known
+// pixels.
 ImageF distance_to_known(const ImageMask& hole) {
     constexpr float kFar = 1e9f, kDiagonal = 1.41421356f;
     const int w = hole.width, h = hole.height;
@@ -43,7 +44,7 @@ ImageF distance_to_known(const ImageMask& hole) {
     return d;
 }
 
-// The crop; beyond the picture its last pixels go on, as known ones.
+// The crop; beyond the picture its border pixels are replicated, as known ones.
 Aotgan::Picture cut(const ImageColor& srgb, const ImageMask& hole, const Crop& crop) {
     Aotgan::Picture out{ImageColor(crop.width, crop.height), ImageMask(crop.width, crop.height)};
     for (int y = 0; y < crop.height; ++y)
@@ -55,7 +56,7 @@ Aotgan::Picture cut(const ImageColor& srgb, const ImageMask& hole, const Crop& c
     return out;
 }
 
-// Painted crops laid over each other, each fading towards its edges.
+// Accumulates overlapping crops, each weighted down towards its edges.
 struct Canvas {
     ImageColor sum;
     ImageF weight;
@@ -69,7 +70,7 @@ struct Canvas {
     }
 };
 
-// What the network makes of the surroundings of all holes; crops of one size go through it together.
+// Runs the network on the surroundings of all holes; crops of equal size are batched.
 Canvas painted_crops(const Aotgan& network, const ImageColor& srgb, const ImageMask& hole,
                      const std::vector<Crop>& crops, const Run& run) {
     std::map<std::pair<int, int>, std::vector<Crop>> by_size;
@@ -93,7 +94,7 @@ Canvas painted_crops(const Aotgan& network, const ImageColor& srgb, const ImageM
     return canvas;
 }
 
-// How much too dark the network painted what is known goes on, smoothly, into the hole.
+// Propagates the network's color error on known pixels smoothly into the hole, so that no seam shows.
 void meet_the_known(Canvas& canvas, const ImageColor& srgb, const ImageMask& hole, const Run& run) {
     ImageColor error(srgb.width, srgb.height);
     for (std::size_t i = 0; i < error.size(); ++i)
@@ -104,7 +105,7 @@ void meet_the_known(Canvas& canvas, const ImageColor& srgb, const ImageMask& hol
         if (hole.pixels[i]) canvas.sum.pixels[i] += correction.pixels[i] * std::exp(-distance.pixels[i] / kFeather_px);
 }
 
-// What the network adds to the fill fades inward; at the rim itself the fill meets the known.
+// Fades the network's contribution inward; at the rim itself the fill matches the known pixels.
 void trust_near_the_rim(Canvas& canvas, const ImageColor& fill, const ImageMask& hole) {
     const ImageF distance = distance_to_known(hole);
     for (std::size_t i = 0; i < fill.size(); ++i) {

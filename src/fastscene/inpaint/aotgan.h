@@ -1,5 +1,4 @@
-// AOT-GAN (paper: the inpainting network of PNVI): holes painted by a network that has learned what rooms look like.
-// Needs weights.
+// AOT-GAN (paper: the inpainting network of PNVI): a learned inpainter for rooms. Needs weights.
 #pragma once
 
 #include <filesystem>
@@ -10,8 +9,8 @@
 
 namespace fastscene {
 
-// Only the surroundings of holes go through the network: crops with context, several at a time. At a hole's rim what is
-// painted is moved to meet what is known, fading inward, so that no seam shows.
+// Only the surroundings of holes go through the network, as batched crops with context. Near a hole's rim the result is
+// shifted to match the known colors, fading inward, so that no seam shows.
 class AotganInpainter final : public Inpainter {
   public:
     explicit AotganInpainter(Aotgan network) : network_(std::move(network)) {}

@@ -6,7 +6,7 @@ namespace fastscene {
 namespace {
 
 struct Box {
-    int left, top, right, bottom;  // right and bottom are outside
+    int left, top, right, bottom;  // right and bottom are exclusive
 };
 bool overlap(const Box& a, const Box& b) {
     return a.left < b.right && b.left < a.right && a.top < b.bottom && b.top < a.bottom;
@@ -15,10 +15,10 @@ Box hull(const Box& a, const Box& b) {
     return {std::min(a.left, b.left), std::min(a.top, b.top), std::max(a.right, b.right), std::max(a.bottom, b.bottom)};
 }
 
-// Holes by cells of this size: near ones belong together anyway.
+// Cell size for grouping holes: closer ones share a crop anyway.
 constexpr int kCell = 16;
 
-// Bounding boxes of holes, with their margin, united until none overlap.
+// Bounding boxes of holes with margin, merged until none overlap.
 std::vector<Box> boxes_of(const ImageMask& hole, int margin) {
     std::vector<Box> boxes;
     for (int top = 0; top < hole.height; top += kCell)
@@ -30,7 +30,7 @@ std::vector<Box> boxes_of(const ImageMask& hole, int margin) {
             if (box.right == 0) continue;
             box = {std::max(0, box.left - margin), std::max(0, box.top - margin),
                    std::min(hole.width, box.right + margin), std::min(hole.height, box.bottom + margin)};
-            // The united box may touch others again: start over with it.
+            // The merged box may overlap others again: restart with it.
             for (std::size_t i = 0; i < boxes.size();)
                 if (overlap(boxes[i], box)) {
                     box = hull(box, boxes[i]);
@@ -47,7 +47,7 @@ std::vector<Box> boxes_of(const ImageMask& hole, int margin) {
 struct Span {
     int begin, size;
 };
-// One side of a box as spans of allowed sizes within 0..limit, as far as that is possible.
+// Covers one side of a box with spans of allowed sizes within 0..limit, as far as possible.
 std::vector<Span> spans(int begin, int end, int limit, int margin, int multiple, int smallest, int largest) {
     const auto fitted = [&](int from, int length) {
         const int size = std::clamp((length + multiple - 1) / multiple * multiple, smallest, largest);

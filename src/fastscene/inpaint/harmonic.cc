@@ -5,7 +5,7 @@
 namespace fastscene {
 namespace {
 
-// Relaxation sweeps a level: the coarser level hands over a good start, so few are enough.
+// Relaxation sweeps per level: starting from the coarser level's solution, few are enough.
 constexpr int kSweeps = 24;
 
 struct Level {
@@ -13,7 +13,7 @@ struct Level {
     ImageMask hole;
 };
 
-// Half size: a pixel is the mean of its known children; a hole only when it has none.
+// Downsamples by 2: a pixel is the mean of its known children, and a hole only if it has none.
 Level coarser(const Level& fine) {
     const int w = (fine.color.width + 1) / 2, h = (fine.color.height + 1) / 2;
     Level out{ImageColor(w, h), ImageMask(w, h)};
@@ -33,7 +33,7 @@ Level coarser(const Level& fine) {
     return out;
 }
 
-// Gauss-Seidel on a checkerboard. Every new value is a mean of values there are, so nothing leaves the rim's span.
+// Red-black Gauss-Seidel. Every new value is a mean of existing ones, so values stay within the rim's range.
 void relax(Level& level) {
     const int w = level.color.width, h = level.color.height;
     std::vector<int> rows;
@@ -67,7 +67,7 @@ void solve(Level& level) {
     relax(level);
 }
 
-// Rounding must not carry a value past the rim: hold each channel to the known pixels' span.
+// Clamps each channel to the range of the known pixels, against rounding.
 void hold_to_span(ImageColor& filled, const ImageColor& color, const ImageMask& hole) {
     Vec3f low{1e30f, 1e30f, 1e30f}, high{-1e30f, -1e30f, -1e30f};
     for (std::size_t i = 0; i < color.size(); ++i)
@@ -87,7 +87,7 @@ ImageColor HarmonicInpainter::fill(const ImageColor& color, const ImageMask& hol
     FASTSCENE_CHECK(color.same_size(hole));
     run.check_stop();
     const bool any_known = std::any_of(hole.pixels.begin(), hole.pixels.end(), [](std::uint8_t v) { return v == 0; });
-    if (!any_known) return ImageColor(color.width, color.height);  // nothing to go by: black
+    if (!any_known) return ImageColor(color.width, color.height);  // nothing is known: black
     Level level{color, hole};
     solve(level);
     hold_to_span(level.color, color, hole);

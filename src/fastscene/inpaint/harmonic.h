@@ -1,5 +1,5 @@
-// Harmonic: holes as the solution of Laplace's equation with the rim's colors as boundary. The reference
-// inpainter: never brighter or darker than the rim, no edges of its own.
+// Harmonic inpainting: solves Laplace's equation in the holes with the rim's colors as boundary values. The reference
+// inpainter: never brighter or darker than the rim, and smooth.
 #pragma once
 
 #include "fastscene/inpaint/inpaint.h"

@@ -60,13 +60,13 @@ TEST(Inpainters, AllKeepTheContract) {
             ASSERT_TRUE(std::isfinite(out.pixels[i].x + out.pixels[i].y + out.pixels[i].z)) << name;
         }
         EXPECT_EQ(out, inpainter->fill(p.color, p.hole, {})) << name;
-        // What lies under the mask must not matter.
+        // The content under the mask must not matter.
         ImageColor other = p.color;
         for (std::size_t i = 0; i < other.size(); ++i)
             if (p.hole.pixels[i]) other.pixels[i] = {9, 9, 9};
         EXPECT_EQ(out, inpainter->fill(other, p.hole, {})) << name;
         EXPECT_EQ(p.color, inpainter->fill(p.color, ImageMask(97, 61), {})) << name;
-        (void)inpainter->fill(p.color, ImageMask(97, 61, std::uint8_t{1}), {});  // nothing known: no crash
+        (void)inpainter->fill(p.color, ImageMask(97, 61, std::uint8_t{1}), {});  // nothing known: must not crash
     }
 }
 
@@ -94,7 +94,8 @@ TEST(Harmonic, ContinuesARampExactly) {
 
 TEST(Inpainters, AnUnknownNameIsRefused) { EXPECT_THROW(make_inpainter("crayon"), UsageError); }
 
-// Boards and discs of even color, slightly out of focus, torn as walks tear: a band along an edge, cracks a pixel wide.
+// Boards and discs of uniform color, slightly out of focus, with holes like those of walks: a band along an edge,
+// cracks one pixel wide.
 Picture torn_boards(std::uint64_t seed) {
     constexpr int kSize = 192;
     Picture p{ImageColor(kSize, kSize, Vec3f{0.5f, 0.45f, 0.4f}), ImageMask(kSize, kSize)};
@@ -136,8 +137,7 @@ double psnr_in_holes(const Picture& p, const ImageColor& made) {
     return -10 * std::log10(squares / count);
 }
 
-// Nothing but what it learned from rooms can make it better than the fill it begins with: edges must go on through the
-// holes.
+// Only learned structure can improve on the fill it starts from: edges must continue through the holes.
 TEST(ShippedAotgan, CarriesEdgesThroughHoles) {
     const auto aotgan = make_inpainter("aotgan"), harmonic = make_inpainter("harmonic");
     double gain = 0;
@@ -188,7 +188,7 @@ TEST(Aotgan, WeightsThatDoNotFitAreNamed) {
     EXPECT_NE(refusal({{}, {{"x", weights.at("encoder.1.bias")}}, {}, {}}).find("encoder.1.weight"), std::string::npos);
 }
 
-// What the network paints meets what is known: in a flat picture no seam is higher than a part of the step between
+// The result matches the known pixels: in a uniform picture no seam is higher than a fraction of the difference between
 // network and picture.
 TEST(Aotgan, SeamsAreFeathered) {
     ImageColor color(192, 128, Vec3f{0.5f, 0.2f, 0.05f});
@@ -198,10 +198,10 @@ TEST(Aotgan, SeamsAreFeathered) {
     const ImageColor out = make_inpainter("aotgan", small_weights())->fill(color, hole, {});
     EXPECT_LT(length(out.at(60, 65) - color.at(60, 65)), 0.12f);
     EXPECT_LT(length(out.at(95, 40) - color.at(95, 40)), 0.12f);
-    EXPECT_GT(length(out.at(95, 65) - color.at(95, 65)), 1e-4f);  // and inside it is the network's
+    EXPECT_GT(length(out.at(95, 65) - color.at(95, 65)), 1e-4f);  // … and inside it is the network's output
 }
 
-// Every hole pixel lies in a crop; sizes keep their promises; small holes do not cost the whole picture.
+// Every hole pixel is in a crop; sizes respect their limits; small holes do not cost the whole picture.
 TEST(Crops, CoverEveryHole) {
     Random r(5, "crops");
     for (int round = 0; round < 60; ++round) {

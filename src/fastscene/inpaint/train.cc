@@ -15,9 +15,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int kTries = 200;  // draws until an example must have been found
+constexpr int kTries = 200;  // attempts after which an example must have been found
 constexpr int kCropTries = 10;
-constexpr double kLeastOpen = 0.002;  // a crop with fewer holes teaches nothing
+constexpr double kLeastOpen = 0.002;  // minimum share of hole pixels in a crop
 
 struct Square {
     ImageRgb8 truth;
@@ -41,7 +41,7 @@ Square cut(const ImageRgb8& image, const ImageMask& mask, int left, int top, int
     return out;
 }
 
-// Half the size: mean colors; a hole wherever there was one.
+// Downsamples by 2: mean colors; a hole wherever there was one.
 void shrink(ImageRgb8& image, ImageMask& mask) {
     const ImageRgb8 large = std::move(image);
     const ImageMask torn = std::move(mask);
@@ -49,7 +49,7 @@ void shrink(ImageRgb8& image, ImageMask& mask) {
     mask = ImageMask(image.width, image.height);
     for (int y = 0; y < image.height; ++y)
         for (int x = 0; x < image.width; ++x) {
-            int r = 2, g = 2, b = 2;  // rounds
+            int r = 2, g = 2, b = 2;  // rounds to nearest
             for (const auto& [i, j] : {std::pair{0, 0}, {1, 0}, {0, 1}, {1, 1}}) {
                 const Rgb8 c = large.at(2 * x + i, 2 * y + j);
                 r += c.r, g += c.g, b += c.b;
@@ -60,15 +60,15 @@ void shrink(ImageRgb8& image, ImageMask& mask) {
         }
 }
 
-// A crop with holes in it, but not all of it. To learn from: that with the most holes of several, since most of a face
-// is whole.
+// A crop that contains holes, but not only. For training: the one with the most hole pixels of several, since most of a
+// face is known.
 std::optional<Square> crop_with_hole(const ImageRgb8& image, const ImageMask& mask, const InpaintTrainParams& params,
-                                     bool still, Random& dice) {
+                                     bool still, Random& rng) {
     std::optional<Square> best;
     double most = 0;
     for (int i = 0; i < kCropTries; ++i) {
-        const int left = dice.index(image.width - params.size + 1), top = dice.index(image.height - params.size + 1);
-        Square square = cut(image, mask, left, top, params.size, !still && dice.chance(0.5f));
+        const int left = rng.index(image.width - params.size + 1), top = rng.index(image.height - params.size + 1);
+        Square square = cut(image, mask, left, top, params.size, !still && rng.chance(0.5f));
         const double open = share_of(square.hole);
         if (open < std::max(most, kLeastOpen) || open > params.most_open) continue;
         most = open;
@@ -78,11 +78,11 @@ std::optional<Square> crop_with_hole(const ImageRgb8& image, const ImageMask& ma
     return best;
 }
 
-// Another camera's idea of the same colors.
-void jitter_colors(ImageRgb8& image, float strength, Random& dice) {
-    const float bright = 1 + strength * dice.uniform(-1, 1), contrast = 1 + strength * dice.uniform(-1, 1);
-    const Vec3f balance{1 + strength * dice.uniform(-1, 1), 1 + strength * dice.uniform(-1, 1),
-                        1 + strength * dice.uniform(-1, 1)};
+// Color jitter: simulates another camera.
+void jitter_colors(ImageRgb8& image, float strength, Random& rng) {
+    const float bright = 1 + strength * rng.uniform(-1, 1), contrast = 1 + strength * rng.uniform(-1, 1);
+    const Vec3f balance{1 + strength * rng.uniform(-1, 1), 1 + strength * rng.uniform(-1, 1),
+                        1 + strength * rng.uniform(-1, 1)};
     std::array<std::array<std::uint8_t, 256>, 3> table{};
     for (std::size_t c = 0; c < 3; ++c)
         for (std::size_t v = 0; v < 256; ++v)
@@ -104,8 +104,8 @@ InpaintExample with_fill(Square square, bool harmonic) {
     return out;
 }
 
-const fs::path& one_of(const std::vector<fs::path>& paths, Random& dice) {
-    return paths[static_cast<std::size_t>(dice.index(static_cast<int>(paths.size())))];
+const fs::path& one_of(const std::vector<fs::path>& paths, Random& rng) {
+    return paths[static_cast<std::size_t>(rng.index(static_cast<int>(paths.size())))];
 }
 
 void add_holes(ImageMask& mask, const fs::path& path) {
@@ -117,29 +117,28 @@ void add_holes(ImageMask& mask, const fs::path& path) {
 }
 
 std::optional<InpaintExample> try_example(const HoleSet& set, const InpaintTrainParams& params, bool still,
-                                          Random& dice) {
+                                          Random& rng) {
     const auto any_face = [&]() -> const HoleSet::Face& {
-        return set.faces[static_cast<std::size_t>(dice.index(static_cast<int>(set.faces.size())))];
+        return set.faces[static_cast<std::size_t>(rng.index(static_cast<int>(set.faces.size())))];
     };
     const HoleSet::Face& face = any_face();
     ImageRgb8 image = load_rgb8(face.image);
     ImageMask mask(image.width, image.height);
-    add_holes(mask, one_of(face.masks, dice));
-    if (!still && dice.chance(static_cast<float>(params.strange_masks)))
-        add_holes(mask, one_of(any_face().masks, dice));
+    add_holes(mask, one_of(face.masks, rng));
+    if (!still && rng.chance(static_cast<float>(params.strange_masks))) add_holes(mask, one_of(any_face().masks, rng));
     if (!still && std::min(image.width, image.height) >= 2 * params.size &&
-        dice.chance(static_cast<float>(params.shrunk)))
+        rng.chance(static_cast<float>(params.shrunk)))
         shrink(image, mask);
     if (image.width < params.size || image.height < params.size)
         throw UsageError("--size: expected at most the side of {}, {}, found {}", face.image.string(),
                          std::min(image.width, image.height), params.size);
-    std::optional<Square> square = crop_with_hole(image, mask, params, still, dice);
+    std::optional<Square> square = crop_with_hole(image, mask, params, still, rng);
     if (!square) return {};
-    if (!still) jitter_colors(square->truth, static_cast<float>(params.jitter), dice);
+    if (!still) jitter_colors(square->truth, static_cast<float>(params.jitter), rng);
     return with_fill(std::move(*square), params.network.holes == "harmonic");
 }
 
-// A handful of panoramas may leave no place to hold out: the figures are of pictures trained on then, which is said.
+// With a handful of panoramas none may be held out: then metrics are computed on training pictures, with a warning.
 HoleSet held_out_of(const fs::path& data, const HoleSet& train, const Run& run) {
     if (fs::exists(data / "held-out")) return find_holes(data / "held-out");
     run.warn(
@@ -179,12 +178,12 @@ HoleSet find_holes(const fs::path& part) {
     return set;
 }
 
-InpaintExample draw_example(const HoleSet& set, const InpaintTrainParams& params, bool still, Random& dice,
+InpaintExample draw_example(const HoleSet& set, const InpaintTrainParams& params, bool still, Random& rng,
                             std::atomic<std::int64_t>& broken) {
     std::string last;
     for (int i = 0; i < kTries; ++i) {
         try {
-            if (auto example = try_example(set, params, still, dice)) return std::move(*example);
+            if (auto example = try_example(set, params, still, rng)) return std::move(*example);
         } catch (const UsageError&) {
             throw;
         } catch (const Error& e) {
@@ -207,10 +206,10 @@ std::vector<std::pair<std::string, double>> train_inpainter(const fs::path& data
     const HoleSet train = find_holes(data / "train"), held_out = held_out_of(data, train, run);
     std::atomic<std::int64_t> broken{0};
     InpaintExamples examples;
-    examples.draw = [&](Random& dice) { return draw_example(train, params, false, dice, broken); };
+    examples.draw = [&](Random& rng) { return draw_example(train, params, false, rng, broken); };
     for (int i = 0; i < params.held_out; ++i) {
-        Random dice(0, "held-out example", static_cast<std::uint64_t>(i));
-        examples.held_out.push_back(draw_example(held_out, params, true, dice, broken));
+        Random rng(0, "held-out example", static_cast<std::uint64_t>(i));
+        examples.held_out.push_back(draw_example(held_out, params, true, rng, broken));
     }
 
     examples.about = {{"size", params.size},

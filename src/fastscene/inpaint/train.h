@@ -1,5 +1,5 @@
-// Training of AOT-GAN on hole masks of walks (walk/hole_dataset.h makes them; official AOT-GAN folders of pictures and
-// masks will do).
+// Training of AOT-GAN on hole masks of walks (made by walk/hole_dataset.h; official AOT-GAN folders of pictures and
+// masks work, too).
 #pragma once
 
 #include <atomic>
@@ -34,7 +34,7 @@ void visit_fields(InpaintTrainParams& p, V&& v) {
     visit_fields(p.network, v);
 }
 
-// Faces and their masks, as paths in order.
+// Paths of faces and their masks, sorted.
 struct HoleSet {
     struct Face {
         std::filesystem::path image;
@@ -42,16 +42,15 @@ struct HoleSet {
     };
     std::vector<Face> faces;
 };
-// `part`: the folder with images/ and masks/: DIR/train, DIR/held-out. Throws UsageError when there is no face with a
-// mask.
+// `part`: a folder with images/ and masks/: DIR/train, DIR/held-out. Throws UsageError if no face has a mask.
 HoleSet find_holes(const std::filesystem::path& part);
 
-// An example from the set, by the dice: a crop with a hole in it, flipped at times. Broken pictures are passed over,
-// and counted in `broken`. `still`: no flips, colors as they are, masks of the face itself.
-InpaintExample draw_example(const HoleSet& set, const InpaintTrainParams& params, bool still, Random& dice,
+// A random example: a crop with a hole, sometimes flipped. Unreadable pictures are skipped and counted in `broken`.
+// `still`: deterministic evaluation, without flips and color jitter, with the face's own masks.
+InpaintExample draw_example(const HoleSet& set, const InpaintTrainParams& params, bool still, Random& rng,
                             std::atomic<std::int64_t>& broken);
 
-// `folder`/generator.safetensors from the sets in `data`/train and `data`/held-out. Returns the figures of the held-out
+// Trains `folder`/generator.safetensors on `data`/train and `data`/held-out. Returns the metrics on the held-out
 // examples.
 std::vector<std::pair<std::string, double>> train_inpainter(const std::filesystem::path& data,
                                                             const InpaintTrainParams& params,

@@ -1,4 +1,4 @@
-// Training on holes: what comes out is loaded by the program, and better than what went in.
+// Training on holes: the resulting file is loadable by the program, and better than the initial network.
 #include "fastscene/inpaint/train.h"
 
 #include <gtest/gtest.h>
@@ -17,7 +17,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Flat pictures with brighter blocks, and the holes are just these: a network can learn that, the harmonic fill cannot.
+// Uniform pictures with brighter blocks, and the holes are exactly these: a network can learn that, the harmonic fill
+// cannot.
 struct Blocks {
     fs::path path = fs::temp_directory_path() / ("fastscene-inpaint-train-" + std::to_string(::getpid()));
     Blocks() {
@@ -60,9 +61,9 @@ InpaintTrainParams small(const std::string& holes, int steps) {
     p.network.adversarial = 0;
     p.network.training.batch = 2;
     p.network.training.steps = steps;
-    p.network.training.rate = p.network.training.last_rate = 4e-3;
+    p.network.training.learning_rate = p.network.training.final_learning_rate = 4e-3;
     p.network.training.warmup = 0;
-    p.network.training.average = 0.8;
+    p.network.training.ema_decay = 0.8;
     p.network.training.clip = 1;
     p.network.training.precision = "f32";
     return p;
@@ -80,7 +81,7 @@ TEST(InpaintTraining, BeatsTheHarmonicFillItBeginsFrom) {
     const Blocks data;
     const auto figures = train_inpainter(data.path, small("harmonic", 60), data.path / "run", seeded(1));
     EXPECT_GT(figure(figures, "psnr"), figure(figures, "psnr of the harmonic fill") + 1);
-    // The program, with the kept file, is as much better.
+    // The program reproduces the improvement with the saved file.
     const fs::path part = data.path / "held-out";
     const ImageColor truth = linear_from_srgb8(load_rgb8(part / "images/00000000-front.png"));
     const ImageMask hole = load_mask_png(part / "masks/00000000-front-00.png");
@@ -100,7 +101,7 @@ TEST(InpaintTraining, AsPublishedWithADiscriminator) {
     const Blocks data;
     InpaintTrainParams p = small("white", 4);
     p.network.adversarial = 0.01;
-    p.network.training.rate = p.network.training.last_rate = 1e-3;
+    p.network.training.learning_rate = p.network.training.final_learning_rate = 1e-3;
     train_inpainter(data.path, p, data.path / "run", seeded(1));
     EXPECT_NE(read_file(data.path / "run/curves.csv").find("discriminator"), std::string::npos);
     EXPECT_NO_THROW(make_inpainter("aotgan", data.path / "run/generator.safetensors"));
@@ -114,13 +115,13 @@ TEST(InpaintTraining, BrokenPicturesArePassedOver) {
     ASSERT_EQ(set.faces.size(), 6u);
     std::atomic<std::int64_t> broken{0};
     for (int i = 0; i < 30; ++i) {
-        Random dice(5, "broken", static_cast<std::uint64_t>(i));
-        EXPECT_EQ(draw_example(set, small("harmonic", 1), false, dice, broken).truth.width, 64);
+        Random rng(5, "broken", static_cast<std::uint64_t>(i));
+        EXPECT_EQ(draw_example(set, small("harmonic", 1), false, rng, broken).truth.width, 64);
     }
     EXPECT_GT(broken, 0);
 }
 
-// Few panoramas may leave none to hold out; that is said, and no reason not to train.
+// With few panoramas none may be held out; that is a warning, not an error.
 TEST(InpaintTraining, GoesWithoutHeldOutFaces) {
     set_threads(1);
     const Blocks data;
@@ -155,7 +156,7 @@ TEST(InpaintTraining, WeightsOfAnotherNetworkOrWithoutNumbersAreRefused) {
     WeightTensor& bias = weights.tensors.at("middle.0.fuse.1.bias");
     auto bytes = std::make_shared<std::vector<std::byte>>(bias.bytes.begin(), bias.bytes.end());
     (*bytes)[0] = std::byte{0x00};
-    (*bytes)[1] = std::byte{0x7e};  // half precision's NaN
+    (*bytes)[1] = std::byte{0x7e};  // NaN in half precision
     bias.bytes = *bytes;
     bias.owner = bytes;
     save_safetensors(data.path / "nan.safetensors", weights);
@@ -180,7 +181,7 @@ TEST(InpaintTraining, OddRequestsAreRefused) {
     p.size = 72;
     EXPECT_THROW(train_inpainter(data.path, p, data.path / "run", {}), UsageError);  // larger than the faces
     p.size = 60;
-    EXPECT_THROW(train_inpainter(data.path, p, data.path / "run", {}), UsageError);  // no multiple of 8
+    EXPECT_THROW(train_inpainter(data.path, p, data.path / "run", {}), UsageError);  // not a multiple of 8
     EXPECT_THROW(find_holes(data.path / "nowhere"), UsageError);
     fs::remove_all(data.path / "train/masks");
     make_directories(data.path / "train/masks");

@@ -1,4 +1,4 @@
-// Numbers in byte strings, little endian as all machines we run on are. Private to io/.
+// Little-endian numbers in byte strings, as on all supported machines. Private to io/.
 #pragma once
 
 #include <cstdint>
@@ -25,7 +25,7 @@ T number_at(std::string_view bytes, std::size_t at) {
     return value;
 }
 
-// Reads numbers one after the other and knows where it is when the bytes end too early.
+// Sequential reader that reports its position if the bytes end too early.
 class ByteReader {
   public:
     ByteReader(const std::filesystem::path& path, std::string_view bytes) : path_(path), bytes_(bytes) {}
@@ -37,7 +37,7 @@ class ByteReader {
         at_ += sizeof value;
         return value;
     }
-    // Up to a zero byte, which is skipped.
+    // Reads up to a zero byte, which is skipped.
     std::string text() {
         const std::size_t end = bytes_.find('\0', at_);
         if (end == std::string_view::npos) refuse("expected a text with a zero byte at its end, found none");
@@ -45,7 +45,7 @@ class ByteReader {
         at_ = end + 1;
         return out;
     }
-    // A 64-bit count of things that take at least `least` bytes each.
+    // A 64-bit count of items that take at least `least` bytes each.
     std::size_t count(std::size_t least) {
         const auto n = get<std::uint64_t>();
         if (n > (bytes_.size() - at_) / least)

@@ -1,6 +1,6 @@
-// cameras.json as INRIA's trainer writes it and SuperSplat, SIBR and others read it: a list with, for each picture, its
-// size and focal lengths in pixels, its place in the world, and the rotation from the camera's axes (x right, y down, z
-// forward) to the world's, in rows.
+// cameras.json as written by INRIA's trainer and read by SuperSplat, SIBR and others: a list with, per picture, its
+// size, focal lengths in pixels, position in the world, and the world-from-camera rotation (x right, y down, z
+// forward), row by row.
 #include <cmath>
 #include <numbers>
 
@@ -22,7 +22,7 @@ Json json_of(const Photo& photo, std::size_t id) {
         rows.push_back({row.x, row.y, row.z});
     const Lens& lens = photo.lens;
     const bool sphere = lens.kind == LensKind::equirectangular;
-    const double around = lens.width / (2 * std::numbers::pi);  // pixels a radian
+    const double around = lens.width / (2 * std::numbers::pi);  // pixels per radian
     Json json{{"id", id},
               {"img_name", photo.name},
               {"width", lens.width},

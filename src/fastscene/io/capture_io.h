@@ -1,5 +1,4 @@
-// Captures in files: COLMAP's sparse model, text or binary, and nerfstudio's transforms.json (also NeRF's and
-// Blender's).
+// Capture files: COLMAP's sparse model, text or binary, and nerfstudio's transforms.json (also NeRF's and Blender's).
 #pragma once
 
 #include <filesystem>
@@ -11,27 +10,29 @@
 namespace fastscene {
 
 struct CaptureFolders {
-    std::filesystem::path images;  // empty: the format's own
-    std::filesystem::path masks;   // empty: DIR/masks where there is one
-    int downscale = 1;             // 2, 4, 8: takes images_2 … where there is such a folder
+    std::filesystem::path images;  // empty: the format's default
+    std::filesystem::path masks;   // empty: DIR/masks if it exists
+    int downscale = 1;             // 2, 4, 8: uses images_2 … if such a folder exists
 };
 
-// DIR holds images/ and the model in sparse/0, sparse or itself. Throws Error naming the file, the byte or line, what
-// was expected and found; pictures are not opened.
+// DIR holds images/ and the model in sparse/0, sparse or DIR itself. Throws Error naming the file, the byte or line,
+// expected and actual; does not open pictures.
 Capture load_colmap_capture(const std::filesystem::path& dir, const CaptureFolders& folders);
-// A transforms.json, or the folder that holds one (or NeRF's transforms_train.json). Its cameras look along -z with y
-// up; here they look along z with y down. Poses and points are taken as they are: nerfstudio has applied its
+// A transforms.json, or the folder that contains one (or NeRF's transforms_train.json). Its cameras look along -z with
+// y up; converted to z forward, y down. Poses and points are used as stored: nerfstudio has applied its
 // applied_transform to both.
 Capture load_nerfstudio_capture(const std::filesystem::path& file, const CaptureFolders& folders);
 
-// Cameras, poses and names of a model alone: text or binary, in exactly this folder.
+// Only cameras, poses and names of a model, text or binary, in exactly this folder.
 Capture load_colmap_model(const std::filesystem::path& model);
-// Where a capture's folder keeps its model: sparse/0, sparse, colmap/sparse/0 or the folder itself. Absent: nowhere.
+// Where a capture's folder keeps its model: sparse/0, sparse, colmap/sparse/0 or the folder itself. Empty if there is
+// none.
 std::optional<std::filesystem::path> colmap_model_in(const std::filesystem::path& dir);
-// cameras.json of INRIA's trainer, principal points in the middle. Reading throws Error naming the file and the camera.
+// cameras.json of INRIA's trainer, which has centered principal points. Reading throws Error naming the file and the
+// camera.
 void save_cameras_json(const std::filesystem::path& path, const std::vector<Photo>& photos);
 Capture load_cameras_json(const std::filesystem::path& path);
-// Whether the folder holds cameras and images, as .bin or .txt.
+// Whether the folder contains cameras and images, as .bin or .txt.
 bool is_colmap_model(const std::filesystem::path& dir);
 
 }  // namespace fastscene

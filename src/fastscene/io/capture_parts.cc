@@ -22,7 +22,7 @@ void sort_by_name(std::vector<Photo>& photos) {
 fs::path mask_for(const fs::path& masks, const std::string& name) {
     if (!fs::is_directory(masks)) return {};
     const fs::path whole = masks / name;
-    if (const fs::path file = whole.string() + ".png"; fs::is_regular_file(file)) return file;  // COLMAP's way
+    if (const fs::path file = whole.string() + ".png"; fs::is_regular_file(file)) return file;  // COLMAP's naming
     if (fs::is_regular_file(whole)) return whole;
     for (const char* ending : kPictureEndings) {
         if (const fs::path file = fs::path(whole).replace_extension(ending); fs::is_regular_file(file)) return file;

@@ -16,7 +16,7 @@ namespace fs = std::filesystem;
 
 constexpr std::int32_t kPinholeModel = 1;
 
-// COLMAP counts from 1. Equal cameras are one camera.
+// COLMAP counts from 1. Equal cameras are shared.
 struct CameraList {
     std::vector<Pinhole> list;
     std::vector<int> id_of_view;

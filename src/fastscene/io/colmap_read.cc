@@ -12,7 +12,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// The numbers and words of one line of a text model.
+// Numbers and words of one line of a text model.
 class Line {
   public:
     Line(const fs::path& path, std::size_t number, std::string_view text) : path_(path), number_(number), rest_(text) {}
@@ -24,7 +24,7 @@ class Line {
         rest_.remove_prefix(end);
         return out;
     }
-    // The rest of the line without the spaces around it.
+    // The rest of the line, trimmed.
     std::string tail() {
         const std::size_t begin = rest_.find_first_not_of(" \t\r"), end = rest_.find_last_not_of(" \t\r");
         return begin == std::string_view::npos ? "" : std::string(rest_.substr(begin, end - begin + 1));
@@ -55,7 +55,7 @@ class Line {
     std::string_view rest_;
 };
 
-// Calls read(line) for each line; comments are skipped, and so are empty lines unless they mean something.
+// Calls read(line) for each line, skipping comments, and empty lines unless they are significant.
 template <class Read>
 void each_line(const fs::path& path, bool with_empty, const Read& read) {
     const std::string text = read_file(path);
@@ -107,7 +107,7 @@ Cameras cameras_of_text(const fs::path& path) {
         const auto width = in.number<std::uint64_t>(), height = in.number<std::uint64_t>();
         std::vector<double> parameters;
         const bool sphere = model->name ==
-                            "EQUIRECTANGULAR";  // its size says all; some writers leave the parameters away
+                            "EQUIRECTANGULAR";  // determined by its size; some writers omit the parameters
         for (std::size_t i = 0; i < model->parameters; ++i)
             parameters.push_back(sphere && in.empty() ? 0 : in.number<double>());
         out[id] = checked_lens(in, *model, width, height, parameters);
@@ -141,7 +141,7 @@ Photo photo_of(const In& in, const Cameras& cameras, std::int64_t camera, const 
     return {name, {}, {}, found->second, world_from_camera};
 }
 
-// x, y and a point's number, again and again. Files without these lines would lose every second picture.
+// Triples of x, y and point id. In files without these lines every second picture would be lost.
 void check_points_line(Line& in) {
     bool all_numbers = true;
     int words = 0;
@@ -152,7 +152,7 @@ void check_points_line(Line& in) {
 
 std::vector<Photo> photos_of_text(const fs::path& path, const Cameras& cameras) {
     std::vector<Photo> out;
-    bool points_follow = false;  // each image has a second line, of its points; it may be empty
+    bool points_follow = false;  // each image has a second line with its points, possibly empty
     each_line(path, true, [&](Line& in) {
         if (points_follow) {
             points_follow = false;
@@ -230,7 +230,7 @@ fs::path part_of(const fs::path& model, const char* part, const char* ending) {
     return model / (std::string(part) + ending);
 }
 
-// The binary files where both are there, as COLMAP itself does.
+// Prefers the binary files if both exist, like COLMAP.
 bool is_binary(const fs::path& model) {
     return fs::exists(part_of(model, "cameras", ".bin")) && fs::exists(part_of(model, "images", ".bin"));
 }
@@ -241,7 +241,7 @@ std::vector<Photo> photos_of_model(const fs::path& model) {
     return photos_of_text(part_of(model, "images", ".txt"), cameras_of_text(part_of(model, "cameras", ".txt")));
 }
 
-// Where few pictures overlap the mapper leaves several models, 0, 1 …, and the first need not be the largest.
+// If pictures overlap too little, the mapper writes several models, 0, 1 …, and the first need not be the largest.
 std::string larger_model_beside(const fs::path& model, std::size_t photos) {
     std::string said;
     for (int number = 1; is_colmap_model(model.parent_path() / std::to_string(number)); ++number) {
@@ -249,7 +249,7 @@ std::string larger_model_beside(const fs::path& model, std::size_t photos) {
         std::size_t there = 0;
         try {
             there = photos_of_model(other).size();
-        } catch (const Error&) {  // not the one that was asked for
+        } catch (const Error&) {  // not the requested one
         }
         if (there <= photos) continue;
         photos = there;

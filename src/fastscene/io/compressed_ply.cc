@@ -13,8 +13,8 @@
 #include "fastscene/io/splat_io.h"
 #include "fastscene/math/morton.h"
 
-// PlayCanvas' compressed PLY: chunks of 256 splats share the bounds between which positions, scales and
-// colors are stored with 8 to 11 bits. Splats come in Morton order, so that a chunk is small in space.
+// PlayCanvas' compressed PLY: chunks of 256 splats share the bounds between which positions, scales and colors are
+// quantized to 8 to 11 bits. Splats are in Morton order, so that a chunk is spatially compact.
 namespace fastscene {
 namespace {
 
@@ -35,7 +35,7 @@ struct Bounds3 {
 
 std::uint32_t pack_11_10_11(Vec3f v) { return unorm(v.x, 11) << 21 | unorm(v.y, 10) << 11 | unorm(v.z, 11); }
 
-// The largest component is left out: 2 bits say which, 10 bits each the others.
+// Smallest three encoding: the largest component is omitted; 2 bits for its index, 10 bits for each of the others.
 std::uint32_t bits_of_rotation(Quatf q) {
     const std::array<float, 4> c = unit_quaternion(q);
     const std::size_t largest = largest_of(c);
@@ -65,7 +65,7 @@ float median_of(std::vector<float> values) {
     return *middle;
 }
 
-// Distances from the middle of the scene, in medians.
+// Distances from the scene's center, relative to their median.
 std::vector<float> distances(const std::vector<Vec3f>& points) {
     std::vector<float> axis[3], out;
     for (const Vec3f p : points) axis[0].push_back(p.x), axis[1].push_back(p.y), axis[2].push_back(p.z);
@@ -76,17 +76,16 @@ std::vector<float> distances(const std::vector<Vec3f>& points) {
     return out;
 }
 
-// How much of a picture a splat takes, all at one distance: its opacity times its largest section.
+// Relative screen area of a splat, independent of distance: opacity times largest cross section.
 float weight_of(const Splats& splats, std::uint32_t i) {
     const Vec3f s = splats.log_scale[i];
     return sigmoid(splats.opacity_logit[i]) * std::exp(s.x + s.y + s.z - std::min({s.x, s.y, s.z}));
 }
 
 // Neighbours in space become neighbours in the file. A sky hundreds of metres away comes last: sharing a chunk with it
-// costs a splat its place (a room's would be off by decimetres), so the chunk on the border holds those of the room
-// that show least.
+// would shift a room's splats by decimetres, so the chunk at the boundary gets the least visible ones of the room.
 std::vector<std::uint32_t> order_of_splats(const Splats& splats) {
-    constexpr float kFar = 8.f;  // medians
+    constexpr float kFar = 8.f;  // in medians
     const std::vector<Vec3f>& points = splats.mean_m;
     std::vector<std::uint32_t> order(points.size());
     std::iota(order.begin(), order.end(), 0u);
@@ -175,7 +174,7 @@ void save_compressed_ply(const std::filesystem::path& path, const Splats& splats
 
 namespace {
 
-// The columns of the bounds that a chunk has for one kind of value.
+// The columns of a chunk's bounds for one attribute.
 struct BoundColumns {
     std::array<int, 3> low{-1, -1, -1}, high{-1, -1, -1};
     BoundColumns(const Ply& ply, const PlyElement& chunk, const std::string& kind, const char* axes, bool required) {
@@ -185,7 +184,7 @@ struct BoundColumns {
             high[a] = required ? ply.property(chunk, high_name) : Ply::find(chunk, high_name);
         }
     }
-    // Between the bounds of row `row`; files without bounds of this kind mean 0..1.
+    // Interpolates between the bounds in row `row`; files without bounds of this kind use 0..1.
     Vec3f between(const Ply& ply, const PlyElement& chunk, std::size_t row, Vec3f share) const {
         if (low[0] < 0) return share;
         Vec3f v;
@@ -214,7 +213,7 @@ Quatf rotation_of_bits(std::uint32_t v) {
     return {c[0], c[1], c[2], c[3]};
 }
 
-// Bytes stand for the middles of 256 equal steps between -4 and 4, the first and the last for the ends.
+// Bytes are the midpoints of 256 equal steps between -4 and 4, except the first and last, which are the ends.
 float sh_of_byte(double byte) {
     return static_cast<float>(((byte <= 0 ? 0 : byte >= 255 ? 1 : (byte + 0.5) / 256) - 0.5) * 8);
 }

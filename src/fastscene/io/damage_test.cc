@@ -1,6 +1,6 @@
-// Readers of what other people's programs write, fed with damage: cut at every length, bits flipped, numbers made huge.
-// Always an Error that names the file, or a result; never a crash, and no memory for what is not there (the sanitizers'
-// build runs this too).
+// Robustness of readers: files truncated at every length, with flipped bits and huge numbers. The result must be an
+// Error naming the file, or valid data; never a crash, nor memory allocated for data that do not exist (the sanitizer
+// builds run this too).
 #include <gtest/gtest.h>
 #include <zlib.h>
 
@@ -54,7 +54,7 @@ std::string gunzip(const std::string& bytes) {
     return out.substr(0, out.size() - z.avail_out);
 }
 
-// One damaged copy of `whole`; the kind of damage hangs on `n`.
+// A damaged copy of `whole`; `n` selects the kind of damage.
 std::string damaged(const std::string& whole, int n, Random& random) {
     std::string bytes = whole;
     const auto at = [&] { return static_cast<std::size_t>(random.index(static_cast<int>(bytes.size()))); };
@@ -62,7 +62,7 @@ std::string damaged(const std::string& whole, int n, Random& random) {
         case 0: bytes[at()] ^= static_cast<char>(1 << random.index(8)); break;
         case 1: bytes[at()] = static_cast<char>(random.index(256)); break;
         case 2: bytes.resize(at()); break;
-        case 3:  // a huge number, or a negative one
+        case 3:  // a huge or negative number
             for (std::size_t i = at(), k = 0; k < (n % 2 ? 4u : 8u) && i < bytes.size(); ++i, ++k)
                 bytes[i] = static_cast<char>(n % 3 ? 0xff : 0x7f);
             break;
@@ -71,8 +71,8 @@ std::string damaged(const std::string& whole, int n, Random& random) {
     return bytes;
 }
 
-// `pack` is applied to the damaged bytes: so that damage inside a compressed stream gets past its checksum.
-// Errors must name the file, or with it a neighbour of its folder that no longer fits.
+// `pack` is applied after the damage, so that damage inside a compressed stream passes its checksum. Errors must name
+// the file, or a file in its folder that no longer matches.
 void damage(const fs::path& file, const std::string& whole, const std::function<void()>& load,
             const std::function<std::string(const std::string&)>& pack = {}, bool neighbours = false) {
     const auto try_one = [&](const std::string& bytes) {
@@ -109,7 +109,7 @@ TEST(Damage, Spz) {
     }
 }
 
-// Ten million splats promised by a few bytes: refused before memory is asked for them.
+// A few bytes that claim ten million splats must be refused before memory is allocated.
 TEST(Damage, PromisesOfSpzAreNotBelieved) {
     std::string header;
     for (const std::uint32_t v : {0x5053474eu, 3u, 4000000000u, 0x0c03u}) append(header, v);
@@ -144,7 +144,7 @@ TEST(Damage, Ply) {
     text += "end_header\n";
     for (int row = 0; row < 3; ++row) text += "1 2 3 0.1 0.2 0.3 1 -3 -3 -4 1 0 0 0\n";
     damage(file, text, [&] { (void)load_splats(file); });
-    // As many rows as a file of that size could never hold.
+    // More rows than a file of that size could hold.
     write_file(file, std::string_view(
                          "ply\nformat ascii 1.0\nelement vertex 4000000000\nproperty float x\nend_header\n1 2 3\n"));
     EXPECT_THROW(load_splats(file), Error);
@@ -190,7 +190,7 @@ TEST(Damage, ColmapTextAndBinary) {
         for (const char* part : {"cameras", "images", "points3D"}) {
             const fs::path file = model / (std::string(part) + ending);
             const std::string whole = read_file(file);
-            // A shorter text may be a whole one: cut in the last line it is not. So texts are damaged, not counted.
+            // A truncated text may still be complete, unless cut within a line; so texts are damaged, not counted.
             if (std::string(ending) == ".txt") {
                 Random random(12, part);
                 for (int n = 0; n < 400; ++n) {
@@ -211,8 +211,7 @@ TEST(Damage, ColmapTextAndBinary) {
     }
 }
 
-// What save_views writes for COLMAP (binary, text) and for nerfstudio are the same cameras, to the last digits of a
-// float.
+// The COLMAP (binary, text) and nerfstudio files written by save_views describe the same cameras, to float precision.
 TEST(Captures, ColmapAndNerfstudioSayTheSameCameras) {
     ViewSet set;
     for (int i = 0; i < 6; ++i) {

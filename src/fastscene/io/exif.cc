@@ -6,7 +6,7 @@
 namespace fastscene {
 namespace {
 
-// Numbers of 1 to 4 bytes at a place; 0 beyond the end.
+// A number of 1 to 4 bytes at an offset; 0 beyond the end.
 std::uint32_t integer_at(std::string_view bytes, std::size_t at, std::size_t size, bool little) {
     if (at > bytes.size() || bytes.size() - at < size) return 0;
     std::uint32_t value = 0;
@@ -35,7 +35,7 @@ int orientation_of_tiff(std::string_view tiff) {
 int orientation_of_jpeg(std::string_view file) {
     for (std::size_t at = 2; at + 4 <= file.size() && static_cast<unsigned char>(file[at]) == 0xff;) {
         const std::uint32_t marker = integer_at(file, at + 1, 1, false), length = integer_at(file, at + 2, 2, false);
-        if (marker == 0xda || length < 2) return 1;  // the picture itself begins
+        if (marker == 0xda || length < 2) return 1;  // start of the image data
         constexpr std::string_view kExif("Exif\0\0", 6);
         if (marker == 0xe1 && file.substr(at + 4, kExif.size()) == kExif && length >= 2 + kExif.size())
             return orientation_of_tiff(file.substr(at + 4 + kExif.size(), length - 2 - kExif.size()));
@@ -54,7 +54,7 @@ int orientation_of_png(std::string_view file) {
     return 1;
 }
 
-// RIFF's chunks: name, length, data, to an even length. Some writers put JPEG's name before the block.
+// RIFF chunks: name, length, data, padded to an even length. Some writers prefix the block with JPEG's marker name.
 int orientation_of_webp(std::string_view file) {
     for (std::size_t at = 12; at + 8 <= file.size();) {
         const std::size_t length = integer_at(file, at + 4, 4, true);

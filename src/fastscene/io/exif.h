@@ -1,12 +1,12 @@
-// EXIF: how a camera says that a picture lies on its side. Private to io/; image_io.h tells the number in PictureInfo.
+// EXIF orientation. Private to io/; image_io.h exposes it in PictureInfo.
 #pragma once
 
 #include <string_view>
 
 namespace fastscene {
 
-// The orientation tag (EXIF 2.3, 0x0112), 1 to 8, of a JPEG (segment APP1) or a PNG (chunk eXIf). 1 = as it is; so too
-// where the tag is absent or the block is damaged: a picture without it is still a picture.
+// The orientation tag (EXIF 2.3, 0x0112), 1 to 8, of a JPEG (segment APP1) or a PNG (chunk eXIf). 1 = upright, also if
+// the tag is absent or the block is damaged, since the picture itself is still usable.
 int exif_orientation(std::string_view file);
 
 }  // namespace fastscene

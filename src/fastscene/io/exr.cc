@@ -30,8 +30,8 @@ std::vector<std::string> names_of(const Imf::ChannelList& channels) {
 }
 std::string last_part(const std::string& name) { return name.substr(name.rfind('.') + 1); }
 
-// Renderers put layers into one file: "ViewLayer.Combined.R", "ViewLayer.Depth.Z". Range is Z, what is called depth, Y
-// (luminance), R, or the only one.
+// Renderers store layers in one file: "ViewLayer.Combined.R", "ViewLayer.Depth.Z". Range is taken from Z, a channel
+// called depth, Y (luminance), R, or the only channel.
 std::string range_channel(const std::vector<std::string>& names) {
     const auto first = [&](auto is) {
         const auto found = std::find_if(names.begin(), names.end(), is);
@@ -52,7 +52,7 @@ std::string range_channel(const std::vector<std::string>& names) {
     return found.empty() && names.size() == 1 ? names[0] : found;
 }
 
-// The layer, "" or "ViewLayer.Combined.", that has R, G and B.
+// The layer that contains R, G and B: "" or "ViewLayer.Combined.".
 std::optional<std::string> color_layer(const std::vector<std::string>& names) {
     const auto has = [&](const std::string& name) {
         return std::find(names.begin(), names.end(), name) != names.end();
@@ -71,9 +71,9 @@ std::optional<std::string> color_layer(const std::vector<std::string>& names) {
     throw Error("{}: expected an OpenEXR picture, found: {}", where, e.what());
 }
 
-// A file that is in memory already.
+// An input stream over a file in memory.
 class MemoryStream : public Imf::IStream {
-    using Position = decltype(std::declval<Imf::IStream&>().tellg());  // OpenEXR's own 64 bits
+    using Position = decltype(std::declval<Imf::IStream&>().tellg());  // OpenEXR's 64-bit type
 
   public:
     MemoryStream(std::string_view bytes, const std::string& where) : Imf::IStream(where.c_str()), bytes_(bytes) {}
@@ -99,7 +99,7 @@ PictureInfo exr_info(std::string_view bytes, const std::string& where) {
         MemoryStream stream(bytes, where);
         const Imf::InputFile file(stream);
         const Imath::Box2i box = file.header().dataWindow();
-        // A broken window may span more than an int.
+        // A corrupt window may exceed the range of int.
         const auto side = [](int low, int high) {
             return static_cast<int>(std::min<std::int64_t>(std::int64_t{high} - low + 1, 0x7fffffff));
         };
@@ -111,7 +111,7 @@ PictureInfo exr_info(std::string_view bytes, const std::string& where) {
 
 namespace {
 
-// One channel after the other into floats; `stride` of them a pixel.
+// Reads channels one after the other into interleaved floats, `stride` per pixel.
 void read_channels(std::string_view bytes, const std::string& where, const std::vector<std::string>& wanted,
                    float* pixels, std::size_t stride) {
     MemoryStream stream(bytes, where);
@@ -146,8 +146,8 @@ std::string single_channel(std::string_view bytes, const std::string& where) {
     return channel;
 }
 
-// A color is no number; but gray is often saved as three equal channels. Half floats and lossy compression round each
-// by itself.
+// Color cannot be a range map, but gray is often stored as three equal channels. Half floats and lossy compression
+// round each individually.
 constexpr float kSameGray = 2e-3f;
 
 bool is_gray(const Vec3f& c) {
@@ -158,8 +158,8 @@ bool is_gray(const Vec3f& c) {
     return same(c.x, c.y) && same(c.x, c.z);
 }
 
-// The channels of color that `channel` is one of: R, G and B of its layer, or those beside a luminance Y; empty: it
-// stands for itself.
+// The color channels that `channel` belongs to: R, G and B of its layer, or those next to a luminance Y; empty: it
+// stands alone.
 std::vector<std::string> colors_beside(const std::vector<std::string>& names, const std::string& channel) {
     const std::string last = last_part(channel), layer = channel.substr(0, channel.size() - last.size());
     const auto has = [&](const char* name) {

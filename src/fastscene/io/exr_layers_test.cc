@@ -1,4 +1,4 @@
-// Renderers put several layers into one OpenEXR file.
+// Multi-layer OpenEXR files, as written by renderers.
 #include <ImfChannelList.h>
 #include <ImfFrameBuffer.h>
 #include <ImfHeader.h>

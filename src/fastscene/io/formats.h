@@ -1,4 +1,4 @@
-// What one file format gives to image_io.cc, which chooses by the file's first bytes. Private to io/.
+// Interface of one picture format to image_io.cc, which dispatches on the file's first bytes. Private to io/.
 #pragma once
 
 #include <algorithm>
@@ -9,7 +9,7 @@
 
 namespace fastscene {
 
-// A decoder refuses more than this before it asks for memory.
+// Decoders refuse larger sides before allocating memory.
 inline constexpr int kMaxPictureSide = 32768;
 inline constexpr std::int64_t kMaxPicturePixels = std::int64_t{1} << 28;
 
@@ -20,7 +20,7 @@ inline bool plausible_size(std::int64_t width, std::int64_t height) {
 
 PictureInfo png_info(const std::filesystem::path& path, std::string_view bytes);
 ImageRgb8 decode_png_rgb8(std::string_view bytes, const std::string& where);
-// Empty where the file knows no alpha.
+// Empty if the file has no alpha.
 ImageMask png_alpha(std::string_view bytes, const std::string& where);
 ImageF load_png_float(const std::filesystem::path& path, float unit);
 
@@ -31,7 +31,7 @@ PictureInfo webp_info(const std::filesystem::path& path, std::string_view bytes)
 ImageRgb8 decode_webp_rgb8(std::string_view bytes, const std::string& where);
 ImageMask webp_alpha(std::string_view bytes, const std::string& where);
 
-// `light` and `orientation` too. Range: 16 bits times `unit`, or 32-bit float as it is.
+// Also fills `light` and `orientation`. Range: 16 bits times `unit`, or 32-bit float as stored.
 PictureInfo tiff_info(const std::filesystem::path& path, std::string_view bytes);
 ImageRgb8 decode_tiff_rgb8(std::string_view bytes, const std::string& where);
 ImageMask tiff_alpha(std::string_view bytes, const std::string& where);

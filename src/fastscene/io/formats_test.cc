@@ -1,4 +1,4 @@
-// Pictures that other programs write: gray, alpha, inks, half floats, lying headers; and damaged splats and models.
+// Pictures as other programs write them: gray, alpha, CMYK, half floats, false headers; and damaged splats and models.
 #include <ImfArray.h>
 #include <ImfRgbaFile.h>
 #include <gtest/gtest.h>
@@ -55,7 +55,7 @@ std::string jpeg_of(J_COLOR_SPACE space, int channels, JSAMPLE value) {
     return out;
 }
 
-// Flips bytes at random places: an Error or a result, nothing else.
+// Flips random bytes: must give an Error or a result.
 void damage(const fs::path& file, int times, const std::function<void()>& load) {
     const std::string whole = read_file(file);
     Random random(5, "damage");
@@ -106,7 +106,7 @@ TEST(Png, EightBitsOrColorsAreNoRange) {
 TEST(Png, AShortFileThatClaimsAHugePictureIsRefused) {
     save_png(scratch("h.png"), ImageMask(1, 1, 9));
     std::string bytes = read_file(scratch("h.png"));
-    // 16000 x 16000 in the header, with its checksum made right, so that only the size can be refused.
+    // 16000 x 16000 in the header, with a correct checksum, so that only the size can be refused.
     for (const std::size_t at : {16u, 20u}) bytes.replace(at, 4, std::string("\0\0\x3e\x80", 4));
     std::uint32_t crc = 0xffffffff;
     for (std::size_t i = 12; i < 29; ++i) {
@@ -128,11 +128,11 @@ TEST(Png, AShortFileThatClaimsAHugePictureIsRefused) {
 TEST(Jpeg, GrayAndInksBecomeColor) {
     write_file(scratch("g.jpg"), jpeg_of(JCS_GRAYSCALE, 1, 77));
     EXPECT_NEAR(load_rgb8(scratch("g.jpg")).at(3, 3).b, 77, 2);
-    write_file(scratch("k.jpg"), jpeg_of(JCS_CMYK, 4, 255));  // Adobe's inverted inks: 255 is no ink
+    write_file(scratch("k.jpg"), jpeg_of(JCS_CMYK, 4, 255));  // Adobe's inverted CMYK: 255 is no ink
     EXPECT_NEAR(load_rgb8(scratch("k.jpg")).at(3, 3).r, 255, 2);
 }
 
-// 4 x 2 half floats: column + 0.5, the blue of one pixel as given.
+// 4 x 2 half floats: column + 0.5, with the given blue value at one pixel.
 fs::path half_floats(Imf::RgbaChannels channels, float odd_blue) {
     Imf::Array2D<Imf::Rgba> pixels(2, 4);
     for (int y = 0; y < 2; ++y)
@@ -180,7 +180,7 @@ TEST(SplatPly, FlippedBytesNeverCrash) {
     splats.resize(4);
     save_splat_ply(scratch("s.ply"), splats);
     damage(scratch("s.ply"), 1500, [] { (void)load_splat_ply(scratch("s.ply")); });
-    // Rows without a single byte, and more of them than there is memory.
+    // Zero-byte rows, in a number that exceeds memory.
     write_file(
         scratch("e.ply"),
         std::string_view("ply\nformat binary_little_endian 1.0\nelement vertex 18446744073709551615\nend_header\n"));

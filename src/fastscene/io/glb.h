@@ -1,4 +1,4 @@
-// glTF binary with KHR_gaussian_splatting, read. Private to io/; splat_io.h is the door.
+// Reads glTF binary with KHR_gaussian_splatting. Private to io/; the public interface is splat_io.h.
 #pragma once
 
 #include <cstdint>

@@ -50,7 +50,7 @@ class Glb {
         Splats all;
         for (const Placed& part : parts) all.sh_degree = std::max(all.sh_degree, degree_of(*part.primitive));
         for (const Placed& part : parts) append_primitive(all, part);
-        // One file is drawn one way: that of its first part.
+        // A file has a single rendering mode: that of its first primitive.
         const Json& first = *parts.front().primitive;
         all.antialias = first.contains("extras") && first.at("extras").is_object() &&
                         first.at("extras").value("antialiased", Json()) == Json(true);
@@ -72,7 +72,7 @@ class Glb {
         const auto found = owner.is_object() ? owner.find(name) : owner.end();
         return found != owner.end() && found->is_array() ? *found : none;
     }
-    // A whole number of 0 or more.
+    // A nonnegative integer.
     std::size_t whole(const Json& owner, const char* name, std::optional<std::size_t> otherwise = {}) const {
         if (!owner.is_object() || !owner.contains(name)) {
             if (otherwise) return *otherwise;
@@ -101,7 +101,7 @@ class Glb {
         return out;
     }
 
-    // A node may turn, move and scale evenly; anything else is not a Gaussian's business.
+    // A node may rotate, translate and scale uniformly; other transforms do not preserve Gaussians' parameters.
     Similarity placement(const Json& node) const {
         const auto m = numbers(node, "matrix", {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1});
         const auto r = numbers(node, "rotation", {0, 0, 0, 1}), t = numbers(node, "translation", {0, 0, 0}),
@@ -149,7 +149,7 @@ class Glb {
         if (const std::size_t scene = whole(json_, "scene", 0); scene < scenes.size()) {
             for (const Json& node : list(scenes[scene], "nodes"))
                 if (node.is_number_unsigned()) visit(item("nodes", node.get<std::size_t>()), {}, 0, out);
-        } else {  // no scene: whatever there is
+        } else {  // no scene: uses all nodes
             for (const Json& mesh : list(json_, "meshes"))
                 for (const Json& primitive : list(mesh, "primitives"))
                     if (primitive.is_object() && primitive.contains("extensions") &&
@@ -171,7 +171,7 @@ class Glb {
         return degree;
     }
 
-    // All numbers of an attribute, `width` a splat.
+    // All numbers of an attribute, `width` per splat.
     std::vector<float> read(const Json& primitive, const std::string& name, std::size_t width) const {
         if (!has(primitive, name)) refuse(fmt::format("expected an attribute {}, found none", name));
         const Json& accessor = item("accessors", whole(primitive.at("attributes"), name.c_str()));
@@ -234,7 +234,7 @@ class Glb {
                    scale = read(primitive, prefix + "SCALE", 3);
         const auto opacity = read(primitive, prefix + "OPACITY", 1), sh0 = read(primitive, harmonic(0, 0), 3);
         const std::size_t count = opacity.size();
-        // Nodes may share a mesh, but not to make much of little.
+        // Limits the expansion of meshes shared by nodes.
         if (all.size() + count > binary_.size())
             refuse(fmt::format("expected at most {} splats in all, found more", binary_.size()));
         const auto same = [&](const std::vector<float>& values, std::size_t width) {

@@ -14,11 +14,11 @@ namespace {
 
 constexpr int kByte = 5121, kFloat = 5126, kArrayBuffer = 34962, kPoints = 0;
 
-// Collects the attributes: a buffer view, an accessor and a name each.
+// Collects attributes, each with a buffer view, an accessor and a name.
 class Attributes {
   public:
     explicit Attributes(std::size_t splats) : splats_(splats) {}
-    // `floats(i, put)` puts the numbers of splat i.
+    // `floats(i, put)` emits the numbers of splat i.
     void add(const std::string& name, const char* type,
              const std::function<void(std::size_t, const std::function<void(float)>&)>& floats) {
         const std::size_t begin = binary.size();
@@ -67,7 +67,7 @@ Attributes attributes_of(const Splats& s) {
         for (std::size_t a = 0; a < 3; ++a) low[a] = std::min(low[a], p[a]), high[a] = std::max(high[a], p[a]);
     out.accessors.back()["min"] = {low.x, low.y, low.z};
     out.accessors.back()["max"] = {high.x, high.y, high.z};
-    // What a reader without the extension shows: colored points.
+    // Fallback for readers without the extension: colored points.
     out.add_bytes("COLOR_0", "VEC4", [&](std::size_t i, std::string& bytes) {
         for (std::size_t a = 0; a < 3; ++a) bytes += static_cast<char>(byte_near((s.sh0[i][a] * kSh0 + 0.5f) * 255.f));
         bytes += static_cast<char>(byte_near(sigmoid(s.opacity_logit[i]) * 255.f));
@@ -100,7 +100,7 @@ std::string splat_glb_bytes(const Splats& world) {
                          {"projection", "perspective"}};
     Json primitive{
         {"attributes", attributes.names}, {"mode", kPoints}, {"extensions", {{"KHR_gaussian_splatting", extension}}}};
-    if (splats.antialias) primitive["extras"]["antialiased"] = true;  // the extension has no word for it
+    if (splats.antialias) primitive["extras"]["antialiased"] = true;  // the extension has no such property
     const Json json{{"asset", {{"version", "2.0"}, {"generator", "fastscene"}}},
                     {"extensionsUsed", {"KHR_gaussian_splatting"}},
                     {"scene", 0},
@@ -113,7 +113,7 @@ std::string splat_glb_bytes(const Splats& world) {
     std::string text = json.dump();
     text.append((4 - text.size() % 4) % 4, ' ');
     const std::size_t size = 12 + 8 + text.size() + 8 +
-                             attributes.binary.size();  // every attribute is a multiple of 4 long
+                             attributes.binary.size();  // every attribute's length is a multiple of 4
     if (size > 0xffffffffu) throw Error("glTF binary holds up to 4 GiB, found {} bytes", size);
     std::string out;
     for (const std::uint32_t v :

@@ -15,7 +15,7 @@ namespace fs = std::filesystem;
 
 enum class Format { png, jpeg, webp, tiff, exr, pfm, radiance };
 
-// What users take for a picture that can be read, by its first bytes.
+// Recognizes unsupported picture formats by their first bytes, for error messages.
 std::string other_format(std::string_view bytes) {
     using namespace std::string_view_literals;
     if (bytes.empty()) return "an empty file";
@@ -46,14 +46,14 @@ std::string other_format(std::string_view bytes) {
     return "something else";
 }
 
-// By content, not by name: users rename files.
+// By content instead of extension: users rename files.
 Format format_of(const fs::path& path, std::string_view bytes) {
     const auto begins = [&](std::string_view with) { return bytes.substr(0, with.size()) == with; };
     if (begins("\x89PNG\r\n\x1a\n")) return Format::png;
     if (begins("\xff\xd8")) return Format::jpeg;
     if (begins("RIFF") && bytes.size() >= 12 && bytes.substr(8, 4) == "WEBP") return Format::webp;
     for (const std::string_view tiff :
-         {std::string_view("II\x2a\0", 4), std::string_view("MM\0\x2a", 4),  // and of more than 4 GiB
+         {std::string_view("II\x2a\0", 4), std::string_view("MM\0\x2a", 4),  // BigTIFF, for more than 4 GiB
           std::string_view("II\x2b\0", 4), std::string_view("MM\0\x2b", 4)})
         if (begins(tiff)) return Format::tiff;
     if (begins("\x76\x2f\x31\x01")) return Format::exr;

@@ -8,7 +8,7 @@ namespace fastscene {
 
 std::string inflated(std::string_view packed, const std::filesystem::path& path) {
     constexpr std::size_t largest = std::size_t{1} << 28;
-    constexpr int either_kind = 15 + 32;  // window bits; + 32 tells gzip from zlib by the header
+    constexpr int either_kind = 15 + 32;  // window bits; + 32 detects gzip or zlib by the header
     z_stream stream{};
     if (inflateInit2(&stream, either_kind) != Z_OK) throw Error("{}: zlib cannot start", path.string());
     stream.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(packed.data()));

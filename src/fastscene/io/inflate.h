@@ -1,4 +1,4 @@
-// Data packed by gzip or zlib.
+// Decompression of gzip and zlib data.
 #pragma once
 
 #include <filesystem>
@@ -7,7 +7,7 @@
 
 namespace fastscene {
 
-// Unpacks a whole stream of either kind. `path` names the data in errors. Throws Error when it is damaged, cut off or
+// Decompresses a whole stream of either kind. `path` names it in errors. Throws Error if it is damaged, truncated or
 // larger than 256 MiB.
 std::string inflated(std::string_view packed, const std::filesystem::path& path);
 

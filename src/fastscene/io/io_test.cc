@@ -30,7 +30,7 @@ ImageRgb8 noise(int width, int height) {
              static_cast<std::uint8_t>(random.index(256))};
     return image;
 }
-// Smooth, so that JPEG keeps it.
+// Smooth, so that JPEG preserves it.
 ImageRgb8 ramp(int width, int height) {
     ImageRgb8 image(width, height);
     for (int y = 0; y < height; ++y)
@@ -103,7 +103,7 @@ TEST(FloatMaps, RoundTripsKeepEveryBit) {
     EXPECT_EQ(load_float(scratch("a.pfm")), map);
 }
 
-// Every format, cut off and damaged everywhere: an Error or a picture, never a crash.
+// Every format, truncated and damaged everywhere: an Error or a picture, never a crash.
 TEST(Pictures, DamagedFilesAreErrors) {
     save_png(scratch("f.png"), noise(16, 8));
     save_jpeg(scratch("f.jpg"), ramp(16, 8));
@@ -145,7 +145,7 @@ TEST(SplatPly, HasSixtyTwoFloatsAndRoundTrips) {
         save_splat_ply(scratch("s.ply"), splats);
         const Ply ply(scratch("s.ply"));
         EXPECT_EQ(ply.element("vertex").stride, 62u * 4);
-        EXPECT_EQ(load_splat_ply(scratch("s.ply")), splats);  // bands of zeros are no bands
+        EXPECT_EQ(load_splat_ply(scratch("s.ply")), splats);  // all-zero SH degrees are dropped
         save_splat_ply(scratch("s.ply"), splats, PlyBands::present);
         EXPECT_EQ(Ply(scratch("s.ply")).element("vertex").properties.size(),
                   17u + 3 * static_cast<std::size_t>(splats.rest_coefficients()));
@@ -166,7 +166,7 @@ TEST(SplatPly, DamagedFilesAreErrors) {
     EXPECT_THROW(load_splat_ply(scratch("t.ply")), Error);
 }
 
-// Decodes what compressed_ply.cc wrote, by the format's own description.
+// An independent decoder, written from the format's description.
 TEST(CompressedPly, DecodesWithinTheFormatsSteps) {
     Splats splats = some_splats(700, 1);
     save_compressed_ply(scratch("c.ply"), splats);
@@ -194,7 +194,7 @@ TEST(CompressedPly, DecodesWithinTheFormatsSteps) {
         const std::uint32_t p = packed("packed_position"), c = packed("packed_color"), r = packed("packed_rotation");
         const Vec3f mean{between("", "x", bits(p, 21, 11)), between("", "y", bits(p, 11, 10)),
                          between("", "z", bits(p, 0, 11))};
-        // The nearest original is the one that was meant.
+        // Matched to the nearest original.
         std::size_t best = 0;
         for (std::size_t k = 1; k < splats.size(); ++k)
             if (length(splats.mean_m[k] - mean) < length(splats.mean_m[best] - mean)) best = k;
@@ -258,7 +258,7 @@ TEST(Views, RoundTrip) {
     EXPECT_EQ(back.points[7].position_m, set.points[7].position_m);
     EXPECT_EQ(back.points[7].radius_m, set.points[7].radius_m);
     EXPECT_EQ(back.points[7].color, set.points[7].color);
-    // For loaders that count bytes a vertex is 27 of them, and the first that come.
+    // For loaders with fixed record sizes: a vertex has 27 bytes, and vertices come first.
     const std::string ply = read_file(dir / "sparse" / "0" / "points3D.ply");
     const std::size_t vertex = ply.find("end_header\n") + 11 + 27 * 7;
     float x = 0;
@@ -297,7 +297,7 @@ TEST(Viewer, TheCameraIsTurnedIntoTheViewersFrame) {
     EXPECT_NE(viewer_settings(scene).find("\"position\":[-1.0,-2.0,3.0]"), std::string::npos);
 }
 
-// A page with only the places of the viewer that are written to, each once.
+// A minimal page with the patterns that the viewer patches, each once.
 fs::path small_viewer(const std::string& script) {
     const fs::path dir = scratch("small_viewer");
     fs::create_directories(dir);

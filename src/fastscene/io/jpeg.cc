@@ -1,5 +1,5 @@
 #include <cstdio>
-// libjpeg's header needs FILE and size_t to be known.
+// libjpeg's header requires FILE and size_t to be declared.
 #include <jpeglib.h>
 
 #include <csetjmp>
@@ -26,7 +26,7 @@ void on_error(j_common_ptr info) {
     manager->base.format_message(info, manager->message);
     std::longjmp(manager->jump, 1);
 }
-// libjpeg calls a truncated file a warning and fills it with gray; for us it is broken.
+// libjpeg only warns about truncated files and fills them with gray; we treat them as errors.
 void on_message(j_common_ptr info, int level) {
     if (level < 0) on_error(info);
 }
@@ -70,7 +70,7 @@ bool decode(std::string_view bytes, bool header_only, int& width, int& height, s
             JSAMPLE* row = pixels.data() +
                            static_cast<std::size_t>(info.output_scanline) * static_cast<std::size_t>(width) * 3;
             jpeg_read_scanlines(&info, &row, 1);
-            // Adobe writes inverted inks: color = ink * key / 255.
+            // Adobe writes inverted CMYK: color = ink * key / 255.
             if (ink)
                 for (std::size_t x = 0; x < static_cast<std::size_t>(width); ++x)
                     for (std::size_t c = 0; c < 3; ++c)
@@ -104,7 +104,7 @@ bool encode(const ImageRgb8& image, int quality, std::string& out, std::string& 
     info.in_color_space = JCS_RGB;
     jpeg_set_defaults(&info);
     jpeg_set_quality(&info, quality, TRUE);
-    // Full color resolution: red on gray stays sharp.
+    // No chroma subsampling: red on gray stays sharp.
     info.comp_info[0].h_samp_factor = info.comp_info[0].v_samp_factor = 1;
     jpeg_start_compress(&info, TRUE);
     while (info.next_scanline < info.image_height) {

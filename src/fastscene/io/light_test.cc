@@ -1,4 +1,4 @@
-// Pictures from cameras and light probes: EXIF's orientation, Radiance, floats of three colors.
+// Pictures from cameras and light probes: EXIF orientation, Radiance, three-channel floats.
 #include <ImfRgbaFile.h>
 #include <gtest/gtest.h>
 
@@ -18,7 +18,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// A TIFF block with one entry: the orientation.
+// A TIFF block with one entry, the orientation.
 std::string exif_block(int orientation, bool little) {
     const auto n = [&](unsigned value, int bytes) {
         std::string out;
@@ -36,8 +36,7 @@ std::string jpeg_with_exif(const std::string& jpeg, const std::string& block) {
 }
 
 TEST(Orientation, EveryOneOfEightIsUndone) {
-    // a b c      as shown; each orientation is how a camera may have stored it.
-    // d e f
+    // a b c      as displayed; each orientation is a way in which a camera may have stored it. d e f
     const auto picture = [](int w, int h, const std::string& text) {
         ImageMask out(w, h);
         for (std::size_t i = 0; i < out.size(); ++i) out.pixels[i] = static_cast<std::uint8_t>(text.at(i));
@@ -50,7 +49,7 @@ TEST(Orientation, EveryOneOfEightIsUndone) {
     EXPECT_EQ(upright(picture(3, 2, "defabc"), 4), shown);
     EXPECT_EQ(upright(picture(2, 3, "adbecf"), 5), shown);
     EXPECT_EQ(upright(picture(2, 3, "cfbead"), 6),
-              shown);  // to be turned clockwise: the stored left column is the top row
+              shown);  // rotated clockwise for display: the stored left column is the top row
     EXPECT_EQ(upright(picture(2, 3, "fcebda"), 7), shown);
     EXPECT_EQ(upright(picture(2, 3, "daebfc"), 8), shown);
 }
@@ -66,7 +65,7 @@ TEST(Exif, OrientationIsFoundOrOne) {
         for (const bool little : {false, true})
             EXPECT_EQ(orientation(jpeg_with_exif(jpeg, exif_block(value, little))), value);
     EXPECT_EQ(orientation(jpeg_with_exif(jpeg, exif_block(9, true))), 1);
-    // Damaged in every byte: an orientation, and the picture stays readable.
+    // Every byte damaged in turn: the picture must stay readable.
     const std::string whole = jpeg_with_exif(jpeg, exif_block(6, true));
     for (std::size_t i = 6; i < 6 + 32; ++i) {
         std::string broken = whole;
@@ -80,7 +79,7 @@ TEST(Exif, PngSaysItInAChunk) {
     save_png(scratch("o.png"), ImageRgb8(16, 8));
     const std::string png = read_file(scratch("o.png")), block = exif_block(8, false);
     std::string chunk = std::string("\0\0\0", 3) + static_cast<char>(block.size()) + "eXIf" + block +
-                        "\x01\x02\x03\x04";  // the checksum is not ours to judge
+                        "\x01\x02\x03\x04";  // the checksum is not verified
     write_file(scratch("o.png"), png.substr(0, 33) + chunk + png.substr(33));
     EXPECT_EQ(picture_info(scratch("o.png")).orientation, 8);
 }

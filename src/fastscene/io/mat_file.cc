@@ -12,7 +12,7 @@
 namespace fastscene {
 namespace {
 
-// Types of data elements (MAT-File Format, table 1-1) and the one class of arrays that is read here.
+// Data element types (MAT-File Format, table 1-1), and the only array class that is supported.
 constexpr std::uint32_t kInt8 = 1, kUint8 = 2, kInt16 = 3, kUint16 = 4, kInt32 = 5, kUint32 = 6, kDouble = 9,
                         kMatrix = 14, kCompressed = 15;
 constexpr std::uint32_t kDoubleClass = 6;
@@ -31,7 +31,7 @@ class Elements {
     Element next() {
         if (at_end()) throw broken("a data element");
         const std::uint32_t tag = word(0);
-        if (tag >> 16) {  // the small form: size and type share a word, up to four bytes follow
+        if (tag >> 16) {  // the small form: size and type share a word, followed by up to four bytes
             const std::size_t size = tag >> 16;
             if (size > 4) throw broken("a small data element of at most 4 bytes");
             const Element element{tag & 0xffff, bytes_.substr(4, size)};
@@ -41,7 +41,7 @@ class Elements {
         const std::size_t size = word(4);
         if (size > bytes_.size() - 8) throw broken("a data element of " + std::to_string(size) + " bytes");
         const Element element{tag, bytes_.substr(8, size)};
-        // Elements are padded to 8 bytes, compressed ones are not.
+        // Elements are padded to 8 bytes, except compressed ones.
         const std::size_t whole = tag == kCompressed ? size : (size + 7) / 8 * 8;
         bytes_.remove_prefix(std::min(8 + whole, bytes_.size()));
         return element;
@@ -68,7 +68,7 @@ void append_numbers(std::vector<double>& out, std::string_view data) {
         out.push_back(static_cast<double>(value));
     }
 }
-// MATLAB stores whole numbers of a double matrix in a smaller type where they fit.
+// MATLAB stores integer-valued double matrices in a smaller type if they fit.
 std::vector<double> numbers(const Element& element, const Elements& place) {
     std::vector<double> out;
     switch (element.type) {
@@ -104,7 +104,7 @@ std::optional<Named> read_matrix(std::string_view bytes, const std::filesystem::
     Named out{std::string(name.data), {static_cast<int>(sides[0]), static_cast<int>(sides[1]), {}}};
     out.matrix.values.resize(values.size());
     const auto rows = static_cast<std::size_t>(sides[0]), columns = static_cast<std::size_t>(sides[1]);
-    for (std::size_t i = 0; i < rows; ++i)  // columns come first in the file
+    for (std::size_t i = 0; i < rows; ++i)  // column-major in the file
         for (std::size_t j = 0; j < columns; ++j) out.matrix.values[i * columns + j] = values[j * rows + i];
     return out;
 }

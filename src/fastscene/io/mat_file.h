@@ -1,4 +1,4 @@
-// MATLAB's MAT files, version 5: as much of them as parameter files of published methods use.
+// MATLAB's MAT files, version 5, as far as published parameter files need it.
 #pragma once
 
 #include <filesystem>
@@ -8,13 +8,13 @@
 
 namespace fastscene {
 
-// A real matrix; values row by row.
+// A real matrix in row-major order.
 struct MatMatrix {
     int rows = 0, columns = 0;
     std::vector<double> values;
 };
-// All two-dimensional real double matrices of the file, by name; others are passed over.
-// Throws Error naming the file and what is wrong with it.
+// All two-dimensional real double matrices of the file, by name; others are skipped. Throws Error naming the file and
+// the problem.
 std::map<std::string, MatMatrix> load_mat_file(const std::filesystem::path& path);
 
 }  // namespace fastscene

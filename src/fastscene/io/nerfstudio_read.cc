@@ -45,7 +45,7 @@ class Transforms {
         throw Error("{}: {}{}{}", file_.string(), where, where.empty() ? "" : ": ", what);
     }
 
-    // A number of the frame, or of the file for all frames.
+    // A number of the frame, or the file's default for all frames.
     std::optional<double> number(const Json& frame, const std::string& where, const char* name) const {
         const Json* owner = frame.contains(name) ? &frame : json_.contains(name) ? &json_ : nullptr;
         if (!owner) return {};
@@ -67,8 +67,8 @@ class Transforms {
         return owner && owner->at(name) == Json(true);
     }
 
-    // The name below another folder: with all of its own folders, without the first …, at last alone. Rigs of several
-    // cameras have pictures of the same last name.
+    // Suffixes of a path, from all its folders down to the file name alone. Pictures of multi-camera rigs share file
+    // names.
     static std::vector<fs::path> tails(const fs::path& name) {
         std::vector<fs::path> out;
         for (auto begin = name.begin(); begin != name.end(); ++begin) {
@@ -82,7 +82,7 @@ class Transforms {
     static void check_own_pictures(const std::vector<Photo>& photos) {
         std::map<fs::path, std::string> owners;
         for (const Photo& photo : photos) {
-            if (!fs::is_regular_file(photo.file)) continue;  // left out later, and said
+            if (!fs::is_regular_file(photo.file)) continue;  // dropped later, with a warning
             if (const auto [owner, is_new] = owners.try_emplace(photo.file, photo.name);
                 !is_new && owner->second != photo.name)
                 throw Error("--images: expected a picture of its own for each frame, found {} for both {} and {}",
@@ -90,7 +90,7 @@ class Transforms {
         }
     }
 
-    // NeRF's files leave the ending away; smaller copies lie in images_2, images_4 …
+    // NeRF's files omit the extension; downsampled copies are in images_2, images_4 …
     fs::path picture(const std::string& name) const {
         std::vector<fs::path> places;
         const fs::path path(name);
@@ -121,8 +121,7 @@ class Transforms {
             return {};
         }
     }
-    // Of the first picture that can be read: what is missing or damaged will be left out, and its camera is as the
-    // others.
+    // Size of the first readable picture: missing and damaged ones will be dropped, and all have the same camera.
     std::optional<PictureInfo> usual_picture() {
         const Json& frames = json_.at("frames");
         for (std::size_t i = 0; i < frames.size() && !usual_picture_; ++i)
@@ -130,7 +129,7 @@ class Transforms {
         return usual_picture_;
     }
 
-    // nerfstudio's word for the lens, or instant-ngp's flags.
+    // nerfstudio's camera model, or instant-ngp's flags.
     std::string lens_name(const Json& frame, const std::string& where) const {
         for (const char* other : {"ftheta_p0", "orthographic", "equirectangular"})
             if (frame.contains(other) || json_.contains(other))
@@ -192,7 +191,7 @@ class Transforms {
         return lens;
     }
 
-    // Camera to world with the camera's y up and z back: its second and third columns change their signs.
+    // Camera to world in OpenGL axes (y up, z back): the second and third columns change sign.
     Rigidd pose(const Json& frame, const std::string& where) const {
         std::array<std::array<double, 4>, 3> m{};
         try {
@@ -241,7 +240,7 @@ class Transforms {
     std::optional<PictureInfo> usual_picture_;
 };
 
-// NeRF's synthetic sets come in parts, of which the first is for training.
+// NeRF's synthetic sets have several splits; the first is for training.
 fs::path transforms_in(const fs::path& dir) {
     const fs::path part = dir / "transforms_train.json";
     return !fs::exists(dir / "transforms.json") && fs::exists(part) ? part : dir / "transforms.json";

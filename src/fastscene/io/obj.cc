@@ -10,7 +10,7 @@
 namespace fastscene {
 namespace {
 
-constexpr float kSmoothCosine = 0.766f;  // 40 degrees: edges sharper than that stay edges
+constexpr float kSmoothCosine = 0.766f;  // 40 degrees: sharper edges are not smoothed
 
 struct Corner {
     int position = -1, uv = -1, normal = -1;
@@ -32,7 +32,7 @@ class Words {
         rest_ = end == std::string_view::npos ? std::string_view{} : rest_.substr(end);
         return word;
     }
-    // Names may hold blanks.
+    // Names may contain spaces.
     std::string_view all() const {
         const auto begin = rest_.find_first_not_of(" \t\r"), end = rest_.find_last_not_of(" \t\r");
         return begin == std::string_view::npos ? std::string_view{} : rest_.substr(begin, end - begin + 1);
@@ -172,7 +172,7 @@ class Reader {
                      positions_[static_cast<std::size_t>(f.corners[2].position)] - a);
     }
 
-    // The mean of the faces around a position that lie within 40 degrees of this one, weighted by area.
+    // The area-weighted mean normal of the faces around a position that deviate by less than 40 degrees from this one.
     Vec3f smooth_normal(std::size_t position, Vec3f own) const {
         Vec3f sum{};
         const Vec3f unit = normalize(own);
@@ -191,8 +191,8 @@ class Reader {
         std::vector<ObjGroup> groups(model_.materials.size());
         for (Face& face : faces_) {
             Vec3f own = face_normal(face);
-            if (!(length(own) > 0)) continue;  // no area
-            // Some exporters wind the faces the other way than their normals.
+            if (!(length(own) > 0)) continue;  // zero area
+            // Some exporters' winding contradicts their normals.
             Vec3f told{};
             for (const Corner& c : face.corners)
                 if (c.normal >= 0) told += normals_[static_cast<std::size_t>(c.normal)];

@@ -1,4 +1,4 @@
-// Zip archives and OBJ models: what a furniture pack is made of.
+// Zip archives and OBJ models, the ingredients of a furniture pack.
 #include <gtest/gtest.h>
 #include <zlib.h>
 
@@ -34,7 +34,7 @@ std::string deflated(const std::string& text) {
     return out;
 }
 
-// One entry, written as PKWARE's APPNOTE has it.
+// One entry, written by PKWARE's APPNOTE.
 std::string archive(const std::string& name, const std::string& text, bool packed) {
     const std::string data = packed ? deflated(text) : text;
     const auto crc = static_cast<std::uint32_t>(

@@ -6,7 +6,7 @@
 #include "fastscene/base/file.h"
 #include "fastscene/io/formats.h"
 
-// Portable float map: "Pf", width, height, scale (negative: little endian), then rows from BOTTOM to top.
+// Portable float map: "Pf", width, height, scale (negative: little endian), then rows from bottom to top.
 namespace fastscene {
 namespace {
 
@@ -48,7 +48,7 @@ std::size_t row_bytes(const PfmHeader& header, std::size_t channels) {
     return sizeof(float) * channels * static_cast<std::size_t>(header.width);
 }
 
-// Before memory is asked for.
+// Before memory is allocated.
 void check_length(const fs::path& path, std::string_view bytes, const PfmHeader& header, std::size_t channels) {
     const std::size_t expected = header.data + row_bytes(header, channels) * static_cast<std::size_t>(header.height);
     if (bytes.size() < expected)
@@ -56,7 +56,7 @@ void check_length(const fs::path& path, std::string_view bytes, const PfmHeader&
                     header.height, bytes.size());
 }
 
-// `channels` floats a pixel, the lowest row first.
+// `channels` floats per pixel, bottom row first.
 void read_rows(std::string_view bytes, const PfmHeader& header, std::size_t channels, float* pixels) {
     const std::size_t row = row_bytes(header, channels), rows = static_cast<std::size_t>(header.height);
     for (std::size_t y = 0; y < rows; ++y)

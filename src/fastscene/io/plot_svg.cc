@@ -20,13 +20,13 @@ std::string escaped(const std::string& text) {
 }
 
 struct Span {
-    double low = 0, high = 0;  // zero always shows
+    double low = 0, high = 0;  // zero is always included
     void hold(double v) {
         if (!std::isfinite(v)) return;
         low = std::min(low, v);
         high = std::max(high, v);
     }
-    // 1, 2 or 5 times a power of ten, about five of them.
+    // 1, 2 or 5 times a power of ten, giving about five ticks.
     double step() const {
         const double rough = std::max(high - low, 1e-9) / 5, power = std::pow(10, std::floor(std::log10(rough)));
         return rough <= power ? power : rough <= 2 * power ? 2 * power : rough <= 5 * power ? 5 * power : 10 * power;

@@ -1,4 +1,4 @@
-// Plots: curves with points as an SVG file that stands alone, for reports.
+// Plots: curves as a self-contained SVG file, for reports.
 #pragma once
 
 #include <filesystem>
@@ -18,7 +18,7 @@ struct Plot {
     std::string title, x_label, y_label;
     std::vector<PlotCurve> curves;
 };
-// Plots beside each other with common scales; equal names have equal colors. Throws Error when it cannot be written.
+// Plots side by side with common scales; equal names have equal colors. Throws Error if the file cannot be written.
 void save_plots_svg(const std::filesystem::path& path, const std::vector<Plot>& plots);
 
 }  // namespace fastscene

@@ -20,7 +20,7 @@ constexpr Type kTypes[] = {{"char", "int8", 1, 'i'},     {"uchar", "uint8", 1, '
                            {"ushort", "uint16", 2, 'u'}, {"int", "int32", 4, 'i'},     {"uint", "uint32", 4, 'u'},
                            {"float", "float32", 4, 'f'}, {"double", "float64", 8, 'f'}};
 constexpr std::size_t kLongestComment = 1 << 20;
-// A row of more is no row of points.
+// Sanity limit on columns.
 constexpr std::size_t kMostProperties = 1000;
 
 const Type* type_named(const std::string& name) {
@@ -47,7 +47,7 @@ Ply::Ply(const std::filesystem::path& path) : path_(path), bytes_(read_file(path
 
 std::string Ply::next_line() {
     const std::size_t end = bytes_.find('\n', at_);
-    // A header line is short, but for what programs note about themselves; anything longer is not a header.
+    // Header lines are short, except for programs' comments; anything longer is not a header.
     if (end == std::string::npos || end - at_ > (bytes_.compare(at_, 8, "comment ") == 0 ? kLongestComment : 1000))
         throw Error("{}: byte {}: expected a PLY header line, found none", path_.string(), at_);
     std::string line = bytes_.substr(at_, end - at_);
@@ -102,7 +102,7 @@ void Ply::place_binary_rows() {
         if (element.has_list) return;
         element.data = at_;
         const std::size_t left = bytes_.size() - at_;
-        // A row without properties has no end.
+        // Elements without properties have zero-byte rows, so their count would be unlimited.
         if (element.count > left / std::max<std::size_t>(element.stride, 1))
             throw Error("{}: byte {}: expected {} rows of {} bytes for \"{}\", found {} bytes", path_.string(), at_,
                         element.count, element.stride, element.name, left);
@@ -121,7 +121,7 @@ void Ply::swap_bytes() {
     }
 }
 
-// The rows of a text become the rows of a binary file: all numbers doubles.
+// Converts text rows to binary rows of doubles.
 void Ply::read_text_rows() {
     std::string rows;
     for (PlyElement& element : elements_) {
@@ -130,7 +130,7 @@ void Ply::read_text_rows() {
         element.stride = 8 * element.properties.size();
         for (std::size_t i = 0; i < element.properties.size(); ++i)
             element.properties[i] = {element.properties[i].name, 8, 'f', 8 * i};
-        // A number takes two characters with the space before the next.
+        // Each number takes at least two characters, including a separator.
         if (element.count > (bytes_.size() - at_ + 1) / std::max<std::size_t>(2 * element.properties.size(), 1))
             throw Error("{}: byte {}: expected {} rows of {} numbers for \"{}\", found {} bytes", path_.string(), at_,
                         element.count, element.properties.size(), element.name, bytes_.size() - at_);
@@ -191,7 +191,7 @@ double Ply::value(const PlyElement& element, std::size_t row, int property) cons
 std::vector<int> sh_columns(const Ply& ply, const PlyElement& element, int& degree) {
     std::vector<int> all;
     for (int at; (at = Ply::find(element, fmt::format("f_rest_{}", all.size()))) >= 0;) all.push_back(at);
-    std::size_t here = 0, found = 5;  // coefficients a channel; the degree
+    std::size_t here = 0, found = 5;  // coefficients per channel; the degree
     for (std::size_t d = 0; d <= 4; ++d)
         if (const std::size_t k = (d + 1) * (d + 1) - 1; all.size() == 3 * k) here = k, found = d;
     if (found > 4)

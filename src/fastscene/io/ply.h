@@ -1,4 +1,4 @@
-// The PLY container: elements with named scalar properties, as text or binary of either byte order. Private to io/.
+// The PLY container: elements with named scalar properties, text or binary of either byte order. Private to io/.
 #pragma once
 
 #include <array>
@@ -22,23 +22,24 @@ struct PlyElement {
     std::string name;
     std::size_t count = 0, stride = 0;
     std::vector<PlyProperty> properties;
-    std::size_t data = 0;   // where its rows begin in the bytes
-    bool has_list = false;  // such as the faces of a mesh: not read, nor what follows
+    std::size_t data = 0;   // offset of its rows
+    bool has_list = false;  // such as the faces of a mesh: neither it nor what follows is read
 };
 
 // A parsed file. Sizes are checked against the file before anything is allocated.
 class Ply {
   public:
-    // Throws Error naming the file, the byte or the line, what was expected and found.
+    // Throws Error naming the file, the byte or line, expected and actual.
     explicit Ply(const std::filesystem::path& path);
 
     const std::filesystem::path& path() const { return path_; }
     const std::vector<std::string>& comments() const { return comments_; }
     bool has(std::string_view name) const;
-    const PlyElement& element(std::string_view name) const;  // throws Error when absent, or not readable behind a list
+    // throws Error if absent, or unreadable because it follows a list
+    const PlyElement& element(std::string_view name) const;
     // Index of a property, or -1.
     static int find(const PlyElement& element, std::string_view name);
-    // Throws Error when absent.
+    // Throws Error if absent.
     int property(const PlyElement& element, std::string_view name) const;
     double value(const PlyElement& element, std::size_t row, int property) const;
     float number(const PlyElement& element, std::size_t row, int property) const {
@@ -56,17 +57,17 @@ class Ply {
 
     std::filesystem::path path_;
     std::string bytes_;
-    std::size_t at_ = 0;  // while parsing
+    std::size_t at_ = 0;  // parser position
     std::vector<PlyElement> elements_;
     std::vector<std::string> comments_;
 };
 
-// The columns f_rest_* that we keep, channel-major, and the degree they make: files may have 0, 9, 24, 45 or 72 (degree
-// 4, of which the first three bands are kept). Throws Error for another number.
+// The f_rest_* columns to keep, channel-major, and their degree: files may have 0, 9, 24, 45 or 72 (degree 4, of which
+// the first three degrees are kept). Throws Error for another number.
 std::vector<int> sh_columns(const Ply& ply, const PlyElement& element, int& degree);
 
-// What a header says of splats beyond their columns, in Brush's words, which splat-transform and gsplat share:
-// "SplatRenderMode: mip". Postshot's "antialiased 1" is understood, too.
+// Header comments about splats, in the convention shared by Brush, splat-transform and gsplat: "SplatRenderMode: mip".
+// Postshot's "antialiased 1" is read, too.
 std::string ply_comments(const Splats& splats);
 bool is_antialiased(const Ply& ply);
 

@@ -8,8 +8,8 @@
 #include "fastscene/base/file.h"
 #include "fastscene/io/formats.h"
 
-// libpng reports errors by longjmp. Everything that owns memory is therefore declared before setjmp, and
-// nothing with a destructor is created after it.
+// libpng reports errors by longjmp. Therefore everything that owns memory is declared before setjmp, and nothing with a
+// destructor is created after it.
 namespace fastscene {
 namespace {
 
@@ -19,7 +19,7 @@ struct Source {
     const std::string* bytes;
     std::size_t at = 0;
     std::string message;
-    std::vector<png_bytep> rows;  // here, not on the stack: setjmp loses changes of locals
+    std::vector<png_bytep> rows;  // a member, since longjmp may discard changes of locals
 };
 
 void on_error(png_structp png, png_const_charp message) {
@@ -34,7 +34,7 @@ void on_read(png_structp png, png_bytep out, png_size_t size) {
     source->at += size;
 }
 
-// Apart from the function that setjmp returns to, whose locals may not change.
+// Separate from the function that calls setjmp, whose locals must not change.
 [[gnu::noinline]] void make_rows(Source& source, std::vector<png_byte>& pixels, std::size_t stride,
                                  std::size_t height) {
     pixels.resize(stride * height);
@@ -44,8 +44,8 @@ void on_read(png_structp png, png_bytep out, png_size_t size) {
 
 enum class Wanted { rgb8, rgba8, gray8, gray16 };
 
-// Rows as asked for: 3 or 1 bytes, or 2 bytes big endian, a pixel.
-// Never inlined: setjmp forgives no variable of a caller.
+// Decodes rows of 3 or 1 bytes, or 2 bytes big endian, per pixel. Never inlined, so that setjmp does not affect a
+// caller's variables.
 [[gnu::noinline]] bool decode(const std::string& bytes, Wanted wanted, int& width, int& height,
                               std::vector<png_byte>& pixels, std::string& message) {
     Source source{&bytes, 0, {}, {}};
@@ -58,13 +58,14 @@ enum class Wanted { rgb8, rgba8, gray8, gray16 };
     }
     png_set_read_fn(png, &source, on_read);
     png_set_user_limits(png, kMaxPictureSide, kMaxPictureSide);
-    // Samples are taken as sRGB whatever the file says: with a gamma chunk libpng would blend alpha in linear light,
+    // Samples are treated as sRGB whatever the file says; with a gamma chunk libpng would blend alpha in linear light,
     // without one not.
     static constexpr png_byte kColorChunks[] = "gAMA\0sRGB\0cHRM\0iCCP";
     png_set_keep_unknown_chunks(png, PNG_HANDLE_CHUNK_NEVER, kColorChunks, 4);
     png_read_info(png, info);
     const png_byte type = png_get_color_type(png, info), depth = png_get_bit_depth(png, info);
-    // Deflate shrinks at most about 1032 times: a short file with a huge header is refused before memory is asked for.
+    // Deflate compresses by at most about 1032:1, so a short file with a huge header is refused before memory is
+    // allocated.
     if (!plausible_size(png_get_image_width(png, info), png_get_image_height(png, info)) ||
         png_get_rowbytes(png, info) * png_get_image_height(png, info) / 1100 > bytes.size())
         png_error(png, "a size that the file cannot hold");
@@ -124,7 +125,7 @@ bool encode(const png_byte* pixels, int width, int height, int type, int depth, 
             static_cast<std::string*>(png_get_io_ptr(p))->append(reinterpret_cast<const char*>(data), size);
         },
         [](png_structp) {});
-    // Level 4 with the Sub/Up/Paeth choice left to libpng: a third of the time of the default, 3 % larger files.
+    // Level 4 with the filter choice left to libpng: a third of the default's time, 3 % larger files.
     png_set_compression_level(png, 4);
     png_set_IHDR(png, info, static_cast<png_uint_32>(width), static_cast<png_uint_32>(height), depth, type,
                  PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
@@ -186,10 +187,10 @@ ImageMask png_alpha(std::string_view bytes, const std::string& where) {
 
 namespace {
 
-// 8 bits are a picture of a map: 256 ranges, in a unit that nobody tells.
+// An 8-bit picture cannot be a range map: only 256 values, in an unknown unit.
 void check_map(const fs::path& path, std::string_view bytes) {
     constexpr std::size_t kDepthAt = 24, kTypeAt = 25;  // in the chunk IHDR
-    if (bytes.size() <= kTypeAt) return;                // the decoder says so
+    if (bytes.size() <= kTypeAt) return;                // the decoder will report it
     const int depth = static_cast<unsigned char>(bytes[kDepthAt]), type = static_cast<unsigned char>(bytes[kTypeAt]);
     if (depth == 16 && !(type & PNG_COLOR_MASK_COLOR)) return;
     throw Error("{}: expected a map of one number a pixel (PNG: 16-bit gray, in millimetres), found {} bits of {}",

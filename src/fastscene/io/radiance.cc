@@ -1,6 +1,6 @@
-// Radiance RGBE (Ward 1991): a text header, "-Y height +X width", then rows of four bytes a pixel: three mantissas with
-// one exponent. Rows are bare, run-length coded by pixel (the first form) or by channel (the later one, marked by 2, 2
-// and the width).
+// Radiance RGBE (Ward 1991): a text header, "-Y height +X width", then rows of four bytes per pixel: three mantissas
+// with a shared exponent. Rows are uncompressed, run-length coded by pixel (old format) or by channel (new format,
+// marked by 2, 2 and the width).
 #include <array>
 #include <cmath>
 #include <cstdint>
@@ -19,7 +19,7 @@ using Rgbe = std::array<std::uint8_t, 4>;
 
 struct RadianceHeader {
     int width = 0, height = 0;
-    std::size_t data = 0;  // where the rows begin
+    std::size_t data = 0;  // offset of the rows
 };
 
 RadianceHeader radiance_header(const fs::path& path, std::string_view bytes) {
@@ -45,7 +45,7 @@ RadianceHeader radiance_header(const fs::path& path, std::string_view bytes) {
     return header;
 }
 
-// Takes rows off a file's bytes.
+// Reads rows from a file's content.
 class Rows {
   public:
     Rows(const fs::path& path, std::string_view bytes, std::size_t at) : path_(path), bytes_(bytes), at_(at) {}
@@ -66,7 +66,7 @@ class Rows {
     }
 
   private:
-    // Bare pixels, among which (1, 1, 1, n) repeats the one before; a further one right after counts in 256ths.
+    // Old format: (1, 1, 1, n) repeats the previous pixel n times; directly following ones count multiples of 256.
     void read_pixels(std::vector<Rgbe>& row) {
         int shift = 0;
         for (std::size_t x = 0; x < row.size();) {
@@ -114,7 +114,7 @@ PictureInfo radiance_info(const fs::path& path, std::string_view bytes) {
 
 ImageColor decode_radiance(const fs::path& path, std::string_view bytes) {
     const RadianceHeader header = radiance_header(path, bytes);
-    // A row takes at least 8 bytes however it is packed.
+    // A row takes at least 8 bytes, even compressed.
     if (!plausible_size(header.width, header.height) || static_cast<std::size_t>(header.height) * 8 > bytes.size())
         throw Error("{}: expected a size that the file can hold, found {} x {} in {} bytes", path.string(),
                     header.width, header.height, bytes.size());

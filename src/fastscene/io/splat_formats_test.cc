@@ -1,5 +1,5 @@
-// Splats through every format: what comes back is what went in, within the steps of the format; byte facts that other
-// programs rely on; files that other programs write. (Other programs themselves are asked in tests/readers.)
+// Round trips of splats through every format, within its quantization; byte layouts that other programs rely on; files
+// written by other programs. (tests/readers runs the other programs themselves.)
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -22,7 +22,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Largest differences; the rotations by the axes they turn to.
+// Maximum differences; rotations are compared by the axes they produce.
 struct Difference {
     float mean = 0, log_scale = 0, rotation = 0, logit = 0, sh0 = 0, sh_rest = 0;
 };
@@ -67,7 +67,7 @@ TEST(SplatFormats, SpzRoundTripsWithinItsSteps) {
             }
 }
 
-// Which way of drawing splats were made for is in every file, and in none that were made for the usual one.
+// Every format preserves the antialiasing flag, and does not add it.
 TEST(SplatFormats, AntialiasingIsKept) {
     for (const bool antialias : {false, true}) {
         Splats splats = some_splats(300, 1);
@@ -83,7 +83,7 @@ TEST(SplatFormats, AntialiasingIsKept) {
     }
 }
 
-// Postshot's words for the same.
+// Postshot's spelling of the same.
 TEST(SplatFormats, AntialiasingInPostshotsWords) {
     save_splat_ply(scratch("p.ply"), some_splats(2, 0));
     const std::string plain = read_file(scratch("p.ply"));
@@ -120,7 +120,7 @@ TEST(SplatFormats, CompressedPlyRoundTripsWithinItsSteps) {
         EXPECT_EQ(back.format, SplatFormat::compressed_ply);
         ASSERT_EQ(back.splats.size(), 600u);
         ASSERT_EQ(back.splats.sh_degree, degree);
-        // They come back in another order: each original has its nearest.
+        // The order changes: each original is matched with its nearest splat.
         std::vector<std::uint32_t> order;
         for (std::size_t i = 0; i < splats.size(); ++i) {
             std::uint32_t best = 0;
@@ -140,7 +140,7 @@ TEST(SplatFormats, CompressedPlyRoundTripsWithinItsSteps) {
     }
 }
 
-// Splats that share a chunk share its bounds: those of the room must not be stored in steps as wide as the sky's.
+// Splats of a chunk share its bounds: a room's must not be quantized with the sky's.
 TEST(SplatFormats, ARoomUnderAFarSkyKeepsItsPlacesInCompressedPly) {
     Splats splats = some_splats(3000, 0);
     std::size_t faint = 0;
@@ -156,14 +156,14 @@ TEST(SplatFormats, ARoomUnderAFarSkyKeepsItsPlacesInCompressedPly) {
         float nearest = 1e9f;
         for (const Vec3f p : back.mean_m) nearest = std::min(nearest, length(p - splats.mean_m[i]));
         const bool off = nearest > 0.01f;
-        EXPECT_TRUE(!off || i % 10 == 7) << i << " is off by " << nearest;  // only what is hardly seen
+        EXPECT_TRUE(!off || i % 10 == 7) << i << " is off by " << nearest;  // only hardly visible ones
         lost += off;
     }
     EXPECT_LT(lost, 256u);
     EXPECT_GT(faint, 256u);
 }
 
-// One splat that no half turn leaves alone, in the frame that each format's readers expect.
+// A splat without rotational symmetry, in the frame that each format's readers expect.
 TEST(SplatFormats, AxesOfEachFormat) {
     Splats s = some_splats(1, 1);
     s.mean_m[0] = {1, 2, 3};
@@ -172,7 +172,7 @@ TEST(SplatFormats, AxesOfEachFormat) {
     const std::string spz = spz_bytes(s, 4), glb = splat_glb_bytes(s);
     EXPECT_EQ(number_at<std::uint32_t>(spz, 0), 0x5053474eu);
     EXPECT_EQ(number_at<std::uint32_t>(spz, 4), 4u);
-    // The place in glTF: x left, y up, z forward; the turn k q with k a half turn about z, as x y z w.
+    // The position in glTF: x left, y up, z forward; the rotation k q with k a half turn about z, as x y z w.
     const std::size_t binary = 12 + 8 + number_at<std::uint32_t>(glb, 12) + 8;
     EXPECT_EQ(number_at<float>(glb, binary), -1.f);
     EXPECT_EQ(number_at<float>(glb, binary + 4), -2.f);
@@ -203,7 +203,7 @@ TEST(SplatFormats, SpzRefusesPlacesItCannotHold) {
 }
 
 TEST(SplatFormats, PlyInAnyColumnOrderAndEncoding) {
-    // As text, columns shuffled, SH of degree 1, two scales (flat Gaussians), doubles, and a mesh's faces behind.
+    // Text, shuffled columns, SH degree 1, two scales (2D Gaussians), doubles, followed by a mesh's faces.
     write_file(scratch("t.ply"),
                std::string_view(
                    "ply\r\nformat ascii 1.0\r\ncomment x\nelement vertex 1\nproperty float opacity\nproperty double "
@@ -266,13 +266,13 @@ TEST(SplatFormats, GlbNodesTurnAndScale) {
     };
     with_node({{"mesh", 0}, {"scale", {2, 2, 2}}, {"rotation", {0, 0, 0.70710678, 0.70710678}}});
     const Splats s = load_splats(scratch("n.glb")).splats;
-    // glTF's (x, y, z) becomes 2 (-y, x, z) + (1, 0, 0); both have -x and -y of the world.
+    // glTF's (x, y, z) becomes 2 (-y, x, z) + (1, 0, 0); both have the world's -x and -y.
     EXPECT_NEAR(s.mean_m[0].x, -(2 * splats.mean_m[0].y + 1), 1e-5f);
     EXPECT_NEAR(s.mean_m[0].y, 2 * splats.mean_m[0].x, 1e-5f);
     EXPECT_NEAR(s.log_scale[0].x, splats.log_scale[0].x + std::log(2.f), 1e-5f);
     with_node({{"mesh", 0}, {"scale", {2, 1, 2}}});
     EXPECT_THROW(load_splats(scratch("n.glb")), Error);
-    with_node({{"mesh", 0}, {"children", {0}}});  // a ring
+    with_node({{"mesh", 0}, {"children", {0}}});  // a cycle
     EXPECT_THROW(load_splats(scratch("n.glb")), Error);
 }
 

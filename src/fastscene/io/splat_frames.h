@@ -1,6 +1,5 @@
-// The axes of the splat formats, measured with one-sided splats against other programs. All are half turns, and so
-// their own inverse: the same matrix leads to the file and back. PLY, compressed PLY and SOG have the world's axes.
-// Private to io/.
+// The axes of the splat formats, verified against other programs with asymmetric splats. All are half turns, so the
+// same matrix converts in both directions. PLY, compressed PLY and SOG use the world's axes. Private to io/.
 #pragma once
 
 #include "fastscene/math/rigid.h"

@@ -26,7 +26,7 @@ Mat3d file_from_world(SplatFormat format) {
 
 namespace {
 
-// A position that SPZ cannot hold is told with the file's name.
+// Adds the file's name to the error about positions beyond SPZ's range.
 std::string spz_bytes_for(const fs::path& path, const Splats& splats, int version) {
     try {
         return spz_bytes(splats, version);

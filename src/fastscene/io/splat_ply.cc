@@ -64,7 +64,7 @@ Splats splats_of_ply(const Ply& ply) {
     const auto mean = three({"x", "y", "z"}), dc = three({"f_dc_0", "f_dc_1", "f_dc_2"}),
                rot = three({"rot_1", "rot_2", "rot_3"});
     const int w = ply.property(v, "rot_0"), opacity = ply.property(v, "opacity");
-    // Files of flat Gaussians (2DGS) have two scales: such a disc gets a hundredth of its smaller radius as thickness.
+    // 2D Gaussian files (2DGS) have two scales: such a disc gets a hundredth of its smaller radius as thickness.
     const std::array<int, 3> scale{ply.property(v, "scale_0"), ply.property(v, "scale_1"), Ply::find(v, "scale_2")};
     Splats splats;
     splats.antialias = is_antialiased(ply);

@@ -1,4 +1,4 @@
-// Niantic's SPZ, read. Private to io/; splat_io.h is the door.
+// Reads Niantic's SPZ. Private to io/; the public interface is splat_io.h.
 #pragma once
 
 #include <filesystem>

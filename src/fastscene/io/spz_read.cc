@@ -43,8 +43,8 @@ SpzHeader parse_header(ByteReader& in) {
     return h;
 }
 
-// Unpacks as it goes: memory grows only with bytes that are really there. Stops above `limit` (known once the header is
-// out).
+// Decompresses incrementally: memory grows only with actual data. Stops above `limit` (known once the header is
+// decoded).
 std::string gunzip(const fs::path& path, std::string_view bytes, std::size_t& expected, bool& may_go_on) {
     z_stream z{};
     if (inflateInit2(&z, 16 + 15) != Z_OK) throw std::bad_alloc();

@@ -27,7 +27,7 @@ void append_fixed(std::string& out, float metres) {
     for (int shift = 0; shift < 24; shift += 8) out += static_cast<char>(fixed >> shift & 255);
 }
 
-// Version 3: the largest of x y z w is left out; for the others a sign and 9 bits of size.
+// Version 3, smallest three encoding: the largest of x y z w is omitted; the others have a sign and 9 bits.
 std::uint32_t bits_of_smallest_three(const std::array<float, 4>& xyzw) {
     const std::size_t largest = largest_of(xyzw);
     const bool negated = xyzw[largest] < 0;
@@ -46,7 +46,7 @@ void append_rotation(std::string& out, Quatf q, int version) {
     for (const float v : {x, y, z}) out += static_cast<char>(byte_near(v * (w < 0 ? -127.5f : 127.5f) + 127.5f));
 }
 
-// 5 bits for degree 1, 4 above.
+// 5 bits for degree 1, 4 bits above.
 char sh_byte(float v, std::size_t coefficient) {
     const int step = coefficient < 3 ? 8 : 16;
     const int q = (static_cast<int>(std::round(std::clamp(v, -8.f, 8.f) * 128.f)) + 128 + step / 2);
@@ -56,7 +56,7 @@ char sh_byte(float v, std::size_t coefficient) {
 Streams streams_of(const Splats& world, int version) {
     Splats s = world;
     transform(s, {kSpzFromWorld, 1, {}});
-    // Readers and writers of SPZ turn the local axes, too: the same Gaussian.
+    // SPZ implementations also rotate the local axes, which leaves the Gaussian unchanged.
     for (Quatf& q : s.rotation) q = q * Quatf{0, -1, 0, 0};
     Streams out;
     const auto k = static_cast<std::size_t>(s.rest_coefficients());
@@ -105,7 +105,7 @@ std::string zstd(const std::string& bytes) {
     return out;
 }
 
-// The first 15 bytes of every version, and the one that differs.
+// The first 15 bytes of every version, and the version-specific byte.
 std::string header(const Splats& splats, int version, std::uint8_t last) {
     std::string out;
     append(out, kSpzMagic);
@@ -130,7 +130,7 @@ std::string spz_bytes(const Splats& splats, int version) {
     }
     const std::size_t count = splats.sh_degree > 0 ? kSpzStreams : kSpzStreams - 1;
     std::string out = header(splats, version, static_cast<std::uint8_t>(count)), data;
-    append(out, static_cast<std::uint32_t>(kSpzHeader4));  // where the table begins
+    append(out, static_cast<std::uint32_t>(kSpzHeader4));  // offset of the table
     out.append(12, '\0');
     for (std::size_t i = 0; i < count; ++i) {
         const std::string packed = zstd(streams[i]);

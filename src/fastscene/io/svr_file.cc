@@ -22,8 +22,8 @@ double number_of(std::string_view text, const std::filesystem::path& path, int l
     return value;
 }
 
-// `count`: support vectors that the file says it has. A regression without some of them gives a score too, and a wrong
-// one.
+// `count`: number of support vectors according to the file. With some missing, the regression would silently give a
+// wrong score.
 void check_model(const SvrModel& model, double count, const std::filesystem::path& path) {
     if (count != static_cast<double>(model.weights.size()))
         throw Error("{}: expected {} support vectors as its head says, found {} (cut off?)", path.string(), count,
@@ -35,7 +35,7 @@ void check_model(const SvrModel& model, double count, const std::filesystem::pat
     if (!(model.gamma > 0)) throw Error("{}: expected gamma > 0, found {}", path.string(), model.gamma);
 }
 
-// One line "weight 1:a 2:b …"; features that are left out are 0.
+// One line "weight 1:a 2:b …"; omitted features are 0.
 void read_support_vector(const std::string& line, SvrModel& model, const std::filesystem::path& path, int number) {
     std::istringstream words(line);
     std::string word;
@@ -59,7 +59,7 @@ void read_support_vector(const std::string& line, SvrModel& model, const std::fi
     model.vectors.insert(model.vectors.end(), vector.begin(), vector.end());
 }
 
-// The numbers of a YAML flow list "key: [ a, b, … ]" found after `from`; `from` moves behind it.
+// The numbers of a YAML flow list "key: [ a, b, … ]" after position `from`, which is advanced.
 std::optional<std::vector<double>> yaml_list(std::string_view text, std::string_view key, std::size_t& from,
                                              const std::filesystem::path& path) {
     const std::size_t at = text.find(key, from);

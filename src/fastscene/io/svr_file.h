@@ -1,4 +1,4 @@
-// Support vector regression with a Gaussian kernel, as libsvm and OpenCV store it: the trained part of BRISQUE.
+// Support vector regression with a Gaussian kernel, in libsvm's and OpenCV's file formats: the trained part of BRISQUE.
 #pragma once
 
 #include <filesystem>
@@ -14,16 +14,16 @@ struct SvrModel {
     std::vector<double> vectors;  // weights.size() x features
     double value(const std::vector<double>& x) const;
 };
-// Each feature goes linearly from [low, high] to [-1, 1]; outside it goes on linearly.
+// Maps each feature linearly from [low, high] to [-1, 1], extrapolating outside.
 struct FeatureRanges {
     std::vector<double> low, high;
     std::vector<double> scaled(const std::vector<double>& x) const;
 };
 
-// libsvm's text forms: the model of svm-train (epsilon_svr, rbf) and the ranges of svm-scale -s (to -1 … 1).
+// libsvm's text formats: models of svm-train (epsilon_svr, rbf) and ranges of svm-scale -s (to -1 … 1).
 SvrModel load_libsvm_model(const std::filesystem::path& path);
 FeatureRanges load_libsvm_ranges(const std::filesystem::path& path);
-// OpenCV's YAML forms: cv::ml::SVM (EPS_SVR, RBF) and a 2-row matrix "range" (low, high).
+// OpenCV's YAML formats: cv::ml::SVM (EPS_SVR, RBF) and a 2-row matrix "range" (low, high).
 SvrModel load_opencv_svr(const std::filesystem::path& path);
 FeatureRanges load_opencv_ranges(const std::filesystem::path& path);
 

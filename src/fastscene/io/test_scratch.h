@@ -1,4 +1,4 @@
-// For tests: a file of the running suite's own among the temporary ones.
+// For tests: a temporary file specific to the running test suite.
 #pragma once
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// Splats of no scene, for the tests of files.
+// Random splats for the tests of file formats.
 #pragma once
 
 #include "fastscene/base/random.h"
@@ -6,7 +6,7 @@
 
 namespace fastscene {
 
-// Every field is filled. The same count and degree give the same splats.
+// All fields are set. Deterministic in count and degree.
 inline Splats some_splats(std::size_t count, int degree) {
     Random random(2, "splats");
     Splats s;

@@ -11,8 +11,8 @@
 
 #include "fastscene/io/formats.h"
 
-// The first picture of a file. Colors of any kind are left to libtiff, which makes 8 bits of them; numbers are read as
-// they stand.
+// Reads the first picture of a file. Color of any kind is converted to 8 bits by libtiff; numeric maps are read as
+// stored.
 namespace fastscene {
 namespace {
 
@@ -21,7 +21,7 @@ namespace fs = std::filesystem;
 struct Source {
     std::string_view bytes;
     std::size_t at = 0;
-    std::string message;  // the first thing that libtiff had to say
+    std::string message;  // libtiff's first message
 };
 
 tmsize_t on_read(thandle_t handle, void* out, tmsize_t size) {
@@ -74,26 +74,26 @@ class Tiff {
     }
     Tiff(const Tiff&) = delete;
 
-    // What libtiff said, or what we know.
+    // Throws with libtiff's message, or else with ours.
     [[noreturn]] void refuse(const std::string& otherwise) const {
         throw Error("{}: expected a whole TIFF picture, found: {}", where_,
                     source_.message.empty() ? otherwise : source_.message);
     }
 
-    // Red, green, blue and alpha in a word, colors over black, rows as stored.
+    // Packed RGBA words, blended over black, rows as stored.
     std::vector<std::uint32_t> colors() {
         check_size();
         char why[1024] = "";
         if (!TIFFRGBAImageOK(file_.get(), why)) refuse(why);
         std::vector<std::uint32_t> out(static_cast<std::size_t>(info.width) * static_cast<std::size_t>(info.height));
-        // Asked for in the file's own orientation, nothing is turned.
+        // Requested in the file's own orientation, so nothing is rotated.
         if (!TIFFReadRGBAImageOriented(file_.get(), static_cast<std::uint32_t>(info.width),
                                        static_cast<std::uint32_t>(info.height), out.data(), info.orientation, 1))
             refuse("damaged data");
         return out;
     }
 
-    // The numbers of all pixels, of one size, samples beside each other.
+    // Interleaved samples of all pixels, of one type.
     template <class T>
     std::vector<T> numbers() {
         check_size();
@@ -127,7 +127,7 @@ class Tiff {
         return out;
     }
 
-    // Floats of 16, 32 or 64 bits as floats; programs save maps in any of them.
+    // Converts floats of 16, 32 or 64 bits; programs store maps in any of them.
     std::vector<float> floats() {
         if (bits == 32) return numbers<float>();
         std::vector<float> out;
@@ -138,7 +138,7 @@ class Tiff {
         return out;
     }
     bool holds_floats() const { return info.light && (bits == 16 || bits == 32 || bits == 64); }
-    // Whether the last sample says how opaque a pixel is, and the ones before it have not been multiplied by that.
+    // Whether the last sample is unassociated alpha (not premultiplied).
     bool has_loose_alpha() const {
         std::uint16_t count = 0, *kinds = nullptr;
         return TIFFGetField(file_.get(), TIFFTAG_EXTRASAMPLES, &count, &kinds) == 1 && count == 1 &&
@@ -159,8 +159,8 @@ class Tiff {
         TIFFGetField(file_.get(), tag, &value);
         return value;
     }
-    // Deflate and LZW shrink at most some thousand times: a short file with a huge directory is refused before memory
-    // is asked for.
+    // Deflate and LZW compress by at most some thousand times, so a short file with a huge directory is refused before
+    // memory is allocated.
     void check_size() const {
         if (!plausible_size(info.width, info.height) || samples < 1 || samples > 16 || bits < 1 || bits > 64)
             throw Error("{}: expected a whole TIFF picture, found: {} x {} pixels of {} times {} bits", where_,
@@ -233,7 +233,7 @@ ImageColor decode_tiff_light(std::string_view bytes, const std::string& where) {
     ImageColor image(tiff.info.width, tiff.info.height);
     for (std::size_t i = 0; i < image.size(); ++i) {
         const float* p = &numbers[i * static_cast<std::size_t>(tiff.samples)];
-        const float opaque = see_through ? p[tiff.samples - 1] : 1;  // over black
+        const float opaque = see_through ? p[tiff.samples - 1] : 1;  // blended over black
         image.pixels[i] = (colors ? Vec3f{p[0], p[1], p[2]} : Vec3f{p[0], p[0], p[0]}) * opaque;
     }
     return image;

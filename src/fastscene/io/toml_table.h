@@ -1,5 +1,5 @@
-// A TOML table as it is read: every key that is asked for is known, and a key that nobody asked for is a typo. Errors
-// name file, line and key.
+// A TOML table with strict keys: every requested key is checked, and unknown keys are errors. Errors name file, line
+// and key.
 #pragma once
 
 #include <set>
@@ -13,12 +13,12 @@
 
 namespace fastscene {
 
-// Throws Error with file and line where the text is no TOML.
+// Throws Error with file and line if the text is not valid TOML.
 toml::table parse_toml(std::string_view text, const std::string& file);
 
 class TomlTable {
   public:
-    // `where` names the table in errors ("[[scene]]"; empty: the top); `keys`: all that it may hold.
+    // `where` names the table in errors ("[[scene]]"; empty: the top level); `keys`: all allowed keys.
     TomlTable(const toml::table& table, std::string file, std::string where, const std::vector<std::string>& keys);
 
     bool has(std::string_view key) const { return table_.contains(key); }
@@ -32,13 +32,13 @@ class TomlTable {
     std::vector<const toml::table*> tables(std::string_view key) const;  // [[key]]
     const toml::table* table(std::string_view key) const;                // [key], or null
 
-    // The same for keys that must be there; `expected` says in the error what belongs there.
+    // The same for required keys; `expected` describes the value in the error.
     std::string needed_text(std::string_view key, const std::string& expected = "a text in quotes") const;
     double needed_number(std::string_view key, double low, double high) const;
     int needed_whole(std::string_view key, int low, int high) const;
     bool needed_flag(std::string_view key) const;
     const toml::table& needed_table(std::string_view key) const;
-    // The index of one of these names.
+    // The index among these names.
     std::size_t needed_choice(std::string_view key, std::span<const std::string_view> names) const;
     std::size_t choice_of(std::string_view key, const std::string& word, std::span<const std::string_view> names) const;
 
@@ -47,7 +47,7 @@ class TomlTable {
 
     // "file:line: [[scene]]: key: …"
     [[noreturn]] void fail(std::string_view key, const std::string& text) const;
-    // The same, at the line of an item of a list.
+    // The same, at the line of a list item.
     [[noreturn]] void fail_item(std::string_view key, std::size_t index, const std::string& text) const;
     [[noreturn]] void fail_missing(std::string_view key, const std::string& expected) const;
     std::string place(std::string_view key) const;
@@ -58,9 +58,9 @@ class TomlTable {
     std::string file_, where_;
 };
 
-// The nearest of the known words, as the end of a sentence: "; did you mean X?", or the list of all.
+// A suggestion to end an error message: "; did you mean X?", or the list of all.
 std::string meant(const std::string& word, const std::vector<std::string>& known);
-// A value as a person would write it.
+// A value formatted as in TOML.
 std::string shown(const toml::node& node);
 
 }  // namespace fastscene

@@ -17,8 +17,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// 3DGS loaders read this file when it is there; ours also finds the radii in it, behind the vertices: some loaders
-// count bytes and would take a column that they do not know for the next vertex.
+// 3DGS loaders read this file if it exists; ours also stores the radii, in an element after the vertices: some loaders
+// assume fixed record sizes and would misread an additional vertex column.
 void save_points_ply(const fs::path& path, const std::vector<SurfacePoint>& points) {
     std::string out = fmt::format("ply\nformat binary_little_endian 1.0\nelement vertex {}\n", points.size());
     for (const char* name : {"x", "y", "z", "nx", "ny", "nz"}) out += fmt::format("property float {}\n", name);
@@ -41,7 +41,7 @@ std::vector<SurfacePoint> load_points_ply(const fs::path& path) {
     const int nx = Ply::find(v, "nx"), ny = Ply::find(v, "ny"), nz = Ply::find(v, "nz");
     const PlyElement& spacing = ply.has("spacing") && ply.element("spacing").count == v.count
                                     ? ply.element("spacing")
-                                    : v;  // v: as older files have it
+                                    : v;  // v: the name in older files
     const int radius = Ply::find(spacing, "radius");
     std::vector<SurfacePoint> points(v.count);
     for (std::size_t i = 0; i < v.count; ++i) {
@@ -58,7 +58,7 @@ std::vector<SurfacePoint> load_points_ply(const fs::path& path) {
     return points;
 }
 
-// nerfstudio: camera-to-world in OpenGL's axes (y up, z back): the second and third column change sign.
+// nerfstudio: camera-to-world in OpenGL's axes (y up, z back): the second and third columns change sign.
 Json transforms_json(const std::vector<View>& views) {
     Json frames = Json::array();
     for (const View& view : views) {

@@ -1,4 +1,4 @@
-// Views in files: COLMAP's sparse model (text and binary), nerfstudio's transforms.json, points.
+// View files: COLMAP's sparse model (text and binary), nerfstudio's transforms.json, points.
 #pragma once
 
 #include <filesystem>
@@ -7,11 +7,11 @@
 
 namespace fastscene {
 
-// Writes DIR/images/*.png, DIR/weights/*.png (only views that have weights),
-// DIR/sparse/0/{cameras,images,points3D}.{txt,bin}, DIR/sparse/0/points3D.ply (with nx ny nz; the radii follow as an
-// element of their own) and DIR/transforms.json. Deterministic.
+// Writes DIR/images/*.png, DIR/weights/*.png (only for views with weights),
+// DIR/sparse/0/{cameras,images,points3D}.{txt,bin}, DIR/sparse/0/points3D.ply (with nx ny nz; radii in an additional
+// element) and DIR/transforms.json. Deterministic.
 void save_views(const std::filesystem::path& dir, const ViewSet& views);
-// The cameras and points alone, as DIR/{cameras,images,points3D}.{txt,bin}.
+// Only cameras and points, as DIR/{cameras,images,points3D}.{txt,bin}.
 void save_views_model(const std::filesystem::path& dir, const ViewSet& views);
 // Reads what save_views wrote (from the binary model and points3D.ply).
 ViewSet load_views(const std::filesystem::path& dir);

@@ -18,7 +18,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Replaces the one occurrence of `what`. The viewer is pinned exactly; a page without the pattern is another version.
+// Replaces the only occurrence of `what`. The viewer's version is pinned; a page without the pattern is another
+// version.
 void replace_once(std::string& page, std::string_view what, std::string_view by, const fs::path& file) {
     const std::size_t at = page.find(what);
     if (at == std::string::npos)
@@ -38,7 +39,7 @@ std::string html_escaped(std::string text) {
     return text;
 }
 
-// The package's licence, and that of the engine inside it, travel with the page.
+// The licences of the package and of its engine, included in the page.
 std::string notices(const fs::path& viewer_dir) {
     std::string text = "Made by fastscene. Shown by @playcanvas/supersplat-viewer and the PlayCanvas engine (MIT):\n";
     for (const fs::path& file : {viewer_dir / "LICENSE", viewer_dir.parent_path() / "LICENSE"})
@@ -46,7 +47,7 @@ std::string notices(const fs::path& viewer_dir) {
             text += read_file(file);
             break;
         }
-    // Two dashes in a row would end the comment.
+    // Two consecutive dashes would end the comment.
     for (std::size_t i = 1; i < text.size(); ++i)
         if (text[i] == '-' && text[i - 1] == '-') text.insert(i, " ");
     return text;
@@ -56,7 +57,7 @@ Json viewer_point(Vec3f world) { return {-world.x, -world.y, world.z}; }
 
 double tenth_of_millimetre(float metres) { return std::round(metres * 1e4) / 1e4; }
 
-// What the script's WalkBounds is made from, in the viewer's frame: there y points up.
+// The script's WalkBounds parameters, in the viewer's frame (y up).
 Json viewer_bounds(const WalkableArea& area) {
     Json rings = Json::array();
     for (const auto& ring : area.rings_m) {
@@ -74,18 +75,18 @@ void remove_export(std::string& script, std::string_view exported, const fs::pat
     script.erase(at, exported.size());
 }
 
-// Ties walk_bounds.mjs to the viewer's cameras; docs/decisions/0011-our-own-walk-bounds.md says why the viewer's own
-// collisions do not serve.
+// Connects walk_bounds.mjs to the viewer's cameras; docs/decisions/0011-our-own-walk-bounds.md explains why the
+// viewer's own collisions do not serve.
 void hold_camera(std::string& script, const WalkableArea& area, const fs::path& file) {
     FASTSCENE_CHECK(!area.rings_m.empty());
-    // Each step of a controller is held, then what is shown, which may be a blend of two poses.
+    // Constrains each controller step, and then the displayed pose, which may be a blend of two.
     const std::string step = "controller.update(dt, frame, target);";
     const std::string shown = "lastPosition.copy(this.camera.position);";
     replace_once(script, step, step + " walkBounds.hold(state.cameraMode, controller, target);", file);
     replace_once(script, shown, "walkBounds.holdBlend(this.camera); " + shown, file);
     const std::string made = "this.update = (deltaTime, frame) => {";
     replace_once(script, made, "walkBounds.listen(events); " + made, file);
-    // Forward is level wherever one looks; up and down have keys of their own.
+    // Forward motion is always level; up and down have separate keys.
     replace_once(script, "setCameraBasis(this._angles, forward$2, right$2, up$1);",
                  "setYawBasis(this._angles.y, forward$2, right$2); up$1.copy(Vec3.UP);", file);
     replace_once(script, "source.navigateTo(position, speedMul);",
@@ -127,9 +128,9 @@ void save_viewer_html(const fs::path& path, const Splats& splats, const ViewerSc
     std::string page = read_file(index), css = read_file(viewer_dir / "index.css"),
                 script = read_file(viewer_dir / "index.js");
 
-    // A module that is part of the page exports nothing.
+    // A module embedded in the page must not have exports.
     remove_export(script, "export { createViewer };", viewer_dir / "index.js");
-    // No map file travels along.
+    // Source maps are not included.
     if (const std::size_t map = script.rfind("//# sourceMappingURL="); map != std::string::npos) script.erase(map);
     if (scene.walkable) hold_camera(script, *scene.walkable, viewer_dir / "index.js");
     replace_all(script, "</script", "<\\/script");
@@ -140,11 +141,11 @@ void save_viewer_html(const fs::path& path, const Splats& splats, const ViewerSc
     std::string boot = bootstrap.dump();
     replace_all(boot, "</", "<\\/");
 
-    // The longest text goes in last, so that no pattern is searched for inside it.
+    // The longest text is inserted last, so that no pattern matches inside it.
     replace_once(page, "<link rel=\"stylesheet\" href=\"./index.css\" />", "<style>" + css + "</style>", index);
     replace_once(page, "<title>SuperSplat Viewer</title>",
                  "<title>" + html_escaped(scene.title) + "</title>\n<!--\n" + notices(viewer_dir) + "-->", index);
-    // Without tracks of ours the viewer would drift along a figure of its own; visitors want to stand where they are.
+    // Without our camera tracks, the viewer would animate the camera; visitors should start at rest.
     replace_once(page, "noanim: url.searchParams.has('noanim')", "noanim: !url.searchParams.has('anim')", index);
     if (splats.antialias) replace_once(page, "aa: url.searchParams.has('aa')", "aa: true", index);
     const std::size_t import_at = page.find("import { createViewer } from './index.js';");

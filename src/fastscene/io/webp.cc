@@ -28,14 +28,14 @@ WebPBitstreamFeatures features_of(std::string_view bytes, const std::string& whe
     return features;
 }
 
-// Of `channels` bytes each; transparent ones are not blended.
+// `channels` bytes per pixel; transparency is not blended.
 std::vector<std::uint8_t> pixels_of(std::string_view bytes, const std::string& where, std::size_t channels,
                                     WebPBitstreamFeatures& features) {
     features = features_of(bytes, where);
     if (features.has_animation) throw Error("{}: expected a picture, found an animated WebP", where);
     if (!plausible_size(features.width, features.height))
         throw Error("{}: expected a whole WebP picture, found: {} x {} pixels", where, features.width, features.height);
-    // How long the file says it is: one that was cut off is refused before memory is asked for.
+    // Length according to the header: truncated files are refused before memory is allocated.
     std::size_t length = 0;
     for (std::size_t i = 0; i < 4; ++i)
         length |= static_cast<std::size_t>(static_cast<unsigned char>(bytes[4 + i])) << (8 * i);

@@ -1,4 +1,4 @@
-// WebP and TIFF as other programs write them: what libwebp and libtiff encode comes back exactly, whatever the layout.
+// WebP and TIFF as other programs write them: encoded by libwebp and libtiff, decoded exactly, in any layout.
 #include <gtest/gtest.h>
 #include <tiffio.h>
 #include <webp/encode.h>
@@ -54,7 +54,7 @@ std::string number(std::uint32_t value, int bytes) {
     for (int i = 0; i < bytes; ++i) out += static_cast<char>(value >> 8 * i);
     return out;
 }
-// The same picture in the extended layout: what kinds of chunks there are, the picture, EXIF.
+// The same picture in the extended layout: chunk flags, picture data, EXIF.
 std::string extended(const std::string& simple, int width, int height, std::uint32_t flags, const std::string& exif) {
     const std::string chunks = "VP8X" + number(10, 4) + number(flags, 4) +
                                number(static_cast<std::uint32_t>(width - 1), 3) +
@@ -74,7 +74,7 @@ TEST(WebP, IsReadExactlyAndAlphaLiesOverBlack) {
         EXPECT_NEAR(color.pixels[i].g, rgba[4 * i + 1] * rgba[4 * i + 3] / 255.0, 0.51);
     }
     for (std::size_t i = 0; i < color.size(); ++i) rgba[4 * i + 3] = 255;
-    write_file(scratch("b.png"), webp(rgba, 17, 9));  // what a file is called does not matter
+    write_file(scratch("b.png"), webp(rgba, 17, 9));  // the extension does not matter
     EXPECT_EQ(std::memcmp(&load_rgb8(scratch("b.png")).pixels[5], &rgba[20], 3), 0);
     EXPECT_TRUE(load_alpha(scratch("b.png")).empty());
     EXPECT_EQ(load_mask(scratch("b.png")).width, 17);
@@ -91,7 +91,7 @@ TEST(WebP, SaysHowItLiesAndDoesNotMove) {
         EXPECT_EQ(picture_info(scratch("o.webp")).orientation, 6);
         EXPECT_EQ(load_rgb8(scratch("o.webp")).width, 6);
     }
-    write_file(scratch("o.webp"), extended(simple, 6, 4, 0x02, block));  // called an animation
+    write_file(scratch("o.webp"), extended(simple, 6, 4, 0x02, block));  // flagged as an animation
     EXPECT_THROW(load_rgb8(scratch("o.webp")), Error);
 }
 
@@ -101,7 +101,7 @@ struct Layout {
     const char* mode = "w";
 };
 
-// Values are bytes, 16-bit numbers or floats as the layout says, samples beside each other.
+// Values are bytes, 16-bit numbers or floats according to the layout, interleaved.
 void save_tiff(const fs::path& path, const void* values, int width, int height, const Layout& layout) {
     TIFF* file = TIFFOpen(path.c_str(), layout.mode);
     ASSERT_NE(file, nullptr);
@@ -197,7 +197,7 @@ TEST(TiffNumbers, AreReadAsTheyStand) {
     EXPECT_FLOAT_EQ(load_float(scratch("m.tif")).at(39, 19), 2.5f);
 }
 
-// numpy's doubles, a renderer's half floats, and light that can be seen through: black is behind, as for any picture.
+// numpy's doubles, a renderer's half floats, and radiance with alpha, blended over black as for any picture.
 TEST(TiffNumbers, OfAnyWidthAreFloats) {
     const std::vector<double> wide{0.1, 2.5, 1e-3, 30};
     save_tiff(scratch("w.tif"), wide.data(), 4, 1,
@@ -218,14 +218,14 @@ TEST(TiffNumbers, OfAnyWidthAreFloats) {
     EXPECT_EQ(length(light.at(1, 0) - Vec3f{4, 5, 6}), 0);
 }
 
-// A directory of a few bytes that promises 2^28 pixels; a picture of WebP's largest size that ends at once.
+// A directory of a few bytes that claims 2^28 pixels; a truncated WebP of maximum size.
 TEST(HostileSizes, AreRefusedBeforeMemoryIsAskedFor) {
     const std::vector<std::uint8_t> gray(8 * 8, 7);
     save_tiff(scratch("h.tif"), gray.data(), 8, 8,
               {.samples = 1, .compression = COMPRESSION_ADOBE_DEFLATE, .photometric = PHOTOMETRIC_MINISBLACK});
     std::string bytes = read_file(scratch("h.tif"));
     std::size_t found = 0;
-    for (const char tag : {'\0', '\1'}) {  // width and height: tag, short, one of them, 8
+    for (const char tag : {'\0', '\1'}) {  // width and height: tag, type short, count 1, value
         const std::string entry = std::string{tag, '\1', '\3', '\0', '\1', '\0', '\0', '\0', '\x08', '\0'};
         const std::size_t at = bytes.find(entry);
         if (at == std::string::npos) continue;

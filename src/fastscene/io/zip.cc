@@ -12,7 +12,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// PKWARE's APPNOTE: sizes of the fixed parts of the three records, and their marks.
+// PKWARE's APPNOTE: fixed sizes and signatures of the three record types.
 constexpr std::size_t kEndSize = 22, kCentralSize = 46, kLocalSize = 30, kMaxComment = 65535;
 constexpr std::uint32_t kEndMark = 0x06054b50, kCentralMark = 0x02014b50, kLocalMark = 0x04034b50;
 constexpr std::uint32_t kMaxUnpacked = 256u << 20;
@@ -51,7 +51,7 @@ ZipFile::ZipFile(fs::path path) : path_(std::move(path)) {
     if (!file) throw Error("{}: cannot be opened", path_.string());
     file.seekg(0, std::ios::end);
     file_size_ = static_cast<std::uint64_t>(std::max<std::streamoff>(0, file.tellg()));
-    // The end record stands last, before a comment of unknown length.
+    // The end record is last, followed by a comment of unknown length.
     const std::uint64_t tail_size = std::min<std::uint64_t>(file_size_, kEndSize + kMaxComment);
     const std::string tail = bytes_at(file, file_size_ - tail_size, tail_size);
     std::size_t end = std::string::npos;

@@ -1,4 +1,4 @@
-// Zip archives, read only: stored and deflated entries, as furniture packs (.sh3f) have them.
+// Reads zip archives with stored and deflated entries, as used by furniture packs (.sh3f).
 #pragma once
 
 #include <cstdint>
@@ -11,12 +11,12 @@ namespace fastscene {
 
 class ZipFile {
   public:
-    // Reads the table of contents. Throws Error when the file is missing, cut short or no zip archive.
+    // Reads the directory. Throws Error if the file is missing, truncated or not a zip archive.
     explicit ZipFile(std::filesystem::path path);
 
     bool contains(const std::string& name) const { return entries_.contains(name); }
     std::vector<std::string> names() const;
-    // The unpacked bytes. Throws Error for an unknown name, a damaged entry (its checksum is verified), encryption, or
+    // The decompressed content. Throws Error for an unknown name, a damaged entry (checksum mismatch), encryption, or
     // more than 256 MiB.
     std::string read(const std::string& name) const;
     const std::filesystem::path& path() const { return path_; }

@@ -49,7 +49,7 @@ TEST(Solve, WhatIsFoundSolvesTheEquationsAndNothingElseIsFound) {
     Random r(4, "solve");
     const auto any = [&r] { return Vec3d{r.normal(), r.normal(), r.normal()}; };
     for (int i = 0; i < 100; ++i) {
-        const Mat3d m{any(), any(), any()};  // nothing symmetric about it
+        const Mat3d m{any(), any(), any()};  // without any symmetry
         const Vec3d x = any();
         const auto found = solved(m, m * x, 1e-4);
         if (std::abs(dot(m.row0, cross(m.row1, m.row2))) <= 1e-4) continue;

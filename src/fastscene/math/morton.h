@@ -1,11 +1,11 @@
-// Morton order: along it neighbours in space are neighbours in a list.
+// Morton order (Z-order curve): neighbours in space are close in the list.
 #pragma once
 
 #include <cstdint>
 
 namespace fastscene {
 
-// Interleaves the lower 21 bits of three numbers, x lowest.
+// Interleaves the lower 21 bits of three numbers, x in the lowest bit.
 constexpr std::uint64_t morton_code(std::uint64_t x, std::uint64_t y, std::uint64_t z) {
     const auto spread = [](std::uint64_t v) {
         v &= 0x1fffff;

@@ -1,5 +1,5 @@
-// Rotations and rigid transforms. A transform is named target_from_source, so that products read
-// right:  x_b = b_from_a * x_a   and   c_from_a = c_from_b * b_from_a.
+// Rotations and rigid transforms. A transform is named target_from_source, so that products read right: x_b = b_from_a
+// * x_a and c_from_a = c_from_b * b_from_a.
 #pragma once
 
 #include <cmath>
@@ -32,7 +32,7 @@ constexpr Mat3<F> transpose(const Mat3<F>& m) {
 using Mat3f = Mat3<float>;
 using Mat3d = Mat3<double>;
 
-// A quaternion, w first; a rotation when its length is 1.
+// A quaternion, w first; a rotation if it has unit length.
 template <class F>
 struct Quat {
     F w{1}, x{}, y{}, z{};

@@ -1,4 +1,4 @@
-// Three linear equations in three unknowns.
+// 3 x 3 linear systems.
 #pragma once
 
 #include <cmath>
@@ -8,8 +8,8 @@
 
 namespace fastscene {
 
-// x with m * x = right, by Cramer's rule; nothing where |determinant of m| <= `least_determinant` (in the units of m,
-// which the caller knows), or where it is no number: the equations hang on each other then and say nothing.
+// Solves m * x = right by Cramer's rule; none if |det m| <= `least_determinant` (in the units of m) or NaN, since the
+// equations are then linearly dependent.
 template <class F>
 std::optional<Vec3<F>> solved(const Mat3<F>& m, const Vec3<F>& right, F least_determinant) {
     using std::abs;

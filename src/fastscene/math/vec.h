@@ -79,7 +79,7 @@ inline float min_component(Vec3f a) { return std::fmin(a.x, std::fmin(a.y, a.z))
 // Rec. 709 luminance of a linear color.
 inline float luminance(Vec3f c) { return 0.2126f * c.x + 0.7152f * c.y + 0.0722f * c.z; }
 
-// Two unit vectors that complete the unit vector n to a right-handed frame (s, t, n) (Duff et al. 2017).
+// Completes the unit vector n to a right-handed orthonormal frame (s, t, n) (Duff et al. 2017).
 inline void make_frame(Vec3f n, Vec3f& s, Vec3f& t) {
     const float sign = std::copysign(1.f, n.z);
     const float a = -1.f / (sign + n.z), b = n.x * n.y * a;

@@ -50,7 +50,7 @@ BrisqueModel load_brisque_model(const std::filesystem::path& model, const std::f
 }
 
 std::vector<double> brisque_features(const ImageRgb8& image, BrisqueVariant variant) {
-    constexpr int least = 4;  // below it the second scale has no neighbours to speak of
+    constexpr int least = 4;  // minimum side: below it the second scale has no usable neighbours
     if (image.width < least || image.height < least)
         throw Error("BRISQUE: expected a picture of at least {0} x {0} pixels, found {1} x {2}", least, image.width,
                     image.height);

@@ -19,7 +19,7 @@ ImageF unit_gray(const ImageRgb8& image) {
     return out;
 }
 
-// Cubic with a = -0.75 over four pixels at the position that matches, without care for aliasing; clamped at the border.
+// Bicubic with a = -0.75 at the matching position, without antialiasing; clamped at the border.
 struct Taps {
     int first = 0;
     float weight[4] = {};
@@ -76,7 +76,7 @@ ImageF structure_of(const ImageF& in) {
     const ImageF mean = blur(in), power = blur(square);
     ImageF out(in.width, in.height);
     for (std::size_t i = 0; i < in.size(); ++i) {
-        // A variance that rounding made negative has no root; such a pixel counts as even.
+        // A variance made negative by rounding counts as 0.
         const float variance = power.pixels[i] - mean.pixels[i] * mean.pixels[i];
         const float sigma = std::sqrt(variance > 0 ? variance : 0.f) + static_cast<float>(1. / 255);
         out.pixels[i] = (in.pixels[i] - mean.pixels[i]) / sigma;
@@ -84,7 +84,7 @@ ImageF structure_of(const ImageF& in) {
     return out;
 }
 
-// v(x, y) v(x + dx, y + dy); what lies outside is 0.
+// v(x, y) v(x + dx, y + dy), zero padding.
 std::vector<double> products(const ImageF& v, int dy, int dx) {
     std::vector<double> out;
     out.reserve(v.size());

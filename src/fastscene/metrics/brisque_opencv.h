@@ -1,5 +1,5 @@
-// The features of OpenCV's quality module: other border, other half size, other products, single precision.
-// Private to metrics/; the user's way is brisque.h.
+// The features of OpenCV's quality module, which differ in padding, downsampling, products and precision. Private to
+// metrics/; the public interface is brisque.h.
 #pragma once
 
 #include <vector>
@@ -8,7 +8,7 @@
 
 namespace fastscene {
 
-// 36 features; not finite where the picture is even.
+// 36 features; not finite in uniform pictures.
 std::vector<double> opencv_brisque_features(const ImageRgb8& image);
 
 }  // namespace fastscene

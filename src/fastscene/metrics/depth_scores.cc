@@ -14,7 +14,7 @@ struct Pair {
     double found, truth, weight;
 };
 
-// "ranges from 812 to 9800", "no finite one": in which unit a map without usable ranges may be.
+// "ranges from 812 to 9800", "no finite one": hints at the unit of a map without usable ranges.
 std::string span_of(const ImageF& map) {
     float low = std::numeric_limits<float>::infinity(), high = 0;
     for (const float r : map.pixels)
@@ -68,7 +68,7 @@ void align(std::vector<Pair>& pairs, DepthAlignment alignment, DepthScores& scor
             xy += p.weight * p.found * p.truth;
         }
         const double spread = w * xx - x * x;
-        // A constant map has no scale: only the shift can be right.
+        // A constant map has no scale: only a shift can be fitted.
         scores.scale = spread > 1e-12 * w * xx ? (w * xy - x * y) / spread : 0;
         scores.shift = (y - scores.scale * x) / w;
     }
@@ -84,7 +84,7 @@ DepthScores depth_scores(const ImageF& found, const ImageF& truth, const DepthSc
     align(pairs, options.alignment, s);
     double total = 0;
     for (const Pair& p : pairs) {
-        // Ratios and logarithms need something above zero: a centimetre, as the datasets' evaluations clamp.
+        // Ratios and logarithms need positive values: clamped to a centimetre, like the datasets' own evaluations.
         const double f = std::max(p.found, 0.01), error = f - p.truth, log_error = std::log(f / p.truth),
                      ratio = std::max(f / p.truth, p.truth / f);
         total += p.weight;

@@ -94,7 +94,7 @@ TEST(DepthScores, LeavesOutWhatNobodyMeasured) {
     EXPECT_EQ(depth_scores(found, truth).pixels, 2044u);
     EXPECT_THROW(depth_scores(found, ImageF(64, 32)), Error);
     EXPECT_THROW(depth_scores(found, ImageF(32, 16, 1.f)), Error);
-    // A constant map says nothing; aligned, it is the mean.
+    // A constant map carries no information; aligned, it is the mean.
     EXPECT_NEAR(depth_scores(ImageF(64, 32, 1.f), some_range()).shift, 3.5, 0.1);
 }
 

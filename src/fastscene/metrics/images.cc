@@ -20,7 +20,7 @@ namespace fastscene {
 namespace fs = std::filesystem;
 namespace {
 
-// Without names: what is measured by default, unless it lacks a file that nobody misses.
+// Without names: the default measures, except those whose optional files are missing.
 bool is_wanted(const MeasureKind& kind, const std::vector<std::string>& wanted, const fs::path& weights) {
     if (!wanted.empty()) return std::find(wanted.begin(), wanted.end(), kind.name) != wanted.end();
     if (kind.unasked == Unasked::measured_if_there) return look_for(kind, weights).absent.empty();
@@ -32,10 +32,10 @@ fs::path partner_of(const fs::path& picture, const fs::path& reference) {
 }
 
 std::optional<PictureInfo> head_of(const fs::path& picture) try { return picture_info(picture); } catch (const Error&) {
-    return {};  // damaged: left out when its turn comes
+    return {};  // damaged: skipped later, with a reason
 }
 
-// Known from the files' heads: better said before the first picture than after an hour.
+// Checks sizes from the file headers, to fail before the first picture instead of after an hour.
 void check_partners(const std::vector<fs::path>& pictures, const fs::path& reference) {
     if (!fs::exists(reference))
         throw Error("--reference {}: expected a picture or a folder, found none", reference.string());
@@ -53,10 +53,10 @@ void check_partners(const std::vector<fs::path>& pictures, const fs::path& refer
     }
 }
 
-// JSON has no infinity: equal pictures say so in words.
+// JSON has no infinity: for equal pictures it is a string.
 Json number(double v) { return std::isinf(v) ? Json(v > 0 ? "inf" : "-inf") : Json(v); }
 
-// A suite measures many folders by the same files, some of them a gigabyte long.
+// Cached, since a suite measures many folders with the same files, some of them a gigabyte long.
 std::string sha256_once(const fs::path& file) {
     static std::mutex mutex;
     static std::map<fs::path, std::tuple<std::uintmax_t, fs::file_time_type, std::string>> known;
@@ -69,7 +69,7 @@ std::string sha256_once(const fs::path& file) {
     return sha256;
 }
 
-// The measures that can be made, each on its own: one broken file costs no other measure.
+// Loads measures individually: a broken file affects only its own measure.
 class Readied {
   public:
     std::vector<ReadyMeasure> measures;
@@ -113,11 +113,11 @@ class Readied {
     }
 };
 
-// Pictures of the reference's folder that nothing is compared with.
+// Number of reference pictures without a counterpart.
 int without_picture(const std::vector<fs::path>& pictures, const fs::path& reference, const Run& run) {
     if (!fs::is_directory(reference)) return 0;
     std::vector<std::string> alone;
-    std::set<std::string> names;  // of folders of thousands
+    std::set<std::string> names;  // a set, for folders with thousands
     for (const fs::path& picture : pictures) names.insert(picture.filename().string());
     for (const fs::path& file : pictures_in(reference, "--reference"))
         if (!names.contains(file.filename().string())) alone.push_back(file.filename().string());
@@ -128,7 +128,7 @@ int without_picture(const std::vector<fs::path>& pictures, const fs::path& refer
     return static_cast<int>(alone.size());
 }
 
-// What a picture's transparency hides is black to every measure.
+// Transparent parts count as black in every measure.
 void note_alpha(const fs::path& file, Json& transparent, const Run& run) {
     const Json name = file.string();
     if (std::find(transparent.begin(), transparent.end(), name) != transparent.end() || load_alpha(file).empty())
@@ -138,19 +138,19 @@ void note_alpha(const fs::path& file, Json& transparent, const Run& run) {
 }
 
 struct PicturePair {
-    ImageRgb8 picture, reference;  // the reference is empty when there is none
+    ImageRgb8 picture, reference;  // the reference may be empty
 };
 PicturePair load_pair(const fs::path& picture, const fs::path& partner) {
     PicturePair pair{load_rgb8(picture), partner.empty() ? ImageRgb8{} : load_rgb8(partner)};
-    // A damaged head may have hidden it from check_partners, but no decoder makes another size of it.
+    // Sizes may differ here only if a damaged header was skipped by check_partners.
     if (!partner.empty() && !pair.picture.same_size(pair.reference))
         throw Error("{}: expected {} x {} as {} is, found {} x {}", partner.string(), pair.picture.width,
                     pair.picture.height, picture.string(), pair.reference.width, pair.reference.height);
     return pair;
 }
 
-// Pictures are measured a few at a time, which networks do faster; of large ones fewer, so that they take little more
-// memory than one. Six gain nothing over four: what is saved goes into clearing the larger tensors' memory.
+// Pictures are measured in batches, which networks process faster; large pictures in smaller batches, to bound memory.
+// Six at a time gain nothing over four.
 struct Loaded {
     fs::path path;
     PicturePair pair;
@@ -162,7 +162,7 @@ bool is_full(const std::vector<Loaded>& group) {
     return group.size() >= kMostTogether || pixels >= kMostPixelsTogether;
 }
 
-// Files of a folder that people take for its pictures, and that are not measured: "3 .exr, 1 .gif"; empty: none.
+// Files in a folder that look like pictures but are not measured: "3 .exr, 1 .gif"; empty: none.
 std::string other_pictures(const fs::path& folder) {
     std::map<std::string, int> counts;
     if (fs::is_directory(folder))

@@ -38,7 +38,7 @@ class Images : public testing::Test {
         for (Rgb8& p : image.pixels) p.r = p.g = p.b = static_cast<std::uint8_t>(random.index(200) + shift);
         save_png(path, image);
     }
-    // Undistorted pictures whose features are all `mean` with deviation 1.
+    // A model of pristine pictures whose features have the given mean and standard deviation 1.
     static NiqeModel plain_model(double mean) {
         NiqeModel model{std::vector<double>(kNiqeFeatures, mean), std::vector<double>(kNiqeFeatures * kNiqeFeatures)};
         for (std::size_t i = 0; i < kNiqeFeatures; ++i) model.covariance[i * kNiqeFeatures + i] = 1;
@@ -188,8 +188,8 @@ TEST_F(Images, ReferencesThatNothingIsComparedWithAreCounted) {
     EXPECT_NE(heard.notes.find("2 of its pictures have no picture of the same name"), std::string::npos) << heard.notes;
 }
 
-// CLIP in OpenAI's form, but small: one layer each, heads of 64, pictures of `patches` x `patches` patches of `patch` x
-// `patch` pixels.
+// CLIP in OpenAI's format, but tiny: one layer per tower, heads of 64, input of `patches` x `patches` patches of
+// `patch` x `patch` pixels.
 void write_tiny_clip(const fs::path& file, float size = 0.3f, std::int64_t patch = 32, std::int64_t patches = 2) {
     Weights out;
     Random random(3, "tiny clip");
@@ -235,7 +235,7 @@ TEST_F(Images, BothClipScoresAreMeasuredByTheirFormulas) {
     for (const Json& row : report["pictures"]) {
         const std::vector<float> seen = clip.of_picture(load_rgb8(root_ / "ours" / row["name"].get<std::string>()));
         EXPECT_NEAR(row["clip_b32"].get<double>(), 100 * cosine(seen, words),
-                    1e-4);  // alone and beside others: other roundings
+                    1e-4);  // rounding differs between single and batched evaluation
         EXPECT_NEAR(row["clip_s"].get<double>(), 2.5 * std::max(0.0, cosine(seen, caption)), 1e-5);
     }
     EXPECT_NE(cosine(words, caption), 1);
@@ -243,8 +243,7 @@ TEST_F(Images, BothClipScoresAreMeasuredByTheirFormulas) {
     EXPECT_EQ(report["models"]["clip_s"][0]["file"], (root_ / "ViT-B-32.pt").string());
 }
 
-// Networks see several pictures at a time: one that cannot be shown, or cannot be read, takes nothing from those beside
-// it.
+// In a batch, an invalid or unreadable picture must not affect the others.
 TEST_F(Images, OneThatClipCannotBeShownCostsNoOther) {
     write_tiny_clip(root_ / "ViT-B-32.pt");
     write_tiny_tokenizer(root_);
@@ -309,9 +308,9 @@ TEST_F(Images, ADamagedPictureIsLeftOutAndTheRestMeasured) {
     const auto cut = [&](const fs::path& path, std::size_t keep) { write_file(path, read_file(path).substr(0, keep)); };
     for (const char* name : {"c.png", "d.png", "e.png"})
         for (const char* folder : {"ours", "true"}) save(root_ / folder / name, 3, 0);
-    cut(root_ / "ours/c.png", 300);  // its head is whole
+    cut(root_ / "ours/c.png", 300);  // its header is intact
     cut(root_ / "ours/d.png", 0);
-    cut(root_ / "true/e.png", 300);  // what it is compared with
+    cut(root_ / "true/e.png", 300);  // its reference
     struct Warned : EventSink {
         std::string warnings;
         void tell(const Event& event) override {

@@ -20,13 +20,13 @@ namespace fs = std::filesystem;
 
 std::string picture_name(std::size_t i) { return fmt::format("{:02}.png", i); }
 
-// What is kept as `path` was made from the inputs of that key: NAME.key beside it says so.
+// `path` was made from the inputs with the key in NAME.key next to it.
 fs::path key_file_of(const fs::path& path) { return fs::path(path).replace_extension(".key"); }
 bool is_kept(const fs::path& path, const std::string& key) {
     return fs::exists(path) && fs::exists(key_file_of(path)) && read_file(key_file_of(path)) == key;
 }
 
-// Splats trained on other panoramas with the same settings, kept on disk because training is the long part.
+// Bounds: splats trained on other panoramas with the same settings, cached on disk since training is slow.
 Splats trained_once(const fs::path& ply, const std::function<std::vector<Panorama>()>& panoramas,
                     const TruthInputs& inputs, const Run& run) {
     if (is_kept(ply, inputs.key)) return load_splat_ply(ply);
@@ -39,7 +39,7 @@ Splats trained_once(const fs::path& ply, const std::function<std::vector<Panoram
     return splats;
 }
 
-// True panoramas at the walked poses, through 8 bits like everything that a stage reads from disk.
+// True panoramas at the walked poses, quantized to 8 bits like all stage inputs.
 std::vector<Panorama> true_panoramas(const TruthInputs& inputs, const Run& run) {
     std::vector<Panorama> panoramas{inputs.first};
     ShotParts parts = inputs.shot;
@@ -57,7 +57,7 @@ std::vector<Panorama> true_panoramas(const TruthInputs& inputs, const Run& run) 
     return panoramas;
 }
 
-// The same, and their colors kept in `dir`.
+// The same, with their colors cached in `dir`.
 std::vector<Panorama> kept_true_panoramas(const fs::path& dir, const TruthInputs& inputs, const Run& run) {
     std::vector<Panorama> panoramas = true_panoramas(inputs, run);
     make_directories(dir);
@@ -75,8 +75,7 @@ double mean_of(const std::vector<double>& values) {
     return count ? sum / count : std::numeric_limits<double>::quiet_NaN();
 }
 
-// Against the true panoramas at the walked poses: what the walk made of them, and what the splats, ours and A's, make
-// of that.
+// Compares the walk's panoramas, and the splats (ours and bound A), with the true panoramas at the walked poses.
 Json at_walked_poses(const TruthInputs& inputs, const Splats& a, const fs::path& true_panoramas, const Run& run) {
     const std::vector<ImageRgb8> walked = inputs.walked();
     FASTSCENE_CHECK(walked.size() == inputs.world_from_pano.size());
@@ -101,7 +100,7 @@ Json at_walked_poses(const TruthInputs& inputs, const Splats& a, const fs::path&
             {"splat_stage_loses_db", mean_of(lost)}};
 }
 
-// Means over the views; NaN (nothing to compare in a view) does not count.
+// Means over the views; NaN (nothing to compare) is skipped.
 class Means {
   public:
     void add(const Likeness& l) {
@@ -123,7 +122,7 @@ class Means {
     }
 
   private:
-    // Of the worst twentieth, one at least.
+    // Mean of the worst twentieth, at least one.
     double worst_mean() const {
         constexpr std::size_t kTwentieth = 20;
         std::vector<double> sorted = psnr_;
@@ -134,7 +133,7 @@ class Means {
     std::vector<double> psnr_, ssim_, seen_, unseen_;
 };
 
-// Likeness by how far from panorama 0 one stands.
+// Similarity by distance from panorama 0.
 class ByDistance {
   public:
     void add(const Rigid& pose, const Likeness& likeness) {
@@ -156,7 +155,7 @@ class ByDistance {
     }
 
   private:
-    std::array<Means, 6> bins_;  // a metre each; the last has no end
+    std::array<Means, 6> bins_;  // one metre each; the last is open-ended
 };
 
 Json view_json(const TruthPose& pose, const Likeness& l, const SplatSight& sight) {

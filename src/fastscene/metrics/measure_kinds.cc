@@ -18,7 +18,7 @@ namespace {
 constexpr int kSsimWindow = 11;
 constexpr int kClipSide = 224;
 
-// What `models pull` brings, by its own list.
+// Where `models pull` stores a model's files.
 std::string pulled_files(const std::string& model) {
     std::vector<std::string> names;
     for (const ModelFile& file : model_named(model).files) names.push_back(file.name);
@@ -44,7 +44,7 @@ std::optional<fs::path> find_in(const fs::path& weights, const std::string& alte
 
 bool is_clip(const MeasureKind& kind) { return kind.needs == Needs::prompt; }
 
-// In the folder that was named, else among the models that were pulled.
+// In the given folder, or else among the pulled models.
 std::optional<fs::path> find(const MeasureKind& kind, const fs::path& weights, const std::string& alternatives) {
     if (const auto named = find_in(weights, alternatives)) return named;
     if (kind.model.empty()) return std::nullopt;
@@ -68,8 +68,8 @@ PictureMeasure niqe_measure(const fs::path& file, NiqeGray gray) {
     return [model = load_niqe_model(file), gray](Subject& s) { return niqe(s.picture, model, gray); };
 }
 
-// The paper's 29.0 is 100 cos of picture and prompt. Hessel et al. 2021 put words before the caption and write 2.5
-// max(cos, 0).
+// The paper's 29.0 is 100 * cosine of picture and prompt. Hessel et al. 2021 prepend a phrase to the caption and use
+// 2.5 max(cos, 0).
 PictureMeasure clip_measure(const std::shared_ptr<const ClipMeasure>& clip, const std::string& prompt, bool hessel) {
     const std::vector<float> words = clip->of_text(hessel ? "A photo depicts " + prompt : prompt);
     return [clip, words, hessel](Subject& s) {
@@ -80,7 +80,7 @@ PictureMeasure clip_measure(const std::shared_ptr<const ClipMeasure>& clip, cons
     };
 }
 
-// A score is named after its network; a file that is called so may hold another.
+// The score is named after its network, so a file with another network must be rejected.
 void check_clip(const MeasureKind& kind, const fs::path& place, const ClipMeasure& clip) {
     const int patch = kind.name == "clip_l14" ? 14 : 32;
     if (clip.patch() != patch)
@@ -198,7 +198,7 @@ void look_together(std::vector<Subject>& subjects, const std::vector<ReadyMeasur
             std::vector<std::vector<float>> seen = m.clip->of_pictures(pictures);
             for (std::size_t i = 0; i < subjects.size(); ++i) subjects[i].seen[m.clip.get()] = std::move(seen[i]);
         } catch (const Error&) {
-            // One of them cannot be shown; each is tried alone by its measure.
+            // a picture was rejected; each measure will try them one by one
         }
     }
 }

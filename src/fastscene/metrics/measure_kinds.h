@@ -1,4 +1,4 @@
-// The measures of pictures: what each is called, what it needs, where its parameters lie, and how it is made ready.
+// Definitions of the picture metrics: name, requirements, parameter files, and construction.
 #pragma once
 
 #include <filesystem>
@@ -13,30 +13,30 @@
 
 namespace fastscene {
 
-// What is measured: a picture, and the one it should be where there is one (else empty).
+// A picture to measure, and its reference (or empty).
 struct Subject {
     const ImageRgb8& picture;
     const ImageRgb8& reference;
-    std::map<const ClipMeasure*, std::vector<float>> seen = {};  // by a network of CLIP; two measures read the same
+    // cached CLIP features by network; two measures share them
+    std::map<const ClipMeasure*, std::vector<float>> seen = {};
 };
-// Throws Error when the score is not defined for this picture.
+// Throws Error if the score is undefined for this picture.
 using PictureMeasure = std::function<double(Subject&)>;
 
 enum class Needs { nothing, reference, prompt };
-// What becomes of a measure that nobody asked for by name.
+// What happens to a measure that was not requested by name.
 enum class Unasked { measured, measured_if_there, left_out };
 struct MeasureKind {
     std::string name, about;
     Needs needs = Needs::nothing;
-    std::vector<std::string> files;  // below the weights' folder; alternatives joined with |
+    std::vector<std::string> files;  // relative to the weights' folder; alternatives separated by |
     std::string source;
-    std::string model;  // as `models` calls it; empty: not to be pulled
+    std::string model;  // its name for `models pull`; empty: not available there
     Unasked unasked = Unasked::measured;
 };
 const std::vector<MeasureKind>& measure_kinds();
 
-// The files of a measure, in the folder or among the models that were pulled, or what of them is not there and how to
-// get it.
+// The files of a measure, from the folder or the pulled models; or what is missing and how to get it.
 struct MeasureFiles {
     std::vector<std::filesystem::path> files;
     std::string absent;
@@ -48,15 +48,15 @@ struct ReadyMeasure {
     std::string name;
     PictureMeasure measure;
     std::vector<std::filesystem::path> files;
-    std::shared_ptr<const ClipMeasure> clip = {};  // whose view of the picture it reads
+    std::shared_ptr<const ClipMeasure> clip = {};  // the network whose features it uses
 };
-// Networks that several measures share.
+// Networks shared between measures.
 using LoadedClips = std::map<std::filesystem::path, std::shared_ptr<const ClipMeasure>>;
-// Throws Error naming the file, what was expected and what was found.
+// Throws Error naming the file, expected and actual.
 ReadyMeasure ready_measure(const MeasureKind& kind, const std::vector<std::filesystem::path>& files,
                            const std::string& prompt, LoadedClips& clips);
-// Fills what CLIP's networks see in the pictures, all at a time. Where that fails it is left to the measure, which says
-// why of which picture.
+// Computes CLIP features for all pictures in batches. On failure the measures compute them one by one and report the
+// reason per picture.
 void look_together(std::vector<Subject>& subjects, const std::vector<ReadyMeasure>& measures);
 
 }  // namespace fastscene

@@ -1,7 +1,7 @@
-// Metrics: how good is a scene? Here: truth. A scene from a prompt has a real room behind it; pictures
-// traced at poses that no stage has seen are compared with the splats (PSNR, SSIM), in all and split
-// into what panorama 0 saw and what it did not. The published figures of this field mostly compare
-// with the source picture itself; this is the harder and the more useful question.
+// Metrics: scene quality against ground truth. A scene from a prompt is based on a known room; renderings of it at
+// unseen poses are compared with the splats (PSNR, SSIM), in total and separately for surfaces that panorama 0 saw or
+// did not see. Published figures in this field mostly compare with the source picture itself, which is easier and less
+// informative.
 #pragma once
 
 #include <filesystem>
@@ -40,77 +40,79 @@ void visit_fields(TruthParams& p, V&& v) {
     v("bounds", p.bounds, "Also train on panorama 0 alone (B) and on true panoramas at the walked poses (A).");
 }
 
-// A pose to be judged at, in the world frame.
+// An evaluation pose, in the world frame.
 struct TruthPose {
     Rigid world_from_camera;
 };
-// Near: uniform in the ball, clear of furniture by 0.15 m and in sight of panorama 0. Room: uniform over the standable
-// floor (standable.h), eyes 1.2 to 1.8 m above it and 0.25 m clear of everything. Any yaw, pitch within +-30 degrees,
-// no roll. Deterministic in `seed`. Throws Error when the room leaves no space.
+// Near: uniform in a ball, at least 0.15 m from furniture and visible from panorama 0. Room: uniform over the standable
+// floor (standable.h), 1.2 to 1.8 m above it and 0.25 m from everything. Any yaw, pitch within +-30 degrees, no roll.
+// Deterministic in `seed`. Throws Error if the room has no free space.
 std::vector<TruthPose> truth_poses(const TracedRoom& room, const TruthParams& params, std::uint64_t seed);
 
-// The truth at one pose, traced twice: `size` x `size` pixels, 75 degrees; `unseen`: nonzero where panorama 0 (at the
-// origin) did not see the surface.
+// Ground truth at one pose, rendered twice: `size` x `size` pixels, 75 degrees; `unseen`: nonzero where the surface is
+// hidden from panorama 0 (at the origin).
 struct TruthPicture {
     ImageRgb8 color;
-    ImageRgb8 again;  // traced with other camera rays: what both have in common is no noise. Empty: `color` is exact
+    // rendered with independent camera rays, so that its noise is uncorrelated. Empty: `color` is exact
+    ImageRgb8 again;
     ImageMask unseen;
 };
 TruthPicture truth_picture(const TracedRoom& room, const TruthPose& pose, int size, const Run& run);
 
-// The truth of one room within one radius: whatever splats are judged, it stays the same.
+// Ground truth of one room and radius, independent of the splats to be evaluated.
 struct TruthSet {
     std::vector<TruthPose> poses;
-    std::vector<TruthPicture> pictures;  // one a pose
-    double floor_db = 0;  // of `color` against `again`, the mean: the noise that PSNR is free of and SSIM is not
+    std::vector<TruthPicture> pictures;  // one per pose
+    // mean PSNR of `color` against `again`: the noise that our PSNR is corrected for, but SSIM is not
+    double floor_db = 0;
 };
-// `seed` of the run chooses the poses. Needs the room's light.
+// run.seed selects the poses. Needs the room's light.
 TruthSet make_truth_set(const TracedRoom& room, const TruthParams& params, const Run& run);
-// poses.json, NN.png and NN-unseen.png. Load throws Error naming a file that is absent or not of that kind.
+// poses.json, NN.png and NN-unseen.png. Loading throws Error naming a missing or invalid file.
 void save_truth_set(const std::filesystem::path& dir, const TruthSet& set);
 TruthSet load_truth_set(const std::filesystem::path& dir);
 
 struct Likeness {
-    double psnr = 0, ssim = 0, psnr_seen = 0, psnr_unseen = 0;  // NaN where there is nothing to compare
+    double psnr = 0, ssim = 0, psnr_seen = 0, psnr_unseen = 0;  // NaN if there is nothing to compare
 };
-// PSNR without the truth's own noise: the mean of (picture - color) (picture - again), whose noise is independent, is
-// an unbiased estimate of the squared error against a truth of endlessly many rays. SSIM is against `color`.
+// PSNR corrected for the ground truth's noise: the mean of (picture - color) (picture - again), whose noise is
+// independent, is an unbiased estimate of the squared error against a noise-free truth. SSIM is against `color`.
 Likeness compare(const ImageRgb8& picture, const TruthPicture& truth);
 
-// The splats as a truth-sized picture, and the share of its pixels that they leave more than 2 % open.
+// A rendering of the splats at the truth's size, and the share of its pixels with an alpha below 98 %.
 struct SplatSight {
     ImageRgb8 color;
     double low_alpha_share = 0;
 };
 SplatSight splat_sight(const Splats& splats, const TruthPose& pose, int size);
 
-// What is judged, and what the bounds are made from.
+// What is evaluated, and the inputs of the bounds.
 struct TruthInputs {
     TruthSet truth;
-    std::function<const TracedRoom&()> room;  // its light gathered; asked for only when bounds have to be trained
-    Panorama first;                           // panorama 0 as the walk saw it, with range
-    std::vector<Rigid> world_from_pano;       // the walked poses, panorama 0 first
-    std::function<std::vector<ImageRgb8>()> walked;  // the walk's pictures there; asked for only with bounds
+    std::function<const TracedRoom&()> room;         // its light gathered; called only if bounds have to be trained
+    Panorama first;                                  // panorama 0 with range, as given to the walk
+    std::vector<Rigid> world_from_pano;              // walked poses, panorama 0 first
+    std::function<std::vector<ImageRgb8>()> walked;  // the walk's panoramas there; called only with bounds
     Splats splats;
-    ViewsParams views;  // for the bounds: the same cutting …
+    ViewsParams views;  // for the bounds: the same views settings …
     SplatParams splat;  // … and the same trainer
-    ShotParts shot;     // how panorama 0 was shot: true panoramas are shot alike
-    std::string key;    // names these inputs: bounds trained before under the same key are used again
+    ShotParts shot;     // render settings of panorama 0, used for true panoramas too
+    std::string key;    // identifies these inputs; bounds are cached under this key
 };
-// Judges the splats and writes `dir`/truth/NN.png (truth, ours, [A, B,] 4 x difference of the first two) and, with
+// Evaluates the splats and writes `dir`/truth/NN.png (truth, ours, [A, B,] 4 x difference of the first two) and, with
 // bounds, `dir`/bounds/{A,B}.ply. Returns the section "truth" of metrics/report.json: where, psnr_mean, ssim_mean,
 // psnr_worst, psnr_worst5_mean (of the worst twentieth of the poses), low_alpha_share, psnr_seen_mean,
-// psnr_unseen_mean, floor_db, by_distance (from panorama 0), views, and with bounds bounds.{A,B}.{psnr_mean,ssim_mean},
-// gap_to_a_db, closed_share = (ours - B) / (A - B), and
-// walked_poses.{count,walk_psnr_mean,splats_psnr_mean,a_psnr_mean,splat_stage_loses_db}: against the true panoramas at
-// the walked poses (panorama 0, which is true, left out) the walk's pictures, the splats and A's seen all around from
-// there; the last is the mean of what the splats have less than the walk.
-//   A: trained on true panoramas at the walked poses. B: trained on panorama 0 alone.
-// True panoramas are kept as `dir`/bounds/panoramas/NN.png.
+// psnr_unseen_mean, floor_db, by_distance (from panorama 0), views; with bounds also
+// bounds.{A,B}.{psnr_mean,ssim_mean}, gap_to_a_db, closed_share = (ours - B) / (A - B), and
+// walked_poses.{count,walk_psnr_mean,splats_psnr_mean,a_psnr_mean,splat_stage_loses_db}: the walk's panoramas and
+// panoramas rendered from our splats and A's, against true panoramas at the walked poses (without panorama 0, which is
+// exact); the last is the mean PSNR that the splat stage loses relative to the walk.
+// A: upper bound, trained on true panoramas at the walked poses. B: lower bound, trained on panorama 0 alone. True
+// panoramas are cached as `dir`/bounds/panoramas/NN.png.
 Json measure_truth(const TruthInputs& inputs, const TruthParams& params, const std::filesystem::path& dir,
                    const Run& run);
 
-// Pictures in a row, and the amplified difference of the first two at the end; for people to look at.
+// Pictures in a row, followed by the amplified difference of the first two, for visual inspection.
 ImageRgb8 side_by_side(const std::vector<ImageRgb8>& pictures);
 
 }  // namespace fastscene

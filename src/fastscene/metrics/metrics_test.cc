@@ -13,12 +13,12 @@
 namespace fastscene {
 namespace {
 
-// A box; `inward` = the inside of a room, else a solid.
+// A box; `inward`: seen from inside, as a room; else a solid.
 Mesh box(Vec3f low, Vec3f high, bool inward, int material, int object = -1) {
     return box_mesh(low, high, material, object, inward);
 }
 
-// A 4 x 2.6 x 5 m room that glows a little, and a box half a metre wide, one metre ahead.
+// A 4 x 2.6 x 5 m room with dim emission, and a box half a metre wide, one metre ahead.
 Room box_room() {
     Room room;
     room.min_corner = {-2, -1.1f, -2.5f};
@@ -56,7 +56,7 @@ TEST(TruthPoses, StandAllOverTheRoomAtTheHeightOfEyes) {
     Room box = box_room();
     const float floor = box.max_corner.y;
     box.meshes[1] = fastscene::box_mesh({-0.4f, -0.2f, 0.6f}, {0.4f, floor, 1.6f}, 1, -1,
-                                        false);  // a cupboard, too high to look over for some
+                                        false);  // a cupboard, too high for some visitors to look over
     const TracedRoom room(std::move(box));
     TruthParams params;
     params.views = 200;
@@ -68,7 +68,7 @@ TEST(TruthPoses, StandAllOverTheRoomAtTheHeightOfEyes) {
         EXPECT_GE(floor - p.y, 1.2f);
         EXPECT_LE(floor - p.y, 1.8f);
         EXPECT_GE(room.clearance(p, 0.25f), 0.249f);
-        // Nobody stands in the cupboard, or within an arm's length of a wall.
+        // Nobody stands inside the cupboard or too close to a wall.
         EXPECT_FALSE(std::abs(p.x) < 0.55f && p.z > 0.45f && p.z < 1.75f);
         EXPECT_LT(std::abs(p.x), 1.76f);
         behind += p.z > 1.7f;
@@ -83,7 +83,7 @@ TEST(TruthPoses, NoSpaceIsAnError) {
     params.views = 1;
     params.where = "near";
     EXPECT_THROW(truth_poses(TracedRoom(room), params, 1), Error);
-    // Beds from wall to wall: one looks around above them, and cannot stand.
+    // Beds from wall to wall: one can look around above them but not stand.
     Room beds = box_room();
     beds.meshes.push_back(fastscene::box_mesh({-2, 1.f, -2.5f}, {2, 1.5f, 2.5f}, 1, -1, false));
     params.where = "room";
@@ -101,7 +101,7 @@ TEST(TruthPicture, UnseenIsWhatTheBoxHidesFromTheOrigin) {
     // From the origin nothing is unseen.
     const TruthPicture here = truth_picture(room, {}, 256, run);
     EXPECT_EQ(std::count(here.unseen.pixels.begin(), here.unseen.pixels.end(), 255), 0);
-    // From half a metre to the right, some of the far wall behind the box and the box's right side were hidden.
+    // From half a metre to the right, parts of the far wall behind the box, and the box's right side, are unseen.
     TruthPose pose;
     pose.world_from_camera.translation = {0.5f, 0, 0};
     const TruthPicture there = truth_picture(room, pose, 256, run);
@@ -114,7 +114,7 @@ TEST(TruthPicture, UnseenIsWhatTheBoxHidesFromTheOrigin) {
         << "the second picture has other rays";
 }
 
-// The law that the estimate rests on: noise of the truth does not count, an error of the picture counts in full.
+// The estimator's key property: noise in the truth does not count, errors of the picture count in full.
 TEST(Likeness, IsFreeOfTheTruthsNoise) {
     constexpr int kSize = 256, kError = 6, kNoise = 20;
     Random random(5, "noise");

@@ -6,7 +6,7 @@
 namespace fastscene {
 namespace {
 
-// Shapes that are tried, and for each E|x|^2 / E x^2 of a generalized Gaussian with that shape.
+// Shapes on the search grid, and E|x|^2 / E x^2 of a generalized Gaussian with each shape.
 constexpr int kShapes = 9801;
 double shape(int i) { return 0.2 + 0.001 * i; }
 const std::vector<double>& shape_ratios() {
@@ -21,7 +21,7 @@ const std::vector<double>& shape_ratios() {
     return table;
 }
 
-// The first shape whose `distance(ratio)` is least; the smallest shape when none compares (NaN), as MATLAB's min does.
+// The first shape with the minimum `distance(ratio)`; the smallest shape if all are NaN, like MATLAB's min.
 template <class Distance>
 double nearest_shape(Distance&& distance) {
     const std::vector<double>& ratios = shape_ratios();
@@ -47,7 +47,8 @@ int mirrored(int i, int n) {
     return i < n ? i : 2 * n - 1 - i;
 }
 
-// Halving along a line: output i sits between inputs 2i and 2i+1, and the kernel is stretched to reach 4 each way.
+// Downsampling by 2 along a line: output i lies between inputs 2i and 2i+1, and the kernel is stretched to a radius of
+// 4.
 constexpr int kHalvingTaps = 8;
 std::array<double, kHalvingTaps> halving_weights() {
     std::array<double, kHalvingTaps> w{};
@@ -109,7 +110,7 @@ Window gaussian_window() {
     for (int x = -kWindowRadius; x <= kWindowRadius; ++x)
         for (int y = -kWindowRadius; y <= kWindowRadius; ++y)
             w[tap(x, y)] = std::exp(-(x * x + y * y) / (2 * sigma * sigma));
-    for (int pass = 0; pass < 2; ++pass) {  // the authors' code normalizes twice, which moves the last digits
+    for (int pass = 0; pass < 2; ++pass) {  // the authors' code normalizes twice, which affects the last digits
         double sum = 0;
         for (int x = -kWindowRadius; x <= kWindowRadius; ++x) {
             double column = 0;
@@ -121,9 +122,9 @@ Window gaussian_window() {
     return w;
 }
 
-// Tap by tap in the order of the authors' environment, without fused multiply-add: in an even area x - blur(x) is the
-// rounding of this very sum, and its sign, the same for all pixels of one gray, decides whether they count as left or
-// as right of 0.
+// Summed in the order of the authors' environment, without fused multiply-add: in a uniform area x - blur(x) is the
+// rounding error of this very sum, and its sign, equal for all pixels of one gray, decides whether they count as left
+// or right of 0.
 Plane blurred(const Plane& plane, Border border) {
     static const Window w = gaussian_window();
     constexpr int r = kWindowRadius;

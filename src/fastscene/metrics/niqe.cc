@@ -13,7 +13,8 @@
 namespace fastscene {
 namespace {
 
-constexpr double kSharpEnough = 0.75;  // of the sharpest block of a pristine picture (section III-B of the paper)
+// threshold relative to the sharpest block of a pristine picture (section III-B of the paper)
+constexpr double kSharpEnough = 0.75;
 
 void append_features(const Plane& structure, Block block, std::vector<double>& out) {
     const Aggd own = fit_aggd(block_values(structure, block));
@@ -37,7 +38,7 @@ bool all_finite(const std::vector<double>& row) {
     return std::all_of(row.begin(), row.end(), [](double v) { return std::isfinite(v); });
 }
 
-// Mean over the rows where a feature is a number, covariance over the rows that are whole: MATLAB's nanmean and nancov.
+// Mean over the rows where a feature is defined, covariance over complete rows: MATLAB's nanmean and nancov.
 NiqeModel gaussian_of(const std::vector<std::vector<double>>& rows) {
     NiqeModel model;
     std::vector<std::vector<double>> whole;

@@ -26,7 +26,7 @@ fs::path scratch(const std::string& name) {
     return dir;
 }
 
-// Like a photograph in what NIQE reads: edges of all sizes (leaves that hide each other) under a little grain.
+// Dead leaves model: photograph-like statistics with occluding edges at all scales, plus slight grain.
 ImageRgb8 dead_leaves(int width, int height, std::uint64_t seed) {
     Random random(seed, "leaves");
     Plane plane(width, height, 128);
@@ -57,7 +57,7 @@ ImageRgb8 blurred_picture(const ImageRgb8& image, int times) {
     return out;
 }
 
-// |x|^alpha exponential tails on both sides: alpha 2 = normal, 1 = Laplace.
+// Generalized Gaussian samples: alpha 2 = normal, 1 = Laplace, with a scale per side.
 std::vector<double> samples(double alpha, double left, double right, int count) {
     Random random(5, "ggd");
     std::vector<double> out;
@@ -161,7 +161,7 @@ TEST(Brisque, AHandMadeRegressionIsReadFromBothForms) {
     EXPECT_EQ(load_libsvm_model(dir / "allmodel").weights, (std::vector<double>{-2, 3}));
     const BrisqueModel text = load_brisque_model(dir / "allmodel", dir / "allrange");
     EXPECT_EQ(text.variant, BrisqueVariant::authors);
-    const std::vector<double> middle(36, 3);  // scaled to 0.5: on the first support vector
+    const std::vector<double> middle(36, 3);  // scaled to 0.5: equal to the first support vector
     EXPECT_NEAR(text.regression.value(brisque_scaled(middle, text)), -2 + 3 * std::exp(-0.05 * 9) + 1.5, 1e-12);
 
     std::string zeros = list;
@@ -195,7 +195,7 @@ TEST(Brisque, AHandMadeRegressionIsReadFromBothForms) {
         write_file(dir / file, whole);
     };
     refuses("allmodel", zero + " 36:0\n", "",
-            "expected 2 support vectors as its head says, found 1");  // cut off between two lines
+            "expected 2 support vectors as its head says, found 1");  // truncated between two lines
     refuses("allmodel", "rho -1.5\n", "", "expected a line \"rho\"");
     refuses("allmodel", "total_sv 2\n", "", "expected a line \"total_sv\"");
     refuses("model.yml", "alpha: [ -2., 3. ]", "alpha: [ -2. ]",

@@ -9,7 +9,7 @@
 namespace fastscene {
 namespace {
 
-// One Jacobi rotation that makes a(p, q) zero; the same rotation is applied to the coordinates of x.
+// One Jacobi rotation that zeroes a(p, q), also applied to the coordinates of x.
 void rotate(std::vector<double>& a, std::vector<double>& x, std::size_t n, std::size_t p, std::size_t q) {
     const double apq = a[p * n + q];
     if (apq == 0) return;
@@ -46,7 +46,7 @@ double pseudo_inverse_form(std::vector<double> a, const std::vector<double>& x) 
     FASTSCENE_CHECK_EQ(a.size(), n * n);
     double total = 0;
     for (const double v : a) total += v * v;
-    std::vector<double> along = x;  // x in the basis of the eigenvectors
+    std::vector<double> along = x;  // x in the eigenvector basis
     constexpr double eps = std::numeric_limits<double>::epsilon();
     for (int sweep = 0; sweep < 60 && off_diagonal(a, n) > eps * eps * total * 1e-4; ++sweep)
         for (std::size_t p = 0; p < n; ++p)

@@ -14,10 +14,10 @@ namespace fastscene {
 namespace {
 
 constexpr float kFovDeg = 75.f;
-// A head's width: nearer to a surface than this nobody stands.
+// About the width of a head: visitors are never closer to a surface.
 constexpr float kClearance = 0.15f;
 
-constexpr int kSamples = 16;  // a pixel, in each of the two pictures: more poses tell more than finer ones
+constexpr int kSamples = 16;  // per pixel, in each of the two pictures: more poses are more informative than less noise
 constexpr std::uint64_t kOtherRays = 0x5eed;
 
 Pinhole truth_camera(int size) { return Pinhole::with_fov(size, size, kFovDeg); }
@@ -36,7 +36,7 @@ Mat3f looking(float yaw, float pitch) {
 
 bool stands_free(const TracedRoom& room, Vec3f p) {
     const float far = length(p);
-    if (far > 0.f && !(room.distance({}, p / far) > far)) return false;  // behind something
+    if (far > 0.f && !(room.distance({}, p / far) > far)) return false;  // occluded
     return room.clearance(p, kClearance) >= kClearance;
 }
 
@@ -70,7 +70,7 @@ std::vector<TruthPose> poses_in_room(const TracedRoom& room, const TruthParams& 
     return poses;
 }
 
-// Of a pixel's values in 0..1: the mean over its channels.
+// Product of the errors, in units of 0..1, averaged over the channels.
 double error_product(Rgb8 picture, Rgb8 a, Rgb8 b) {
     const auto channel = [](int p, int x, int y) { return (p - x) * (p - y); };
     const int sum = channel(picture.r, a.r, b.r) + channel(picture.g, a.g, b.g) + channel(picture.b, a.b, b.b);
@@ -80,7 +80,7 @@ double error_product(Rgb8 picture, Rgb8 a, Rgb8 b) {
 class SquaredError {
   public:
     void add(double error) { sum_ += error, ++count_; }
-    // NaN of nothing; where chance makes the estimate less than what 8 bits can tell, that.
+    // NaN without pixels; limited to 8-bit resolution, since the estimate may be arbitrarily small by chance.
     double psnr() const {
         constexpr double kLeast = 1. / (12 * 255 * 255);
         if (count_ == 0) return std::numeric_limits<double>::quiet_NaN();
@@ -123,12 +123,12 @@ TruthPicture truth_picture(const TracedRoom& room, const TruthPose& pose, int si
     for (int y = 0; y < size; ++y)
         for (int x = 0; x < size; ++x) {
             const float range = shot.range.at(x, y);
-            if (!std::isfinite(range)) continue;  // the sky is seen from everywhere
+            if (!std::isfinite(range)) continue;  // the sky is visible from everywhere
             const Vec3f dir = normalize(
                 camera.direction_at({static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f}));
             const Vec3f p = pose.world_from_camera * (dir * range);
             const float far = length(p);
-            // 2 cm and 1 %: what a rounded edge or a grazing ray may hide of itself.
+            // 2 cm and 1 %: tolerance for rounded edges and grazing rays.
             truth.unseen.at(x, y) = room.distance({}, p / far) < far * 0.99f - 0.02f ? 255 : 0;
         }
     return truth;

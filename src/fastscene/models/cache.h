@@ -1,4 +1,4 @@
-// Where models lie on this machine, and which are there.
+// Location of models on this machine, and which are present.
 #pragma once
 
 #include <filesystem>
@@ -9,18 +9,18 @@
 
 namespace fastscene {
 
-// $FASTSCENE_MODELS, else fastscene/models in the user's cache (XDG).
+// $FASTSCENE_MODELS, or fastscene/models in the user's cache (XDG).
 std::filesystem::path models_root();
 
-// Where the file lies, under the first of its names that is there with the size it must have.
+// Path of the file, under the first of its names that exists with the right size.
 std::optional<std::filesystem::path> file_in_cache(const Model& model, const ModelFile& file,
                                                    const std::filesystem::path& root = models_root());
-// All of the model's files are there.
+// Whether all of the model's files exist.
 bool is_in_cache(const Model& model, const std::filesystem::path& root = models_root());
 
-// For whoever loads a network: the model's folder, when all of it is there.
+// The model's folder, if complete; for code that loads networks.
 std::optional<std::filesystem::path> cached_model(std::string_view name);
-// The one file of a model that has only one.
+// The file of a single-file model.
 std::optional<std::filesystem::path> cached_file(std::string_view name);
 
 }  // namespace fastscene

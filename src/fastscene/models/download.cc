@@ -36,7 +36,7 @@ std::optional<std::int64_t> number_in(std::string_view text) {
     return code == std::errc() && end == text.data() + text.size() && value >= 0 ? std::optional(value) : std::nullopt;
 }
 
-// What the last server of a chain of redirects said before the bytes.
+// Headers of the last response in a chain of redirects.
 struct Answer {
     std::string etag, type;
     std::optional<std::int64_t> length, range_begin, range_total;
@@ -61,7 +61,7 @@ struct Answer {
     }
 };
 
-// Beside the bytes: where they came from and what the server called that state of the file.
+// Stored next to partial data: the URL they came from and the server's version tag (ETag).
 struct Origin {
     std::string url, etag;
 
@@ -88,7 +88,7 @@ void forget(const fs::path& part) {
     fs::remove(Origin::file_of(part), ignored);
 }
 
-// Thrown where another attempt may do better.
+// Thrown if another attempt may succeed.
 struct Interrupted : std::runtime_error {
     using std::runtime_error::runtime_error;
 };
@@ -125,8 +125,7 @@ class Attempt {
     void prepare() {
         const Origin origin = Origin::of(wanted_.part);
         begin_ = size_of(wanted_.part);
-        // Bytes of another address, or of a state of the file that cannot be told from the present one, are no
-        // beginning of this one.
+        // Partial data from another URL, or from a version that cannot be verified to be the current one, is discarded.
         if (begin_ > 0 && (origin.url != wanted_.url || (is_web() && origin.etag.empty() && wanted_.bytes == 0)))
             begin_ = 0;
         set(CURLOPT_URL, wanted_.url.c_str());
@@ -155,7 +154,7 @@ class Attempt {
         set(CURLOPT_HTTPHEADER, headers_.get());
     }
 
-    // The first bytes of the body: is it what was asked for, and where does it begin?
+    // Called with the first bytes of the body: validates the response and determines the offset.
     void begin_writing() {
         if (is_web() && answer_.type.starts_with("text/html"))
             throw Error("{}: expected a file, found a web page (a page to log in or to confirm?)", wanted_.url);
@@ -200,7 +199,7 @@ class Attempt {
     Fetched verdict(CURLcode code) {
         const long said = is_web() ? status() : 0;
         if (said == 404 || said == 410 || code == CURLE_FILE_COULDNT_READ_FILE) return Fetched::absent;
-        if (said == 416) {  // nothing is left to send, or what we have is no beginning of it
+        if (said == 416) {  // nothing is left to send, or the partial data does not match
             if (answer_.range_total && *answer_.range_total == begin_ && begin_ > 0) return Fetched::whole;
             forget(wanted_.part);
             throw Interrupted("the server has no bytes beyond those already here");
@@ -228,7 +227,7 @@ class Attempt {
     }
     std::string reason(CURLcode code) const { return error_[0] ? error_ : curl_easy_strerror(code); }
 
-    // libcurl is C: an exception waits until it has returned.
+    // libcurl is C: exceptions must be stored until it has returned.
     template <class Act>
     std::size_t guarded(std::size_t ok, Act&& act) {
         try {

@@ -1,5 +1,5 @@
-// One file over http, https or file://, by libcurl. What has arrived stays when the connection breaks or the program is
-// stopped, and the next attempt goes on after it.
+// Downloads a file over http, https or file://, with libcurl. Partial data is kept when the connection breaks or the
+// program is stopped, and the next attempt resumes.
 #pragma once
 
 #include <chrono>
@@ -14,22 +14,22 @@ namespace fastscene {
 
 struct Download {
     std::string url;
-    std::filesystem::path part;                  // where the bytes gather
-    std::int64_t bytes = 0;                      // what it must have; 0: what the server says
-    std::chrono::milliseconds first_wait{1000};  // before the second attempt; doubled each time nothing came
-    std::chrono::seconds silence{60};            // a connection that brings nothing for so long is given up
-    std::function<void(std::int64_t done, std::int64_t total)> heard;  // total 0: not known
+    std::filesystem::path part;  // file for partial data
+    std::int64_t bytes = 0;      // expected size; 0: as the server says
+    // delay before the second attempt; doubled after each one without progress
+    std::chrono::milliseconds first_wait{1000};
+    std::chrono::seconds silence{60};                                  // timeout of a connection without data
+    std::function<void(std::int64_t done, std::int64_t total)> heard;  // total 0: unknown
 };
 
 enum class Fetched {
-    whole,   // `part` has all the bytes that the server wanted to send
-    absent,  // there is no such file at the address
+    whole,   // `part` is complete according to the server
+    absent,  // no such file at the URL
 };
 
-// Goes on where `part` ends, if the file there is still the same (If-Range) and the server can; else from the
-// beginning. Throws Error naming the address, expected and found: unreachable after several attempts, refused, another
-// size, no bytes at all, a web page in place of a file, a full disk. `part` then holds what is worth keeping. Throws
-// Stopped.
+// Resumes where `part` ends, if the file is unchanged (If-Range) and the server supports it; otherwise restarts. Throws
+// Error naming the URL, expected and actual: unreachable after several attempts, refused, wrong size, empty, a web page
+// instead of a file, a full disk. `part` then keeps what can be resumed. Throws Stopped.
 Fetched download(const Download& wanted, const Run& run);
 
 }  // namespace fastscene

@@ -1,4 +1,4 @@
-// Pulling from a server that breaks off, lies about sizes, corrupts bytes, ignores ranges, sends elsewhere; mirrors,
+// Pulling from servers that disconnect, report wrong sizes, corrupt bytes, ignore ranges or redirect; mirrors,
 // licences, verification.
 #include <arpa/inet.h>
 #include <gtest/gtest.h>
@@ -23,7 +23,7 @@ using std::chrono::milliseconds;
 
 struct Request {
     std::string path, if_range;
-    std::int64_t from = 0;  // of "Range: bytes=from-"
+    std::int64_t from = 0;  // from "Range: bytes=from-"
 };
 
 std::string header_of(const std::string& request, const std::string& name) {
@@ -33,7 +33,7 @@ std::string header_of(const std::string& request, const std::string& name) {
     return request.substr(begin, request.find("\r\n", begin) - begin);
 }
 
-// Sends exactly the bytes it is told to and hangs up: so it can say anything.
+// Sends exactly the given bytes and closes the connection, so it can simulate anything.
 class Server {
   public:
     using Answer = std::function<std::string(const Request&)>;
@@ -101,7 +101,7 @@ const std::string kBytes = [] {
     return text;
 }();
 
-// A decent server: ranges, an ETag.
+// A well-behaved server with ranges and an ETag.
 std::string decent(const Request& request, const std::string& bytes = kBytes, const std::string& etag = "\"one\"",
                    std::size_t cut = std::string::npos) {
     const std::string tag = "ETag: " + etag + "\r\n";
@@ -249,7 +249,7 @@ TEST_F(Pulled, LiesAboutSizesAreTold) {
     const auto size = static_cast<std::int64_t>(kBytes.size());
     Server larger([](const Request&) { return reply("200 OK", length(kBytes.size() + 7), kBytes + "1234567"); });
     EXPECT_NE(complaint(model(larger.url(), size), options()).find(std::to_string(size + 7)), std::string::npos);
-    Server endless([](const Request&) { return reply("200 OK", "", kBytes + "and more"); });  // no length at all
+    Server endless([](const Request&) { return reply("200 OK", "", kBytes + "and more"); });  // no Content-Length
     EXPECT_NE(complaint(model(endless.url(), size), options()).find("found more"), std::string::npos);
     EXPECT_FALSE(fs::exists(part()));
     Server smaller([](const Request&) { return reply("200 OK", "", kBytes.substr(0, 77)); });
@@ -398,7 +398,7 @@ TEST_F(Pulled, WhatIsDamagedIsFetchedAgain) {
     std::string damaged = kBytes;
     damaged[777] ^= 1;
     for (const Model& toy : {model(server.url(), static_cast<std::int64_t>(kBytes.size()), hash_),
-                             model(server.url())}) {  // known, and recorded
+                             model(server.url())}) {  // hash known in advance, and recorded on first pull
         fs::remove_all(root_ / "toy");
         pull_model(toy, options(), {});
         const std::size_t before = server.seen().size();
@@ -409,7 +409,7 @@ TEST_F(Pulled, WhatIsDamagedIsFetchedAgain) {
         EXPECT_EQ(server.seen().size(), before + 1);
         EXPECT_TRUE(verify_model(toy, root_, {}).whole());
     }
-    // The damaged one goes only when another has come.
+    // The damaged file is replaced only once the new one is complete.
     write_file(file(), damaged);
     EXPECT_NE(complaint(model("http://127.0.0.1:1/", 0, hash_), options()), "none");
     EXPECT_EQ(read_file(file()), damaged);

@@ -23,7 +23,7 @@ fs::path record_of(const Model& model, const fs::path& root) {
     return root / model.folder / (model.name + ".record.json");
 }
 
-// What was kept in `file`, an object; where there is none, an empty one.
+// The object stored in `file`, or an empty one.
 Json read_or_empty(const fs::path& file) {
     const Json json = fs::exists(file) ? read_json(file) : Json::object();
     if (!json.is_object()) throw Error("{}: expected an object, found {}: remove it", file.string(), json.type_name());
@@ -42,7 +42,7 @@ Json read_record(const Model& model, const fs::path& root) {
     return json;
 }
 
-// Two pulls of one model would write into each other's files.
+// Lock: two pulls of one model would write to the same files.
 class Lock {
   public:
     explicit Lock(const Model& model, const fs::path& root)
@@ -72,7 +72,7 @@ void accept_licence(const Model& model, const PullOptions& options) {
     write_json(licences_of(options.root), all);
 }
 
-// RFC 3986: all but its unreserved characters and those that are to stay.
+// RFC 3986: encodes all but unreserved characters and those in `keep`.
 std::string percent_encoded(std::string_view text, std::string_view stays) {
     std::string out;
     for (const unsigned char c : text) {
@@ -84,19 +84,19 @@ std::string percent_encoded(std::string_view text, std::string_view stays) {
     return out;
 }
 
-// A folder is an address too.
+// A folder counts as a URL, too.
 std::string mirror_base(const std::string& mirror) {
     constexpr std::string_view local = "file://";
     std::string base = mirror;
     if (mirror.find("://") == std::string::npos)
         base = std::string(local) + percent_encoded(fs::absolute(mirror).lexically_normal().string(), "/");
-    // After a file:// of the user's too, but what is encoded there already stays.
+    // Also after a user's file://, but without encoding twice.
     else if (mirror.starts_with(local))
         base = std::string(local) + percent_encoded(std::string_view(mirror).substr(local.size()), "/%");
     while (base.ends_with('/')) base.pop_back();
     return base + "/";
 }
-// The folder that a mirror of this machine names; nothing for addresses of the net.
+// The local folder that a mirror refers to; none for network URLs.
 std::optional<fs::path> mirror_folder(const std::string& mirror) {
     constexpr std::string_view local = "file://";
     if (!mirror.starts_with(local))
@@ -142,7 +142,7 @@ void record(const Model& model, const fs::path& root, const std::vector<FileRepo
     write_json(record_of(model, root), json);
 }
 
-// What was seen for the first time.
+// Records hashes of files seen for the first time.
 void record_fresh(const Model& model, const fs::path& root, const std::vector<FileReport>& files) {
     std::vector<FileReport> fresh;
     for (const FileReport& file : files)
@@ -156,7 +156,7 @@ std::string recorded_hash(const Json& record, const std::string& name) {
     return (*files)[name].value("sha256", "");
 }
 
-// The file as it is, whatever its size.
+// The existing file, whatever its size.
 std::optional<fs::path> any_file(const Model& model, const ModelFile& file, const fs::path& root) {
     for (const std::string& name : file.names())
         if (fs::is_regular_file(root / model.folder / name)) return root / model.folder / name;
@@ -196,7 +196,7 @@ class Pull {
     Pull(const Model& model, const PullOptions& options, const Run& run)
         : model_(model), options_(options), run_(run), known_(read_record(model, options.root)) {}
 
-    // The file as it is here, when it is whole. What is damaged gives way only when another one has come.
+    // The existing file, if valid. A damaged one is replaced only once a new one is complete.
     std::optional<FileReport> here(const ModelFile& file) const {
         FileReport report = verified(model_, file, known_, options_.root, run_);
         if (report.state == FileState::damaged)
@@ -209,7 +209,7 @@ class Pull {
             const auto fetched = fetch(file, name);
             if (!fetched) continue;
             for (const std::string& other :
-                 file.names())  // a damaged one under another of its names would be found first
+                 file.names())  // a damaged file under an alternative name would be found first
                 if (other != name) fs::remove(options_.root / model_.folder / other);
             return *fetched;
         }
@@ -230,7 +230,7 @@ class Pull {
         wanted.heard = [&](std::int64_t done, std::int64_t total) {
             if (run_.events && total > 0) run_.events->tell(ProgressEvent{label(name), std::min(done, total), total});
         };
-        // A beginning that an earlier run left behind may itself be damaged: then all of it is fetched once more.
+        // Partial data of an earlier run may be corrupt: if the result's hash is wrong, the download restarts once.
         for (bool resumed = fs::exists(part);; resumed = false) {
             if (download(wanted, run_) == Fetched::absent) return std::nullopt;
             const std::string hash = hash_with_progress(part, label(name), run_);
@@ -321,7 +321,7 @@ ModelReport pull_model(const Model& model, const PullOptions& options, const Run
     const Lock lock(model, options.root);
     for (std::size_t i = 0; i < model.files.size(); ++i) {
         report.files.push_back(here[i] ? *here[i] : pull.file(model.files[i]));
-        record(model, options.root, report.files);  // what is whole stays known, whatever happens to the rest
+        record(model, options.root, report.files);  // record valid files, even if a later one fails
     }
     return report;
 }

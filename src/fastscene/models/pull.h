@@ -1,4 +1,4 @@
-// Models brought to this machine and held against what is known of them.
+// Fetches models and verifies them against the registry.
 #pragma once
 
 #include <chrono>
@@ -14,23 +14,24 @@ namespace fastscene {
 
 struct PullOptions {
     std::filesystem::path root = models_root();
-    std::string mirror;   // a folder or an address that has FOLDER/FILE; empty: each file's own address
-    bool accept = false;  // the licence was read and is accepted; remembered
+    std::string mirror;   // a folder or URL that contains FOLDER/FILE; empty: each file's own URL
+    bool accept = false;  // the user accepts the licence; remembered
     std::chrono::milliseconds first_wait{1000};
 };
-// $FASTSCENE_MODELS_MIRROR, or nothing.
+// $FASTSCENE_MODELS_MIRROR, or empty.
 std::string default_mirror();
 
 enum class FileState { fetched, here, recorded, missing, damaged };
 std::string_view name_of(FileState state);
 
 struct FileReport {
-    std::string name;  // the alternative that is there
+    std::string name;  // which alternative exists
     FileState state = FileState::missing;
     std::int64_t bytes = 0;
-    std::string sha256;   // found
-    bool known = false;   // the registry knew the hash; else it is the one recorded when the file was first seen
-    std::string problem;  // of a damaged or missing file
+    std::string sha256;  // as computed
+    // true: compared with the registry's hash; false: with the one recorded when the file was first seen
+    bool known = false;
+    std::string problem;  // for a damaged or missing file
 };
 struct ModelReport {
     std::string model;
@@ -40,18 +41,18 @@ struct ModelReport {
 };
 Json to_json(const ModelReport& report);
 
-// Each file goes to NAME.part and gets its name when its size and hash are right; an interrupted pull goes on where it
-// was. What is there already is read again and stays when it is whole (as verify_model judges); what is damaged is
-// fetched again, and gives way when the new one has come. Throws UsageError while the licence is not accepted, with the
-// licence; Error for what `download` throws, for a wrong hash (the bytes are thrown away), for a model that can only be
-// fetched by hand, and when another pull works on it. Throws Stopped.
+// Each file is downloaded as NAME.part and renamed once its size and hash are verified; interrupted pulls resume.
+// Existing files are verified (as in verify_model) and kept if valid; damaged ones are downloaded again and replaced
+// once the new one is complete. Throws UsageError with the licence if it is not accepted; Error as `download` does, for
+// a wrong hash (the data is discarded), for a model that must be fetched by hand, and if another pull of it is running.
+// Throws Stopped.
 ModelReport pull_model(const Model& model, const PullOptions& options, const Run& run);
 
-// Reads every file and holds it against the registry, else against what was recorded when it was first seen, else
+// Hashes every file and compares it with the registry, or with the hash recorded when it was first seen, or else
 // records it.
 ModelReport verify_model(const Model& model, const std::filesystem::path& root, const Run& run);
 
-// Does this model's licence still have to be accepted?
+// Whether this model's licence has been accepted.
 bool is_accepted(const Model& model, const std::filesystem::path& root = models_root());
 
 }  // namespace fastscene

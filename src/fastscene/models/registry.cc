@@ -9,7 +9,7 @@
 namespace fastscene {
 namespace {
 
-// The commit that has all but the photo's network.
+// The commit that has everything except the photo network.
 const std::string kPanoramas =
     "https://huggingface.co/archerfmy0831/sd-t2i-360panoimage/resolve/af3c6eb2964edfc5826bf2604071f21e370b06bc/";
 const std::string kPanoramasHome = "https://huggingface.co/archerfmy0831/sd-t2i-360panoimage";
@@ -21,7 +21,7 @@ const std::string kTorchvision = "https://download.pytorch.org/models/";
 const std::string kLive =
     "Laboratory for Image and Video Engineering, University of Texas at Austin: free use with its notice";
 
-// A model as diffusers saves it, without what is not read: safety checker, feature extractor.
+// Files of a model in diffusers' layout, without unused ones: safety checker, feature extractor.
 std::vector<ModelFile> diffusers_files(const std::string& part, std::vector<ModelFile> weights) {
     std::vector<ModelFile> all = std::move(weights);
     for (const char* name :
@@ -39,7 +39,7 @@ std::vector<ModelFile> base_files() {
          {"sd-base/text_encoder/model.safetensors|sd-base/text_encoder/pytorch_model.bin", 0, ""}});
 }
 
-// What the larger picture and the photo start from.
+// Shared by upscaling and by outpainting of photos.
 std::vector<ModelFile> painter_files() {
     return diffusers_files("sr-base",
                            {{"sr-base/unet/diffusion_pytorch_model.bin", 0,

@@ -1,6 +1,5 @@
-// The files of others that this program can use, as far as they are known: where they are, how large, what they must
-// hash to, and under which licence. Sizes and hashes were read at the places themselves; what could not be read there
-// is not known, and said so.
+// Registry of third-party model files: URL, size, hash and licence. Sizes and hashes were determined from the original
+// locations; what could not be is marked as unknown.
 #pragma once
 
 #include <cstdint>
@@ -11,34 +10,34 @@
 namespace fastscene {
 
 struct ModelFile {
-    std::string name;        // below the model's folder; alternatives joined with '|': the first one that its home has
-    std::int64_t bytes = 0;  // 0: not known
-    std::string sha256;      // 64 digits; empty: not known, the first pull records it
-    std::string url = {};    // empty: the model's base and the name
+    std::string name;        // relative to the model's folder; alternatives separated by '|', tried in order
+    std::int64_t bytes = 0;  // 0: unknown
+    std::string sha256;      // 64 digits; empty: unknown, recorded on first pull
+    std::string url = {};    // empty: the model's base URL plus the name
 
     std::vector<std::string> names() const;  // the alternatives
 };
 
 struct Model {
     std::string name;
-    std::string folder;   // below the cache; models that go together share one
-    std::string what;     // a sentence
-    std::string use;      // the command that looks for it
-    std::string licence;  // its name, and whose it is
+    std::string folder;   // relative to the cache; related models share a folder
+    std::string what;     // one-sentence description
+    std::string use;      // the command that uses it
+    std::string licence;  // licence name and owner
     std::string licence_url;
-    std::string home;  // a page for people
-    std::string base;  // before each file's name; empty: no address to pull from, the file is fetched by hand at home
+    std::string home;  // web page
+    std::string base;  // URL prefix of the files; empty: not downloadable, must be fetched by hand from `home`
     std::vector<ModelFile> files;
 
     bool by_hand() const { return base.empty(); }
-    std::int64_t known_bytes() const;  // the sum of the sizes that are known
+    std::int64_t known_bytes() const;  // sum of the known sizes
 };
 
-// Where the file's alternatives are, in their order; empty when it is fetched by hand.
+// URLs of the file's alternatives, in order; empty if it must be fetched by hand.
 std::vector<std::string> urls_of(const Model& model, const ModelFile& file);
 
 const std::vector<Model>& models();
-// Throws UsageError with the names there are.
+// Throws UsageError listing the available names.
 const Model& model_named(std::string_view name);
 
 }  // namespace fastscene

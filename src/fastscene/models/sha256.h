@@ -9,8 +9,8 @@
 
 namespace fastscene {
 
-// 64 hexadecimal digits of a file's bytes. `heard` is told how many were read so far, and may throw. Throws Error when
-// it cannot be read.
+// 64 hexadecimal digits. `heard` receives the number of bytes read so far, and may throw. Throws Error if the file
+// cannot be read.
 std::string sha256_of_file(const std::filesystem::path& file, const std::function<void(std::size_t)>& heard = {});
 
 }  // namespace fastscene

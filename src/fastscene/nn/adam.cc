@@ -26,7 +26,7 @@ void Adam::step() {
         mean_[i].mul_(settings.beta1).add_(gradient, 1 - settings.beta1);
         square_[i].mul_(settings.beta2).addcmul_(gradient, gradient, 1 - settings.beta2);
         const at::Tensor deviation = (square_[i].sqrt() / std::sqrt(correction2)).add_(settings.eps);
-        parameter.addcdiv_(mean_[i], deviation, -settings.rate / correction1);
+        parameter.addcdiv_(mean_[i], deviation, -settings.learning_rate / correction1);
     }
 }
 

@@ -1,4 +1,4 @@
-// Adam (Kingma and Ba 2015) with PyTorch's arithmetic, its memory open to be saved. Private to nn/ (torch).
+// Adam (Kingma and Ba 2015) with PyTorch's arithmetic, whose state can be saved. Private to nn/ (torch).
 #pragma once
 
 #include <map>
@@ -10,18 +10,17 @@
 namespace fastscene::nn {
 
 struct AdamSettings {
-    double rate = 1e-4, beta1 = 0.5, beta2 = 0.999, eps = 1e-8;
+    double learning_rate = 1e-4, beta1 = 0.5, beta2 = 0.999, eps = 1e-8;
 };
 
 class Adam {
   public:
     Adam(NamedTensors parameters, AdamSettings settings);
-    // One step along the gradients that the parameters hold; those without one stay.
+    // One step with the parameters' gradients; parameters without a gradient stay unchanged.
     void step();
     void forget_gradients();
     const NamedTensors& parameters() const { return parameters_; }
-    // Averages of gradients and of their squares: "<parameter>.mean", "<parameter>.square". Share memory with the
-    // optimizer.
+    // First and second moments: "<parameter>.mean", "<parameter>.square". Tensors share memory with the optimizer.
     NamedTensors memory() const;
     std::int64_t steps = 0;
     AdamSettings settings;

@@ -15,7 +15,7 @@ struct Aotgan::State {
     nn::AotganShape shape;
     bool adds_to_fill = false;
     nn::LoadedWeights weights;
-    std::mutex one_at_a_time;  // parameters are made when first asked for
+    std::mutex one_at_a_time;  // parameters are created on first use, so calls are serialized
 };
 
 Aotgan::Aotgan(std::unique_ptr<State> state) : state_(std::move(state)) {}
@@ -34,7 +34,7 @@ Aotgan Aotgan::of(Weights found) {
                     holes);
     Aotgan out(
         std::unique_ptr<State>(new State{shape, holes == "harmonic", nn::LoadedWeights(std::move(weights)), {}}));
-    // Once through the smallest picture: whatever does not fit is told now, not in the middle of a walk.
+    // A trial run on the smallest picture reports mismatched weights now instead of in the middle of a walk.
     (void)out.paint({{ImageColor(kSmallest, kSmallest), ImageMask(kSmallest, kSmallest)}}, {});
     return out;
 }
@@ -50,7 +50,7 @@ std::vector<ImageColor> Aotgan::paint(const std::vector<Picture>& pictures, cons
     use_our_threads();
     const c10::InferenceMode inference;
     const auto n = static_cast<std::int64_t>(pictures.size());
-    // Pixel by pixel in memory, a network of few channels takes less time (docs/benchmarks.md).
+    // With few channels, the channels-last memory format is faster (docs/benchmarks.md).
     const at::TensorOptions by_pixels = at::TensorOptions(at::kFloat).memory_format(at::MemoryFormat::ChannelsLast);
     at::Tensor input = at::empty({n, 3, h, w}, by_pixels), mask = at::empty({n, 1, h, w}, by_pixels);
     auto in = input.accessor<float, 4>(), hole = mask.accessor<float, 4>();

@@ -1,4 +1,4 @@
-// AOT-GAN as a painter of holes: a checkpoint of the generator and pictures in, pictures out. No libtorch in sight.
+// AOT-GAN as an inpainter: a generator checkpoint and pictures in, pictures out. The interface is free of libtorch.
 #pragma once
 
 #include <filesystem>
@@ -13,27 +13,27 @@ namespace fastscene {
 
 class Aotgan {
   public:
-    // The official G*.pt, or a .safetensors of the same names; width, blocks and branches are the file's.
-    // Throws Error naming the file, the key that is missing or has another shape, what was expected and found.
+    // Loads the official G*.pt, or a .safetensors with the same keys; width, number of blocks and branches come from
+    // the file. Throws Error naming the file, the missing or misshaped key, the expected and the actual shape.
     static Aotgan load(const std::filesystem::path& weights);
-    // Weights that are in memory: those that come with the program (nn/shipped.h).
+    // From weights in memory, such as those built into the program (nn/shipped.h).
     static Aotgan of(Weights weights);
     Aotgan(Aotgan&&) noexcept;
     Aotgan& operator=(Aotgan&&) noexcept;
     ~Aotgan();
 
-    // Whether the network wants to find the harmonic fill in the holes, to which it adds; else what stands there does
-    // not matter. Said by the file's metadata ("holes": "harmonic"); the official files say nothing.
+    // Whether the network expects the harmonic fill in the holes and adds to it; otherwise the contents of holes are
+    // ignored. Stated by the file's metadata ("holes": "harmonic"); official files have none.
     bool adds_to_fill() const;
 
     // Sides must be multiples of kMultiple and at least kSmallest.
     static constexpr int kMultiple = 8, kSmallest = 64;
     struct Picture {
         ImageColor color;  // sRGB values in 0..1
-        ImageMask hole;    // nonzero = to be painted
+        ImageMask hole;    // nonzero = inpaint
     };
-    // All of one size; known pixels are repainted too (the difference there tells how well the network fits). Values in
-    // 0..1.
+    // All pictures must have the same size. Known pixels are changed too (how much indicates how well the network
+    // fits). Values in 0..1.
     std::vector<ImageColor> paint(const std::vector<Picture>& pictures, const Run& run) const;
 
   private:

@@ -20,7 +20,7 @@ constexpr Step kVgg19[] = {{0, 64, "relu1_1", false},   {2, 64, "relu1_2", false
                            {21, 512, "relu4_2", false}, {23, 512, "relu4_3", false}, {25, 512, "relu4_4", false},
                            {28, 512, "relu5_1", true},  {30, 512, "relu5_2", false}};
 
-// ImageNet's mean and deviation.
+// ImageNet's mean and standard deviation.
 constexpr double kMean[] = {0.485, 0.456, 0.406}, kDeviation[] = {0.229, 0.224, 0.225};
 
 Tensor color(const double (&values)[3], const Tensor& like) {
@@ -34,10 +34,11 @@ Tensor at_size_of(const Tensor& x, const Tensor& mask) {
     return at::upsample_bilinear2d(x, {mask.size(2), mask.size(3)}, /*align_corners=*/true);
 }
 
-// The softened edge of a hole: what lies half in a hole's patch is half made up.
+// Blurred hole mask: a patch that is partly inside a hole counts as partly fake.
 Tensor softened(const Tensor& mask) { return gaussian_blur(mask, 71, 10); }
 
-// The three calls of a step, in the published order: each improves the spectral norms once.
+// The three discriminator calls of a step, in the published order; each performs one power iteration of the spectral
+// norm.
 struct Verdicts {
     Tensor of_fake, of_fake_detached, of_real;
 };
@@ -107,7 +108,7 @@ Adversarial soft_mask_loss_as_published(const Scope& s, std::int64_t width, cons
 Adversarial soft_mask_loss(const Scope& s, std::int64_t width, const Tensor& fake, const Tensor& real,
                            const Tensor& mask) {
     const Verdicts v = verdicts(s, width, fake, real, mask);
-    // Outside of the picture nothing is made up: soften the known part, not its complement's zeros.
+    // Outside the picture nothing is fake: blur the known part, not the zeros of its complement.
     const Tensor discriminator = mean_square(v.of_fake_detached, 1 - softened(mask)) +
                                  mean_square(v.of_real, at::ones_like(v.of_real));
     const Tensor generator = ((v.of_fake - 1).square() * mask).sum() / mask.sum().clamp_min(1);

@@ -12,8 +12,7 @@ namespace {
 
 using at::Tensor;
 
-// The picture with its border, pixel by pixel in memory as x has it: at::reflection_pad2d is slow for that order of
-// channels.
+// Reflection padding in channels-last order, for which at::reflection_pad2d is slow.
 Tensor reflected_by_pixels(const Tensor& x, std::int64_t by) {
     const std::int64_t h = x.size(2), w = x.size(3);
     const Tensor out = at::empty({x.size(0), x.size(1), h + 2 * by, w + 2 * by},
@@ -31,7 +30,7 @@ Tensor reflected_by_pixels(const Tensor& x, std::int64_t by) {
     return out;
 }
 
-// at::reflection_pad2d knows no bfloat16 in libtorch 1.13; autocast does not reach it.
+// libtorch 1.13 lacks at::reflection_pad2d for bfloat16, and autocast does not cover it.
 Tensor reflected(const Tensor& x, std::int64_t by) {
     FASTSCENE_CHECK(by < x.size(2) && by < x.size(3));
     if (!at::GradMode::is_enabled() && x.is_contiguous(at::MemoryFormat::ChannelsLast))
@@ -40,22 +39,22 @@ Tensor reflected(const Tensor& x, std::int64_t by) {
     return at::reflection_pad2d(x.to(at::kFloat), {by, by, by, by}).to(at::kBFloat16);
 }
 
-// conv3x3 over a picture continued by reflection.
+// conv3x3 with reflection padding.
 Tensor reflected_conv(const Scope& s, const Tensor& x, std::int64_t out, std::int64_t dilation = 1) {
     const Scope conv = s / 1;  // 0 is the padding
     return at::conv2d(reflected(x, dilation), conv.parameter("weight", {out, x.size(1), 3, 3}),
                       conv.parameter("bias", {out}), at::IntArrayRef{1}, at::IntArrayRef{0}, at::IntArrayRef{dilation});
 }
 
-// The published "layer norm": each channel of each picture to mean 0 and deviation 2 (N - 1 in the denominator), minus
-// 1, times 5.
+// The published "layer norm": normalizes each channel of each picture to mean 0 and standard deviation 2 (N - 1 in the
+// denominator), then (x - 1) * 5.
 Tensor contrast(const Tensor& x) {
     const Tensor mean = x.mean({2, 3}, true),
                  deviation = at::std(x, at::IntArrayRef{2, 3}, /*unbiased=*/true, /*keepdim=*/true) + 1e-9;
     return 5 * (2 * (x - mean) / deviation - 1);
 }
 
-// Context gathered at several distances, mixed in where a gate opens.
+// Aggregates context at several dilations, and blends it in through a learned gate.
 Tensor aot_block(const Scope& s, const AotganShape& shape, const Tensor& x) {
     const std::int64_t channels = x.size(1), branches = static_cast<std::int64_t>(shape.rates.size());
     std::vector<Tensor> gathered;
@@ -72,11 +71,11 @@ Tensor aot_block(const Scope& s, const AotganShape& shape, const Tensor& x) {
 }
 
 Tensor twice_as_large(const Tensor& x) {
-    return at::upsample_bilinear2d(x, {2 * x.size(2), 2 * x.size(3)}, /*align_corners=*/true);  // corners on corners
+    return at::upsample_bilinear2d(x, {2 * x.size(2), 2 * x.size(3)}, /*align_corners=*/true);  // align_corners = true
 }
 
-// conv3x3 of maps that lie side by side, without laying them there: each has its part of the kernel, and the parts'
-// outputs add up.
+// conv3x3 over concatenated maps without concatenating them: each map is convolved with its part of the kernel, and the
+// outputs are summed.
 Tensor conv_of(const Scope& s, const std::vector<Tensor>& maps, std::int64_t out) {
     std::int64_t channels = 0;
     for (const Tensor& map : maps) channels += map.size(1);
@@ -94,7 +93,7 @@ Tensor conv_of(const Scope& s, const std::vector<Tensor>& maps, std::int64_t out
 
 Tensor unit_vector(const Tensor& x) { return x / x.norm().clamp_min(1e-12); }
 
-// The kernel divided by its largest singular value.
+// Spectral normalization: the kernel divided by its largest singular value.
 Tensor spectral_kernel(const Scope& s, at::IntArrayRef shape, bool power_iteration) {
     const Tensor kernel = s.parameter("weight_orig", shape), matrix = kernel.reshape({shape[0], -1});
     Tensor u = s.parameter("weight_u", {shape[0]}), v = s.parameter("weight_v", {matrix.size(1)});
@@ -102,7 +101,7 @@ Tensor spectral_kernel(const Scope& s, at::IntArrayRef shape, bool power_iterati
         const at::NoGradGuard no_gradients;
         v.copy_(unit_vector(at::mv(matrix.t(), u)));
         u.copy_(unit_vector(at::mv(matrix, v)));
-        u = u.clone();  // the next call changes them while this one's gradient still needs them
+        u = u.clone();  // the next call changes u and v while this call's gradient still needs them
         v = v.clone();
     }
     return kernel / at::dot(u, at::mv(matrix, v));

@@ -18,17 +18,17 @@ namespace {
 using namespace nn;
 using at::Tensor;
 
-constexpr std::int64_t kSmallest = 64;  // picture through which a new network is run once
+constexpr std::int64_t kSmallest = 64;  // picture size of a new network's trial run
 constexpr std::size_t kRowsOfSheet = 8;
 constexpr std::size_t kLookTogether = 8;
 constexpr int kPyramidLevels = 4;
 
-// What a step sees: pictures [N, 3, H, W] in -1..1, masks [N, 1, H, W] with 1 = hole.
+// Inputs of a step: pictures [N, 3, H, W] in -1..1, masks [N, 1, H, W] with 1 = hole.
 struct Pictures {
-    Tensor truth, shown, hole;  // `shown`: with white or the harmonic fill in the holes
+    Tensor truth, shown, hole;  // `shown`: the network's input, with white or the harmonic fill in the holes
 };
 
-// Examples side by side in memory.
+// Stacks examples into a batch.
 Batch batch_of(const std::vector<const InpaintExample*>& examples, bool harmonic) {
     const int w = examples[0]->truth.width, h = examples[0]->truth.height;
     const auto n = static_cast<std::int64_t>(examples.size());
@@ -61,9 +61,8 @@ Batch batch_of(const std::vector<InpaintExample>& examples, std::size_t begin, s
     return batch_of(some, harmonic);
 }
 
-// Differences of two pictures at each of several sizes, what is coarser taken out (Burt and Adelson 1983). Stands in
-// for the perceptual loss where there is no VGG19: unlike a plain difference it sees edges and textures before they are
-// the last thing that is wrong.
+// L1 distance over a Laplacian pyramid (Burt and Adelson 1983). Replaces the perceptual loss when VGG19 is unavailable:
+// unlike plain L1, it penalizes wrong edges and textures early in training.
 Tensor pyramid_loss(Tensor difference) {
     Tensor sum = at::zeros({}, difference.options());
     for (int level = 0; level < kPyramidLevels; ++level) {
@@ -79,10 +78,10 @@ Tensor mean_in_holes(const Tensor& values, const Tensor& hole) {
     return (values * hole).sum() / (hole.sum() * values.size(1)).clamp_min(1);
 }
 
-// Minus PSNR / 10 in the holes, mean over the pictures. A mean square listens to the few pictures that nobody could
-// paint; this one asks each picture for the same share of what is wrong with it.
+// -PSNR / 10 in the holes, averaged over pictures. A mean squared error would be dominated by a few unpredictable
+// pictures; this loss weights the relative error of each picture equally.
 Tensor lacking_psnr(const Tensor& difference, const Tensor& hole) {
-    constexpr double kRounding = 1e-5;  // what eight bits leave, in squares of -1..1
+    constexpr double kRounding = 1e-5;  // 8-bit quantization error, squared, in units of -1..1
     const std::vector<std::int64_t> picture{1, 2, 3};
     const Tensor square = (difference.square() * hole).sum(picture) /
                           (hole.sum(picture) * difference.size(1)).clamp_min(1);
@@ -122,16 +121,16 @@ class Trainer {
         TrainingTask out;
         out.learners = {&generator_};
         if (discriminator_) out.learners.push_back(discriminator_.get());
-        out.draw = [this](Random& dice) { return draw(dice); };
-        out.step = [this](const Batch& batch, std::int64_t step, double rate) {
-            return this->step(on_device(batch), step, rate);
+        out.draw = [this](Random& rng) { return draw(rng); };
+        out.step = [this](const Batch& batch, std::int64_t step, double learning_rate) {
+            return this->step(on_device(batch), step, learning_rate);
         };
-        out.look = [this] { return look(); };
+        out.evaluate = [this] { return evaluate(); };
         AotganTrainingParams network = params_;
         network.training = {};
         out.settings = fields_json(network);
         const Json loop = fields_json(TrainingParams{});
-        for (const auto& [name, value] : loop.items()) out.settings.erase(name);  // train() keeps those itself
+        for (const auto& [name, value] : loop.items()) out.settings.erase(name);  // train() records those itself
         out.settings["examples"] = examples_.about;
         return out;
     }
@@ -140,12 +139,12 @@ class Trainer {
     AotganShape shape() const { return {params_.width, params_.blocks, {1, 2, 4, 8}, params_.skips}; }
     bool harmonic() const { return params_.holes == "harmonic"; }
     LearnerSettings settings() const {
-        return {{.rate = params_.training.rate, .beta1 = 0.5, .beta2 = 0.999},
-                params_.training.average,
+        return {{.learning_rate = params_.training.learning_rate, .beta1 = 0.5, .beta2 = 0.999},
+                params_.training.ema_decay,
                 params_.training.clip};
     }
 
-    // A network that adds to the harmonic fill begins by adding nothing.
+    // A network that adds to the harmonic fill is initialized to add nothing.
     static Start first_generator(const AotganTrainingParams& params, std::uint64_t seed) {
         const Start kernels = params.holes == "harmonic" ? start_he(seed) : start_normal(seed, 0.02);
         const bool nothing = params.holes == "harmonic";
@@ -156,7 +155,7 @@ class Trainer {
         return start_from(as_wide(unwrapped(load_weights(params.start), "encoder.1.weight"), params.width, seed),
                           "encoder.1.weight", fresh);
     }
-    // A narrower generator is widened where that goes without a rest; others are told where they do not fit.
+    // Widens a narrower generator if the widths divide evenly; others are rejected later with their mismatch.
     static Weights as_wide(Weights weights, std::int64_t width, std::uint64_t seed) {
         if (!weights.has("encoder.1.weight")) return weights;
         const AotganShape found = aotgan_shape(weights);
@@ -164,9 +163,9 @@ class Trainer {
                                                                : weights;
     }
 
-    Batch draw(Random& dice) const {
+    Batch draw(Random& rng) const {
         std::vector<InpaintExample> drawn;
-        for (int i = 0; i < params_.training.batch; ++i) drawn.push_back(examples_.draw(dice));
+        for (int i = 0; i < params_.training.batch; ++i) drawn.push_back(examples_.draw(rng));
         return batch_of(drawn, 0, drawn.size(), harmonic());
     }
     Pictures on_device(const Batch& batch) const {
@@ -175,10 +174,10 @@ class Trainer {
 
     Tensor painted(const Scope& generator, const Pictures& p) const {
         const Tensor out = aotgan_generator(generator, shape(), p.shown, p.hole).to(at::kFloat);
-        return harmonic() ? p.shown + out * p.hole : out;  // what it says of known pixels is never used
+        return harmonic() ? p.shown + out * p.hole : out;  // its output at known pixels is never used
     }
 
-    Numbers step(const Pictures& p, std::int64_t step, double rate) {
+    Numbers step(const Pictures& p, std::int64_t step, double learning_rate) {
         const Autocast autocast(device_, bf16_);
         Numbers numbers;
         Tensor loss = at::zeros({}, at::TensorOptions(device_).dtype(at::kFloat));
@@ -203,25 +202,25 @@ class Trainer {
             const Adversarial said = soft_mask_loss(discriminator_->scope(), params_.width, composed, p.truth, p.hole);
             add("adversarial", step >= params_.adversarial_from ? params_.adversarial : 0, said.generator);
             loss.backward();
-            discriminator_->forget_gradients();  // the generator's wish is no lesson for the discriminator
+            discriminator_->forget_gradients();  // gradients of the generator's loss must not train the discriminator
             said.discriminator.backward();
             numbers.emplace_back("discriminator", said.discriminator.item<double>());
-            discriminator_->update(rate);
+            discriminator_->update(learning_rate);
         } else {
             loss.backward();
         }
-        numbers.emplace_back("gradient", generator_.update(rate));
+        numbers.emplace_back("gradient", generator_.update(learning_rate));
         return numbers;
     }
 
-    Look look() {
+    Evaluation evaluate() {
         const at::NoGradGuard no_gradients;
         double psnr = 0, psnr_fill = 0, l1 = 0;
         std::vector<ImageRgb8> rows;
         for (std::size_t begin = 0; begin < examples_.held_out.size(); begin += kLookTogether) {
             const std::size_t end = std::min(examples_.held_out.size(), begin + kLookTogether);
             const Pictures p = on_device(batch_of(examples_.held_out, begin, end, harmonic()));
-            const Tensor made = p.truth * (1 - p.hole) + painted(generator_.average(), p).clamp(-1, 1) * p.hole;
+            const Tensor made = p.truth * (1 - p.hole) + painted(generator_.ema(), p).clamp(-1, 1) * p.hole;
             for (std::int64_t i = 0; i < made.size(0); ++i) {
                 psnr += psnr_in_holes(made[i], p.truth[i], p.hole[i]);
                 psnr_fill += psnr_in_holes(p.shown[i], p.truth[i], p.hole[i]);

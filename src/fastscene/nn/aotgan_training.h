@@ -1,5 +1,5 @@
-// AOT-GAN's training (paper: "we retrain AOT-GAN on our synthesized dataset"): settings and examples in, a generator's
-// file out. No libtorch in sight.
+// Training of AOT-GAN (paper: "we retrain AOT-GAN on our synthesized dataset"): settings and examples in, a generator
+// file out. The interface is free of libtorch.
 #pragma once
 
 #include <filesystem>
@@ -56,18 +56,18 @@ void visit_fields(AotganTrainingParams& p, V&& v) {
 
 struct InpaintExample {
     ImageRgb8 truth;    // sRGB; sides multiples of 8, all examples of one size
-    ImageMask hole;     // nonzero = to be painted
-    ImageColor filled;  // sRGB in 0..1, the harmonic fill in the holes; empty when the network finds white there
+    ImageMask hole;     // nonzero = inpaint
+    ImageColor filled;  // sRGB in 0..1, harmonic fill in the holes; empty if the network expects white there
 };
 struct InpaintExamples {
-    std::function<InpaintExample(Random& dice)> draw;  // may be called from another thread
-    std::vector<InpaintExample> held_out;              // the figures are theirs
-    Json about;                                        // what must be equal for a training to be gone on with
+    std::function<InpaintExample(Random& rng)> draw;  // may be called on another thread
+    std::vector<InpaintExample> held_out;             // validation examples
+    Json about;                                       // must match for a training to be resumed
 };
 
-// Trains in `folder` (nn/training.h says what is written there), and keeps the averaged generator as
-// generator.safetensors (f16), which the program loads. Throws what train() throws. Returns the figures of the held-out
-// examples by name: "psnr" (dB, 8 bit, in the holes, mean over the examples), "psnr of the harmonic fill", "l1".
+// Trains in `folder` (files: see nn/training.h), and writes the generator's EMA weights to generator.safetensors (f16),
+// which the program can load. Throws what train() throws. Returns metrics on the held-out examples by name: "psnr" (dB,
+// 8 bit, in the holes, mean over the examples), "psnr of the harmonic fill", "l1".
 std::vector<std::pair<std::string, double>> train_aotgan(const AotganTrainingParams& params,
                                                          const InpaintExamples& examples,
                                                          const std::filesystem::path& folder, const Run& run);

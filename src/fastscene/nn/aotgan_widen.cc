@@ -8,12 +8,11 @@ namespace {
 
 using at::Tensor;
 
-// How far the shares of copies stray from equal ones.
+// how far the weights of copies deviate from equal
 constexpr float kUneven = 0.5f;
 
-// Hands out the narrow network's parameters, and makes wide ones of them as they are asked for: the generator itself
-// says which there are and how large. Only where channels lie side by side from several sources, in a branch's cat or a
-// skip's, is more to be known.
+// Derives wide parameters from the narrow network's on request: running the wide generator determines which ones exist
+// and their shapes. Special cases are only the layers that read concatenated channels (branches, skips).
 class Wide final : public WeightSource {
   public:
     Wide(const Weights& narrow, const AotganShape& shape, std::int64_t times, std::uint64_t seed)
@@ -38,27 +37,27 @@ class Wide final : public WeightSource {
     }
 
   private:
-    // Picture and mask come in and the picture goes out as they were; all other channels are `times` as many.
+    // The input picture, the mask and the output picture keep their channels; all others are multiplied by `times`.
     std::vector<std::int64_t> narrow_shape(const std::string& key, at::IntArrayRef wanted) const {
         std::vector<std::int64_t> out = wanted.vec();
         if (!key.starts_with("decoder.4.")) out[0] /= times_;
         if (out.size() == 4 && key != "encoder.1.weight") out[1] /= times_;
         return out;
     }
-    // How many outputs lie side by side in what a kernel reads.
+    // How many concatenated outputs a kernel reads.
     std::int64_t sources_of(const std::string& key) const {
         if (key.find(".fuse.") != std::string::npos) return static_cast<std::int64_t>(shape_.rates.size());
         return shape_.skips && (key == "decoder.2.conv.weight" || key == "decoder.4.weight") ? 2 : 1;
     }
-    // [O, sources n, k, k] -> [O, sources times n, k, k]: each source's channels come `times` times in a row.
+    // [O, sources n, k, k] -> [O, sources times n, k, k]: each channel of each source is repeated `times` times.
     Tensor shared_among_copies(const std::string& key, const Tensor& kernel, std::int64_t inputs) const {
         if (kernel.size(1) == inputs) return kernel;
         const std::int64_t out = kernel.size(0), sources = sources_of(key), n = kernel.size(1) / sources,
                            k = kernel.size(2);
         Tensor shares = at::empty({out, sources, times_, n, 1, 1}, at::kFloat);
-        Random dice(seed_, "widened " + key);
+        Random rng(seed_, "widened " + key);
         float* share = shares.data_ptr<float>();
-        for (std::int64_t i = 0; i < shares.numel(); ++i) share[i] = kUneven * dice.normal();
+        for (std::int64_t i = 0; i < shares.numel(); ++i) share[i] = kUneven * rng.normal();
         shares = shares - shares.mean(2, true) + 1.0 / static_cast<double>(times_);
         return (kernel.reshape({out, sources, 1, n, k, k}) * shares).reshape({out, inputs, k, k});
     }
@@ -78,7 +77,7 @@ Weights widened(const Weights& narrow, const AotganShape& shape, std::int64_t ti
     Wide wide(narrow, shape, times, seed);
     AotganShape larger = shape;
     larger.width *= times;
-    // A network that is run asks for all its parameters.
+    // A forward pass requests all parameters.
     (void)aotgan_generator(Scope(wide), larger, at::zeros({1, 3, 64, 64}), at::zeros({1, 1, 64, 64}));
     return wide.take();
 }

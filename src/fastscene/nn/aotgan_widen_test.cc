@@ -1,4 +1,4 @@
-// A wider generator begins where the narrow one ended, and is free to learn more.
+// A widened generator computes the same function, and its copies can learn different things.
 #include "fastscene/nn/aotgan_widen.h"
 
 #include <gtest/gtest.h>
@@ -42,7 +42,7 @@ TEST(AotganWidened, PaintsWhatTheNarrowOnePaints) {
         }
 }
 
-// Copies that were read alike would be taught alike for ever.
+// Copies with equal outgoing weights would receive equal gradients forever.
 TEST(AotganWidened, CopiesAreReadDifferently) {
     const Narrow narrow(true);
     const Weights wide = widened(narrow.weights, narrow.shape, 2, 7);

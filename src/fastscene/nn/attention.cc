@@ -18,11 +18,11 @@ using at::Tensor;
 
 constexpr int kVectors = 3, kPanel = kVectors * kLanes;
 
-constexpr std::int64_t kTileRows = 8 * kRows;  // of q: their part of the weights is 64 x 480 floats, 123 KB
+constexpr std::int64_t kTileRows = 8 * kRows;  // rows of q: their part of the weights is 64 x 480 floats, 123 KB
 constexpr std::int64_t kTileKeys = 10 * 48;
 static_assert(kTileKeys % kPanel == 0);
 
-// The keys in panels of kPanel [panel][d][kPanel], the values with rows of whole vectors [M][wide]; zeros beyond.
+// Keys in panels of kPanel: [panel][d][kPanel]. Values in rows padded to whole vectors: [M][wide]. Padding is zero.
 struct Packed {
     Floats keys, values;
     std::int64_t wide;
@@ -38,10 +38,10 @@ Packed packed(const float* k, const float* v, std::int64_t m, std::int64_t d) {
     return out;
 }
 
-// What a thread works in.
+// A thread's scratch memory.
 struct Bench {
     Floats q, weights, sum;
-    Floats greatest, total;  // of each row so far
+    Floats greatest, total;  // running maximum and sum of each row
     Bench(std::int64_t d, std::int64_t wide)
         : q(kTileRows * d),
           weights(kTileRows * kTileKeys),
@@ -50,8 +50,8 @@ struct Bench {
           total(kTileRows) {}
 };
 
-// Turns a row of scores into weights relative to the greatest seen so far; what was summed before shrinks when that
-// grows.
+// Online softmax: turns a row of scores into weights relative to the running maximum, and rescales earlier sums when
+// the maximum grows.
 void weigh(Bench& b, std::int64_t row, std::int64_t keys, std::int64_t padded, std::int64_t wide) {
     float* s = b.weights.data() + row * kTileKeys;
     std::fill(s + keys, s + padded, -std::numeric_limits<float>::infinity());
@@ -121,7 +121,7 @@ Tensor through_bf16(const Tensor& q, const Tensor& k, const Tensor& v) {
         bf16::pack(numbers(k) + i * m * d, numbers(v) + i * m * d, m, d, numbers(keys), numbers(values));
         at::parallel_for(0, tiles, 1, [&](std::int64_t begin, std::int64_t end) {
             const Tensor work = at::empty({static_cast<std::int64_t>(bf16::workspace(d))},
-                                          at::kByte);  // libtorch aligns to 64
+                                          at::kByte);  // libtorch aligns to 64 bytes
             const std::int64_t from = begin * kAtOnce, to = std::min(end * kAtOnce, l);
             bf16::attend(numbers(q) + (i * l + from) * d, to - from, numbers(keys), numbers(values), m, d,
                          reinterpret_cast<std::byte*>(work.data_ptr()), numbers(out) + (i * l + from) * d);

@@ -1,5 +1,6 @@
-// Compiled for the processors that have one of them, wherever the rest runs (attention.cmake): nothing but intrinsics
-// in here, so that no function of a header is compiled for them too and then taken by others.
+// Compiled for processors with these instructions and used only there (attention.cmake). Contains nothing but
+// intrinsics: an inline function from a header, compiled here, could be merged by the linker into code that runs on
+// other processors.
 #include "fastscene/nn/attention_bf16.h"
 
 #include "fastscene/base/isa.h"
@@ -13,16 +14,17 @@
 namespace fastscene::nn::bf16 {
 namespace {
 
-constexpr std::int64_t kTile = 16;  // rows of a tile, and numbers of a row of sums
-constexpr std::int64_t kDeep = 32;  // bfloat16 numbers in a row
+constexpr std::int64_t kTile = 16;  // rows of a tile, and columns of an accumulator tile
+constexpr std::int64_t kDeep = 32;  // bfloat16 numbers in a tile row
 constexpr std::int64_t kTileSize = kTile * kDeep;
-constexpr std::int64_t kKeys = 256;  // whose weights are in memory at once: 32 KB of scores
-constexpr float kLowest = -1e37f;    // times the scale still a number
+constexpr std::int64_t kKeys = 256;  // keys whose weights are in memory at once: 32 KB of scores
+constexpr float kLowest = -1e37f;    // still finite after scaling
 
 std::int64_t rounded_up(std::int64_t x, std::int64_t to) { return (x + to - 1) / to * to; }
 
 struct Sizes {
-    std::int64_t deep, wide, keys;  // d for products over it, d for sums of it, m: each with zeros to whole tiles
+    // d padded for products over it, d padded for sums of it, m padded: multiples of the tile size
+    std::int64_t deep, wide, keys;
     Sizes(std::int64_t m, std::int64_t d)
         : deep(rounded_up(d, kDeep)), wide(rounded_up(d, kTile)), keys(rounded_up(m, kDeep)) {}
 };
@@ -30,13 +32,14 @@ struct Sizes {
 bool has_matrix_unit() {
     static const bool there = [] {
         constexpr long kAskForState = 0x1023,
-                       kTileData = 18;  // arch_prctl(ARCH_REQ_XCOMP_PERM, …): the tiles' state is given on request only
+                       // arch_prctl(ARCH_REQ_XCOMP_PERM, …): the kernel grants tile state on request only
+            kTileData = 18;
         return __builtin_cpu_supports("amx-bf16") && syscall(SYS_arch_prctl, kAskForState, kTileData) == 0;
     }();
     return there;
 }
 
-// All eight tiles at their full size, for as long as this lives; nothing where there is no matrix unit.
+// Configures all eight tiles at full size during its lifetime; does nothing without AMX.
 class Tiles {
   public:
     Tiles() {
@@ -46,7 +49,7 @@ class Tiles {
             config[16 + 2 * t] = 64;  // bytes a row
             config[48 + t] = 16;      // rows
         }
-        // GCC 12 believes that the instruction reads eight bytes only, and may leave out the rest as stores to nowhere.
+        // GCC 12 believes that the instruction reads only eight bytes, and may drop the other stores.
         asm volatile("" : : "r"(config) : "memory");
         _tile_loadconfig(config);
     }
@@ -57,7 +60,7 @@ class Tiles {
     Tiles& operator=(const Tiles&) = delete;
 };
 
-// What a thread works in.
+// A thread's scratch memory.
 struct Work {
     Bf16 *q, *weights;    // [kRows, deep], [kRows, kKeys]
     float *scores, *sum;  // [kRows, kKeys], [kRows, wide]
@@ -95,7 +98,7 @@ void score(const Work& w, const Bf16* keys, std::int64_t count, const Sizes& s) 
     }
 }
 
-// Two numbers of a row, to be multiplied by a pair of rows.
+// Two consecutive numbers of a row, to be multiplied by a pair of rows.
 __m512bh pair_of(const Bf16* at) {
     int both;
     __builtin_memcpy(&both, at, sizeof both);
@@ -103,9 +106,9 @@ __m512bh pair_of(const Bf16* at) {
 }
 __m512bh pairs_of(const Bf16* at) { return reinterpret_cast<__m512bh>(_mm512_loadu_si512(at)); }
 
-// sum[kTall][kWide vectors] += left [kTall rows of `left_row` numbers] by the tiles at `right`, `deep` of them one
-// after the other `right_step` numbers apart; kWide tiles beside each other lie `right_beside` numbers apart. What the
-// matrix unit does in one instruction, in registers.
+// sum[kTall][kWide vectors] += left [kTall rows with stride `left_row`] * the tiles at `right`: `deep` tiles in
+// sequence, `right_step` numbers apart; kWide tiles side by side, `right_beside` numbers apart. Does with vector
+// registers what AMX does in one instruction.
 constexpr int kTall = 8;
 template <int kWide>
 void multiply_by_vectors(const Bf16* left, std::int64_t left_row, const Bf16* right, std::int64_t right_step,
@@ -131,7 +134,7 @@ void multiply_by_vectors(const Bf16* left, std::int64_t left_row, const Bf16* ri
         for (int c = 0; c < kWide; ++c) _mm512_store_ps(sum + r * sum_row + c * kTile, sums[r][c]);
 }
 
-// score() and add_values() without a matrix unit.
+// score() and add_values() without AMX.
 void score_by_vectors(const Work& w, const Bf16* keys, std::int64_t count, const Sizes& s) {
     const std::int64_t chunks = s.deep / kDeep;
     for (std::int64_t j = 0; j < count; j += 2 * kTile)
@@ -154,7 +157,7 @@ void add_values_by_vectors(const Work& w, const Bf16* values, std::int64_t keys,
     }
 }
 
-// 2^x for x <= 0, relative error 5e-5: the weights are rounded to 4e-3 anyway.
+// 2^x for x <= 0, relative error 5e-5: below the rounding of the weights (4e-3).
 __m512 power_of_two(__m512 x) {
     const __m512 whole = _mm512_roundscale_ps(x, _MM_FROUND_TO_NEAREST_INT | _MM_FROUND_NO_EXC),
                  rest = _mm512_sub_ps(x, whole);
@@ -166,8 +169,8 @@ __m512 power_of_two(__m512 x) {
     return _mm512_scalef_ps(p, whole);
 }
 
-// Turns a row of scores into weights relative to the greatest seen so far; what was summed before shrinks when that
-// grows.
+// Online softmax: turns a row of scores into weights relative to the running maximum, and rescales earlier sums when
+// the maximum grows.
 void weigh(Work& w, std::int64_t row, std::int64_t count, std::int64_t padded, float scale, const Sizes& s) {
     float* scores = w.scores + row * kKeys;
     for (std::int64_t j = count; j < padded; ++j) scores[j] = kLowest;
@@ -250,8 +253,7 @@ void pack(const Bf16* k, const Bf16* v, std::int64_t m, std::int64_t d, Bf16* ke
     __builtin_memset(values, 0, static_cast<std::size_t>(s.keys * s.wide) * sizeof(Bf16));
     for (std::int64_t j = 0; j < m; ++j)
         for (std::int64_t i = 0; i < d; ++i) {
-            // Keys: tiles of 16 keys by 32 numbers, which are the unit's 32 rows. Values: tiles of 32 keys by 16
-            // numbers.
+            // Keys: tiles of 16 keys by 32 numbers, the depth of AMX's product. Values: tiles of 32 keys by 16 numbers.
             keys[(j / kTile * (s.deep / kDeep) + i / kDeep) * kTileSize + i % kDeep / 2 * 32 + j % kTile * 2 + i % 2] =
                 k[j * d + i];
             values[(j / kDeep * (s.wide / kTile) + i / kTile) * kTileSize + j % kDeep / 2 * 32 + i % kTile * 2 +

@@ -10,7 +10,7 @@ using at::Tensor;
 
 namespace {
 
-// Column by column: when a is b the later columns read what the earlier ones have become, as in the published code.
+// Column by column: if a is b, later columns read already blended ones, as in the published code.
 Tensor blend(const Tensor& a, Tensor b, std::int64_t count, std::int64_t dim) {
     count = std::min({count, a.size(dim), b.size(dim)});
     for (std::int64_t i = 0; i < count; ++i) {

@@ -12,7 +12,7 @@ using at::Tensor;
 
 namespace {
 
-// Of the first `asked` tokens to all.
+// Queries are the first `asked` tokens only; keys are all.
 Tensor self_attention(const Scope& s, const Tensor& x, std::int64_t asked, const ClipTower& tower, const Tensor& mask) {
     const std::int64_t w = tower.width;
     const Tensor q = linear(s / "q_proj", x.narrow(1, 0, asked), w), k = linear(s / "k_proj", x, w),
@@ -25,7 +25,7 @@ Tensor perceptron(const Scope& s, const Tensor& x, const ClipTower& tower) {
     return linear(s / "fc2", tower.quick_gelu ? quick_gelu(std::move(inner)) : at::gelu(inner), tower.width);
 }
 
-// `wanted`: the last layer puts out so many of its tokens, the first ones.
+// `wanted`: the last layer computes only its first `wanted` tokens.
 Tensor layers(const Scope& s, Tensor x, std::int64_t wanted, const ClipTower& tower, const Tensor& mask) {
     for (std::int64_t i = 0; i < tower.layers; ++i) {
         const Scope layer = s / "layers" / i;
@@ -37,7 +37,7 @@ Tensor layers(const Scope& s, Tensor x, std::int64_t wanted, const ClipTower& to
     return x;
 }
 
-// `t`: what holds where the file says nothing.
+// `t`: default values for what the file omits.
 ClipTower tower_of(const Json& json, const std::string& where, ClipTower t) {
     const ConfigFields f(json, where);
     t.width = f.whole("hidden_size", t.width);
@@ -62,7 +62,7 @@ ClipTower tower_of(const Json& json, const std::string& where, ClipTower t) {
     return t;
 }
 
-// The tower's object, with what `…_dict` says put over it; empty when the file names neither.
+// The tower's JSON object, overridden by the `…_dict` entry; empty if the file has neither.
 Json tower_json(const ConfigFields& file, const std::string& key) {
     Json out = Json::object();
     for (const std::string& name : {key, key + "_dict"})
@@ -82,7 +82,7 @@ ClipTower clip_vision_tower(const Json& json, const std::string& where) {
 
 ClipConfig clip_config(const Json& json, const std::string& where) {
     const ConfigFields f(json, where);
-    const bool whole = f.text("model_type", "") == "clip";  // may leave out both towers
+    const bool whole = f.text("model_type", "") == "clip";  // a text encoder alone may omit both towers
     const auto part = [&](const std::string& key) {
         Json tower = tower_json(f, key);
         if (tower.empty() && !whole) throw Error("{}: expected \"{}\" (a CLIPModel), found none", where, key);
@@ -114,9 +114,10 @@ Tensor clip_vision(const Scope& root, const ClipTower& tower, const Tensor& pixe
     const Tensor first = embeddings.parameter("class_embedding", {tower.width}).expand({n, 1, tower.width});
     const Tensor places = (embeddings / "position_embedding").parameter("weight", {count, tower.width});
     const Tensor x = layer_norm(s / "pre_layrnorm", at::cat({first, patches}, 1) + places,
-                                tower.eps);  // the name is CLIP's
-    const std::int64_t wanted = s.is_heard() ? count
-                                             : 1;  // the first token's state is the picture's; who listens hears all
+                                tower.eps);  // "pre_layrnorm" [sic]: CLIP's own spelling
+    const std::int64_t wanted =
+        s.is_heard() ? count
+                     : 1;  // the first token's state represents the picture; with a listener all tokens are computed
     return layer_norm(s / "post_layernorm", layers(s / "encoder", x, wanted, tower, {}).select(1, 0), tower.eps);
 }
 

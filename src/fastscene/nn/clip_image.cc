@@ -10,7 +10,7 @@
 namespace fastscene {
 namespace {
 
-constexpr int kBits = 22;  // of a weight: 32 less 8 for the value and 2 for what the sum exceeds
+constexpr int kBits = 22;  // fixed-point bits of a weight: 32, less 8 for the value and 2 for overshoot of the sum
 
 double cubic(double x) {
     x = std::abs(x);
@@ -43,7 +43,7 @@ std::vector<Taps> taps_for(int from, int to) {
 
 std::uint8_t byte_of(std::int32_t sum) { return static_cast<std::uint8_t>(std::clamp(sum >> kBits, 0, 255)); }
 
-// Weighted sum of pixels `step` apart.
+// Weighted sum of pixels with stride `step`.
 Rgb8 gathered(const Rgb8* pixels, std::size_t step, const Taps& taps) {
     std::array<std::int32_t, 3> sum{1 << (kBits - 1), 1 << (kBits - 1), 1 << (kBits - 1)};
     for (std::size_t k = 0; k < taps.weights.size(); ++k) {
@@ -55,7 +55,7 @@ Rgb8 gathered(const Rgb8* pixels, std::size_t step, const Taps& taps) {
     return {byte_of(sum[0]), byte_of(sum[1]), byte_of(sum[2])};
 }
 
-// Half to even, as Python rounds.
+// Rounds half to even, like Python.
 int rounded(double v) { return static_cast<int>(std::nearbyint(v)); }
 
 }  // namespace

@@ -1,15 +1,15 @@
-// The picture as CLIP was trained on it.
+// Preprocessing of pictures as in CLIP's training.
 #pragma once
 
 #include "fastscene/image/image.h"
 
 namespace fastscene {
 
-// Pillow's bicubic resize (a = -0.5, widened against aliasing, 8-bit values with 22-bit weights, rows first), to the
-// pixel.
+// Bit-exact reimplementation of Pillow's bicubic resize (a = -0.5, antialiased, 8-bit values with 22-bit weights,
+// horizontal pass first).
 ImageRgb8 pillow_bicubic(const ImageRgb8& image, int width, int height);
 
-// Shorter side to `side`, center crop to side x side.
+// Resizes the shorter side to `side`, then center-crops to side x side.
 ImageRgb8 clip_crop(const ImageRgb8& image, int side = 224);
 
 }  // namespace fastscene

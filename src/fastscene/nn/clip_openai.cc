@@ -18,7 +18,7 @@ const WeightTensor& tensor_of_rank(const Weights& w, const std::string& name, st
     return tensor;
 }
 
-// Queries, keys and values lie below each other in one matrix.
+// Query, key and value projections are stacked in one matrix.
 WeightTensor third_of(const Weights& w, const std::string& name, std::size_t rank, std::size_t which) {
     WeightTensor part = tensor_of_rank(w, name, rank);
     if (part.shape[0] % 3)
@@ -30,7 +30,7 @@ WeightTensor third_of(const Weights& w, const std::string& name, std::size_t ran
     return part;
 }
 
-// OpenAI multiplies from the right.
+// OpenAI stores matrices for right multiplication.
 WeightTensor transposed(const Weights& w, const std::string& name) {
     const WeightTensor& from = tensor_of_rank(w, name, 2);
     const auto rows = static_cast<std::size_t>(from.shape[0]), columns = static_cast<std::size_t>(from.shape[1]),
@@ -70,7 +70,7 @@ std::int64_t layers_in(const Weights& w, const std::string& blocks) {
     return count;
 }
 
-// What both towers are told by alike: the first layer's perceptron and the count of layers.
+// What is derived in the same way for both towers: the width of the first MLP and the number of layers.
 ClipTower tower_of(const Weights& w, const std::string& blocks, std::int64_t width) {
     const std::int64_t inner = tensor_of_rank(w, blocks + "0.mlp.c_fc.weight", 2).shape[0];
     if (width % kHeadWidth)

@@ -1,5 +1,5 @@
-// CLIP as OpenAI publishes it (ViT-B-32.pt, ViT-L-14.pt): one file of weights under OpenAI's names, from whose shapes
-// follows what else there is to know. Private to nn/ (torch).
+// CLIP checkpoints in OpenAI's format (ViT-B-32.pt, ViT-L-14.pt): a single file whose tensor shapes determine the
+// configuration. Private to nn/ (torch).
 #pragma once
 
 #include "fastscene/nn/clip.h"
@@ -9,11 +9,11 @@ namespace fastscene::nn {
 
 struct OpenAiClip {
     ClipConfig config;
-    Weights weights;  // under transformers' names, as clip.h wants them
+    Weights weights;  // renamed to transformers' keys, as clip.h expects
 };
-// `weights`: the TorchScript archive as published, or its state_dict. Heads are 64 wide and the activation is x
-// sigmoid(1.702 x), as in all of OpenAI's; files of others with these names are read alike. Throws Error naming the
-// file, the tensor, what was expected and found; so for a picture tower that is a ResNet (RN50 …).
+// `weights`: the published TorchScript archive, or its state_dict. Assumes heads of width 64 and quick GELU, as in all
+// of OpenAI's models. Throws Error naming the file, the tensor, expected and actual; also for ResNet image towers (RN50
+// …).
 OpenAiClip openai_clip(const Weights& weights);
 
 }  // namespace fastscene::nn

@@ -1,4 +1,4 @@
-// CLIP from files: what a config.json may leave out, and one network in each of the forms in which it is published.
+// CLIP from files: defaults of config.json, and the same network in each published format.
 #include "fastscene/nn/clip.h"
 
 #include <gtest/gtest.h>
@@ -50,8 +50,7 @@ TEST(ClipConfig, WhatIsLeftOutIsViTB32) {
     }
 }
 
-// As ViT-L/14's file has it: the differences from B/32 in dictionaries of their own, beside towers that say nothing or
-// something else.
+// As in ViT-L/14's file: the differences from B/32 are in separate dictionaries, beside towers with other values.
 TEST(ClipConfig, TheOlderDictionariesWin) {
     const Json json = {
         {"model_type", "clip"},
@@ -160,7 +159,7 @@ Weights weights_of(const Named& tensors) {
     return out;
 }
 
-// Modules within modules, as the names say.
+// Nested modules as the dotted names imply.
 torch::jit::Module module_of(const Named& tensors, int& count) {
     torch::jit::Module module("__torch__.tiny.Part" + std::to_string(count++));
     std::map<std::string, Named> parts;
@@ -193,7 +192,7 @@ struct Clip : testing::Test {
     }
 };
 
-// Ten times what a cosine differs by from one instruction set to another (2e-7).
+// Ten times the difference of cosines between instruction sets (2e-7).
 constexpr double kSameDirection = 3e-6;
 
 TEST_F(Clip, EveryPublishedFormGivesTheSameVectors) {
@@ -226,7 +225,7 @@ TEST_F(Clip, PicturesTogetherAreSeenAsEachAlone) {
     EXPECT_LT(cosine(together[0], together[1]), 0.9999);
 }
 
-// The last layer is worked out for the picture's own token only, unless somebody listens.
+// Without a listener, the last layer is computed for the class token only; the result must not change.
 TEST(ClipVision, ListeningChangesNothing) {
     const c10::InferenceMode inference;
     const nn::ClipConfig c = nn::clip_config(kTiny, "tiny");
@@ -244,7 +243,7 @@ TEST(QuickGelu, IsItsFormulaOfAnyNumber) {
     const auto formula = [](const at::Tensor& x) { return x.to(at::kDouble) * at::sigmoid(1.702 * x.to(at::kDouble)); };
     for (const std::int64_t count : {1, 15, 16, 100'003}) {
         const at::Tensor x = 40 * nn::hashed_input("x", {count});
-        const at::Tensor tried = nn::quick_gelu(x);  // with gradients, which need x as it was
+        const at::Tensor tried = nn::quick_gelu(x);  // with gradients enabled, which need the original x
         EXPECT_TRUE(at::equal(x, 40 * nn::hashed_input("x", {count})));
         const at::NoGradGuard no_gradients;
         const at::Tensor expected = formula(x), found = nn::quick_gelu(x.clone());
@@ -252,7 +251,7 @@ TEST(QuickGelu, IsItsFormulaOfAnyNumber) {
         EXPECT_LT((tried - expected).abs().max().item<double>(), 1e-5) << count;
     }
     const at::NoGradGuard no_gradients;
-    // What somebody else holds, or a part of it, stays as it was; what is moved in gives its memory.
+    // Shared tensors and views must stay unchanged; a tensor moved in gives up its memory.
     const at::Tensor held = nn::hashed_input("x", {64});
     nn::quick_gelu(held);
     nn::quick_gelu(held.narrow(0, 32, 32));
@@ -281,7 +280,7 @@ TEST_F(Clip, OfATorchScriptArchiveOnlyTheDataIsRead) {
     EXPECT_EQ(w.at("scale").floats(), (std::vector<float>{3}));
     const std::string whole = read_file(file);
     EXPECT_NE(whole.find("code/__torch__"), std::string::npos) << "there is code in it";
-    // Cut anywhere, any byte changed: refused with the file's name, or harmless.
+    // Truncated anywhere or with any byte changed, a file is refused with its name or harmless.
     Random random(7, "archive");
     const fs::path broken = root / "broken.pt";
     for (int i = 0; i < 300; ++i) {
@@ -337,7 +336,7 @@ TEST_F(Clip, LpipsIsZeroForEqualPicturesAndGrowsWithTheDifference) {
     const auto save = [&](const HashedWeights& weights, const char* name, bool positive) {
         Named tensors;
         for (const auto& [key, tensor] : weights.seen())
-            tensors[key] = positive ? tensor.abs() : tensor;  // as trained: no layer counts against likeness
+            tensors[key] = positive ? tensor.abs() : tensor;  // as trained: nonnegative head weights
         save_safetensors(root / name, weights_of(tensors));
     };
     save(backbone, "alexnet.safetensors", false);
@@ -366,7 +365,8 @@ TEST_F(Clip, LpipsIsZeroForEqualPicturesAndGrowsWithTheDifference) {
               }).find("alex.safetensors"),
               std::string::npos);
     for (const float dead :
-         {0.f, std::numeric_limits<float>::quiet_NaN()}) {  // all pictures are equal to it: no perfect score
+         // pictures are indistinguishable: the score would always be perfect
+         {0.f, std::numeric_limits<float>::quiet_NaN()}) {
         Named tensors;
         for (const auto& [key, tensor] : backbone.seen()) tensors[key] = at::full_like(tensor, dead);
         save_safetensors(root / "dead.safetensors", weights_of(tensors));

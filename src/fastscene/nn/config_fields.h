@@ -1,4 +1,4 @@
-// Reading a model folder's config.json: every value checked, every complaint with file and key. Private to nn/.
+// Reads a model folder's config.json with validation: errors name file and key. Private to nn/.
 #pragma once
 
 #include <cstdint>
@@ -10,7 +10,7 @@
 
 namespace fastscene::nn {
 
-// A JSON value that must be there or, with a default, may be absent or null.
+// A JSON value that must be present or, with a default, may be absent or null.
 class ConfigFields {
   public:
     ConfigFields(const Json& json, std::string where) : json_(json), where_(std::move(where)) {

@@ -12,9 +12,9 @@ namespace {
 
 using at::Tensor;
 
-// Where a point of the grid is read, and how that moves with the point.
+// A bilinear sample and its derivative with respect to the position.
 struct SampledPoint {
-    std::array<std::int64_t, 4> token;  // up left, up right, down left, down right; 0 where the grid ends
+    std::array<std::int64_t, 4> token;  // top left, top right, bottom left, bottom right; 0 outside the grid
     std::array<float, 4> share, by_column, by_row;
 
     SampledPoint(float row, float column, Grid grid) {
@@ -24,7 +24,7 @@ struct SampledPoint {
         for (int corner = 0; corner < 4; ++corner) {
             const auto i = static_cast<std::size_t>(corner);
             const float cx = left + static_cast<float>(corner % 2), cy = up + static_cast<float>(corner / 2);
-            const bool inside = cx >= 0 && cx < w && cy >= 0 && cy < h;  // false for NaN
+            const bool inside = cx >= 0 && cx < w && cy >= 0 && cy < h;  // also false for NaN
             const float across = corner % 2 ? right : 1 - right, along = corner / 2 ? down : 1 - down,
                         here = inside ? 1.f : 0.f;
             token[i] = inside ? static_cast<std::int64_t>(cy) * grid.width + static_cast<std::int64_t>(cx) : 0;
@@ -47,7 +47,7 @@ struct MixSizes {
           d(channels / heads) {}
 };
 
-// For each token and head from `begin` on: body(its head's first channel, its first tap). Both count through pictures
+// For each token and head from `begin` on, calls body(first channel of the head, first tap). Indices run over pictures
 // and tokens.
 void for_each_head(const MixSizes& at, std::int64_t begin, std::int64_t end, const auto& body) {
     for (std::int64_t token = begin; token < end; ++token)
@@ -98,7 +98,7 @@ class MixFunction : public torch::autograd::Function<MixFunction> {
                     *arrived = back.data_ptr<float>();
         float *value_out = to_value.data_ptr<float>(), *offset_out = to_offset.data_ptr<float>(),
               *weight_out = to_weight.data_ptr<float>();
-        // By pictures: tokens of one give to the same values.
+        // Parallel over pictures, since the tokens of one picture accumulate into the same values.
         at::parallel_for(0, at.n, 1, [&](std::int64_t begin, std::int64_t end) {
             for_each_head(
                 at, begin * at.tokens, end * at.tokens,
@@ -144,7 +144,7 @@ Tensor deformable_mix_by_operators(const Tensor& value, const Tensor& offset, co
     const Tensor row = 2 * point.select(-1, 0) / static_cast<double>(h - 1) - 1;
     const Tensor where = at::stack({column, row}, -1).reshape({n * heads, h, w * kTaps, 2});
     const Tensor sampled = at::grid_sampler(pictures, where, 0, 0, false)
-                               .view({n * heads, c / heads, h, w, kTaps});  // bilinear, zeros outside
+                               .view({n * heads, c / heads, h, w, kTaps});  // bilinear, zero padding
     const Tensor shares =
         weight.view({n, h, w, heads, kTaps}).permute({0, 3, 1, 2, 4}).reshape({n * heads, 1, h, w, kTaps});
     return (sampled * shares).sum(-1).view({n, c, h * w}).transpose(1, 2);

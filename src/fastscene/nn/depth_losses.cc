@@ -12,7 +12,8 @@ Tensor sum_of_picture(const Tensor& x) { return x.sum(at::IntArrayRef{1, 2, 3}, 
 }  // namespace
 
 Tensor aligned_depth(const Tensor& found, const Tensor& truth, const Tensor& mask) {
-    // [a b; b n] (scale, shift)' = (c, d)', from means: sums of squares of 100,000 pixels would lose digits.
+    // Solves [a b; b n] (scale, shift)' = (c, d)' using means: sums of squares over 100,000 pixels would lose
+    // precision.
     const Tensor n = sum_of_picture(mask).clamp_min(1);
     const Tensor mean_found = sum_of_picture(mask * found) / n, mean_truth = sum_of_picture(mask * truth) / n;
     const Tensor off_found = (found - mean_found) * mask, off_truth = (truth - mean_truth) * mask;

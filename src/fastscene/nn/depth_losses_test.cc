@@ -64,7 +64,7 @@ TEST(DepthLoss, DirectCountsFactors) {
     EXPECT_NEAR(value(direct_loss(truth / 2, truth, mask)), std::log(2.), 1e-5);
 }
 
-// By hand: one step of height 1 between two columns of 8, seen at four scales.
+// Closed form: one step of height 1 between two columns of 8, at four scales.
 TEST(DepthLoss, GradientsCountEdgesAtEachScale) {
     Tensor truth = at::zeros({1, 1, 16, 16}), found = truth.clone();
     found.narrow(3, 8, 8).fill_(1);

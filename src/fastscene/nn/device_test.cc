@@ -1,5 +1,5 @@
-// That networks may be computed elsewhere than on the processor. No graphics card is needed: libtorch's "meta" device
-// knows shapes and types without numbers, and complains as CUDA does about a tensor that was left on the processor.
+// Networks must run on other devices than the CPU. No GPU is needed for the test: libtorch's "meta" device tracks
+// shapes and types without data, and complains like CUDA about a tensor left on the CPU.
 #include <ATen/ATen.h>
 #include <c10/core/InferenceMode.h>
 #include <gtest/gtest.h>
@@ -20,7 +20,7 @@ namespace {
 using nn::Scope;
 
 #if TORCH_VERSION_MAJOR < 2
-// The layers whose shapes libtorch 1.13 does not know there.
+// Layers for which libtorch 1.13 lacks a meta kernel.
 void expect_same(const at::Tensor& x, const at::Tensor& weight, const c10::optional<at::Tensor>& bias) {
     TORCH_CHECK(
         x.is_meta() && weight.is_meta() && (!bias || bias->is_meta()) && x.scalar_type() == weight.scalar_type(),

@@ -57,7 +57,7 @@ nn::Sampler sampler_named(const std::string& name) {
     throw UsageError("--panorama-sampler: expected euler-ancestral, ddim or unipc, found \"{}\"", name);
 }
 
-// After which steps people may look: early, and halfway.
+// Steps with a preview: an early one, and the one halfway.
 bool is_preview_step(int step, int steps) {
     return step + 1 == (steps + 9) / 10 || (steps >= 8 && step + 1 == steps / 2);
 }
@@ -81,14 +81,14 @@ struct Diffusion360::Parts {
                         weights.string());
         control.emplace(weights / "sd-i2p", model, kMaskAndColor);
     }
-    // The published bands are as wide as the picture; larger pictures, and little memory, want tiles.
+    // Published bands are as wide as the picture; larger pictures and low memory need tiles.
     bool decodes_in_tiles() const { return settings.low_memory || settings.width > 1024; }
     std::int64_t latent_width() const { return settings.width / kPixelsPerLatent; }
 
     void estimate(const Run& run);
     Tensor decode(const Tensor& latents, const Run& run) const;  // [1, 3, H, W] in [0, 1]
     Tensor encode(const Tensor& unit, const Run& run) const;
-    // The control's folder is not one of the model's.
+    // The ControlNet's folder is outside the model's.
     fs::path folder_of(const std::string& part) const {
         return part == "control" ? control->weights->path() : model.base / part;
     }
@@ -108,7 +108,7 @@ void Diffusion360::Parts::estimate(const Run& run) {
     run.note(fmt::format("diffusion360: {}, {:.0f} million parameters, needs about {} of {}memory", info.family,
                          static_cast<double>(info.parameters) / 1e6, gib_text(info.peak_bytes),
                          on_card ? "the graphics card's " : ""));
-    if (on_card) return;  // which says itself when it is full
+    if (on_card) return;  // CUDA reports by itself when its memory is full
     check_memory(fmt::format("diffusion360: {} x {} in {}", settings.width, settings.width / 2, settings.precision),
                  info.peak_bytes,
                  fmt::format("{}{}, or make it smaller with --panorama-width",
@@ -120,7 +120,7 @@ Tensor Diffusion360::Parts::decode(const Tensor& latents, const Run& run) const 
     nn::StoppableWeights weights(*model.vae, run);
     const Scope s(weights);
     const nn::Autocast coarse(model.options.device,
-                              settings.precision == "bf16");  // what is summed up from layer to layer stays in float
+                              settings.precision == "bf16");  // residual sums stay in float
     const Tensor z = (latents / model.vae_config.scale).to(model.options.device);
     const std::int64_t tile = model.vae_config.sample_size / kPixelsPerLatent;
     const nn::SphereTiles how{tile, tile / 4, 1, kPixelsPerLatent, {}};
@@ -152,7 +152,7 @@ ImageRgb8 Diffusion360::Parts::finish(Tensor start, nn::TextToPanorama how, nn::
                                       const std::string& prompt, const Run& run, const Preview& preview) const {
     const std::string negative = settings.negative.empty() ? std::string(kDiffusion360Negative) : settings.negative;
     const Tensor text = model.read_prompt(diffusion360_prompt(prompt), negative, run);
-    Progress progress(run, "panorama", settings.steps + 2);  // the decoder takes about as long as two steps
+    Progress progress(run, "panorama", settings.steps + 2);  // decoding takes about as long as two steps
     how.guidance = settings.guidance;
     how.seam = settings.published_seam ? nn::Seam::published : nn::Seam::closed;
     how.blend_columns = latent_width() / 32;
@@ -182,7 +182,7 @@ Diffusion360::Diffusion360(const fs::path& weights, const Diffusion360Settings& 
     use_our_threads();
     parts_ = std::make_unique<Parts>(weights, settings, from);
     (void)nn::make_scheduler(parts_->model.options.sampler, parts_->model.schedule,
-                             settings.steps);  // refuses more steps than there are
+                             settings.steps);  // throws if there are more steps than the schedule has
     parts_->estimate(run);
     parts_->model.check_shapes();
     if (parts_->control) parts_->control->check_shapes();

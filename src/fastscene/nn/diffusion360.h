@@ -1,6 +1,5 @@
-// Diffusion360 (Feng et al. 2023): Stable Diffusion fine-tuned on panoramas, with ends that meet. The whole of it
-// behind plain data: a sentence in, an equirectangular picture out. Weights are the user's: a folder as diffusers saves
-// it.
+// Diffusion360 (Feng et al. 2023): Stable Diffusion fine-tuned for seamless 360 degree panoramas, behind a plain-data
+// interface: text in, equirectangular picture out. Users provide the weights, in diffusers' folder layout.
 #pragma once
 
 #include <cstdint>
@@ -18,45 +17,47 @@ struct Diffusion360Settings {
     int width = 1024;  // multiple of 128; the model was trained at 1024; height is half of it
     int steps = 20;
     double guidance = 7.5;
-    std::string sampler = "euler-ancestral";  // or ddim, unipc
-    std::string device = "auto";              // or cpu, cuda; auto: CUDA where libtorch has it
-    std::string precision = "float";          // or bf16; on CUDA fp16, too
-    bool published_seam = false;              // the repository's text path, whose left 32 columns repeat the right ones
-    bool low_memory = false;                  // weights are read layer by layer, the picture is decoded in tiles
-    std::string negative;                     // empty: the published negative prompt
-    std::string upscale = "none";             // what follows the painting (upscale360.h)
-    double photo_fov_deg = 90;                // how wide the photo sees, when one is continued all around
+    std::string sampler = "euler-ancestral";  // euler-ancestral, ddim or unipc
+    std::string device = "auto";              // auto, cpu or cuda; auto: CUDA if libtorch supports it
+    std::string precision = "float";          // float or bf16; on CUDA also fp16
+    // reproduces the published text pipeline, in which the left 32 columns repeat the right ones
+    bool published_seam = false;
+    bool low_memory = false;       // weights are loaded layer by layer, and the picture is decoded in tiles
+    std::string negative;          // empty: the published negative prompt
+    std::string upscale = "none";  // upscaling after generation (upscale360.h)
+    double photo_fov_deg = 90;     // horizontal field of view of the photo, if one is outpainted
 };
 
-constexpr double kGuidanceAroundPhoto = 7;  // as published; 7.5 is the text path's
+constexpr double kGuidanceAroundPhoto = 7;  // published value; that of the text pipeline is 7.5
 
-// What a folder holds, told without reading the weights.
+// What a weights folder contains, determined without reading the weights.
 struct Diffusion360Info {
     std::string family;           // "Stable Diffusion 1.x" or "2.x"
     std::string prediction;       // "epsilon" or "v_prediction"
-    std::int64_t parameters = 0;  // of the denoiser
-    std::int64_t peak_bytes = 0;  // what a run will need, estimated
+    std::int64_t parameters = 0;  // of the U-Net
+    std::int64_t peak_bytes = 0;  // estimated peak memory of a run
 };
 
 class Diffusion360 {
   public:
     enum class From { text, photo };
-    // `weights`: unet/ vae/ text_encoder/ tokenizer/ scheduler/, or a folder with them in sd-base/. From a photo: a
-    // folder with sr-base/ (such a model) and sd-i2p/ (the ControlNet). Every tensor's name and shape is held against
-    // the configuration before anything is computed. Throws Error naming the folder or file, expected and found:
-    // missing or damaged components, components of different models, too little memory.
+    // `weights`: unet/ vae/ text_encoder/ tokenizer/ scheduler/, or a folder that has them in sd-base/. From::photo: a
+    // folder with sr-base/ (such a model) and sd-i2p/ (the ControlNet). Checks names and shapes of all tensors against
+    // the configuration before computing. Throws Error naming folder or file, expected and actual: missing, damaged or
+    // mismatched components, insufficient memory.
     Diffusion360(const std::filesystem::path& weights, const Diffusion360Settings& settings, const Run& run,
                  From from = From::text);
     ~Diffusion360();
     Diffusion360(Diffusion360&&) noexcept;
     const Diffusion360Info& info() const;
 
-    // Hears along the way what the picture would be if it ended here, decoded at half its size.
+    // Receives intermediate results at half size: what the picture would be if sampling ended now.
     using Preview = std::function<void(const ImageRgb8&)>;
-    // settings.width x settings.width / 2, sRGB. The seed means what it means to PyTorch's generator on the CPU.
+    // Returns an sRGB picture of settings.width x settings.width / 2. run.seed has the same meaning as in PyTorch's CPU
+    // generator.
     ImageRgb8 paint(const std::string& prompt, const Run& run, const Preview& preview = {}) const;
-    // The photo in the middle of the panorama, continued all around (From::photo only). The model was trained with
-    // square photos of 90°.
+    // Outpaints a photo, placed in the center, to a panorama (From::photo only). The model was trained on square photos
+    // with a field of view of 90°.
     ImageRgb8 paint_around(const ImageRgb8& photo, const std::string& prompt, const Run& run,
                            const Preview& preview = {}) const;
 
@@ -65,7 +66,7 @@ class Diffusion360 {
     std::unique_ptr<Parts> parts_;
 };
 
-// The words that the published pipeline puts around the user's.
+// Embeds the user's prompt into the published prompt template.
 std::string diffusion360_prompt(const std::string& prompt);
 extern const std::string_view kDiffusion360Negative;
 

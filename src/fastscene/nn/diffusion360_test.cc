@@ -61,7 +61,7 @@ class Painted : public testing::Test {
 };
 fs::path Painted::model_;
 
-// Mean difference of two columns.
+// Mean difference between two columns.
 double step_between(const ImageRgb8& image, int a, int b) {
     double sum = 0;
     for (int y = 0; y < image.height; ++y) {
@@ -71,7 +71,7 @@ double step_between(const ImageRgb8& image, int a, int b) {
     return sum / (3 * image.height);
 }
 
-// The two ends of the picture differ no more than any two columns beside each other do.
+// The seam is no more visible than the boundary between any two adjacent columns.
 void expect_closed(const ImageRgb8& image) {
     double most = 0;
     for (int x = 0; x + 1 < image.width; ++x) most = std::max(most, step_between(image, x, x + 1));
@@ -172,7 +172,7 @@ TEST_F(Painted, VelocityModelsAreRead) {
     EXPECT_NE(model.paint("a room", {}), Diffusion360(model_, small(), {}).paint("a room", {}));
 }
 
-// For any weights, in bands and in tiles, and where all is decoded at once.
+// For any weights, decoded in bands, in tiles and in one piece.
 TEST_F(Painted, TheEndsMeetForOtherWeights) {
     for (const int sample_size : {64, 512})
         for (const char* salt : {"a", "b"}) {
@@ -249,7 +249,7 @@ TEST_F(Painted, AStreamedNetworkKeepsNothing) {
     EXPECT_LT(streamed.largest_bytes(), streamed.bytes());
 }
 
-// The official folder: a painter of its own for photos and larger pictures.
+// The official folder: a separate model for photos and for upscaling.
 class PaintedFurther : public Painted {
   protected:
     fs::path official() const {
@@ -290,7 +290,7 @@ TEST_F(PaintedFurther, ThePhotoLiesInTheMiddle) {
     const nn::PhotoOnSphere placed = nn::photo_on_sphere(photo(0), 256, 90);
     const double share = placed.mask.mean().item<double>();
     EXPECT_GT(share, 0.08);
-    EXPECT_LT(share, 0.17);  // 90 of 360 degrees wide, 74 of 180 high, rounded by the sphere
+    EXPECT_LT(share, 0.17);  // 90 of 360 degrees wide, 74 of 180 high, rounded by the projection
     EXPECT_EQ(placed.mask[0][0][64][128].item<float>(), 1);
     EXPECT_EQ(placed.mask[0][0][64][128 + 31].item<float>(), 1) << "45 degrees to the right";
     EXPECT_EQ(placed.mask[0][0][64][128 + 33].item<float>(), 0);
@@ -377,7 +377,8 @@ TEST(TimesThePainting, GrowsWithThePictureAndFallsWithThePaintersSteps) {
         settings.to = to;
         return times_the_painting(1024, steps, settings);
     };
-    EXPECT_GT(times("3", 20), 5);  // nine times the pixels, under a ControlNet, in a quarter of the steps, seen twice
+    // nine times the pixels, with a ControlNet, a quarter of the steps, in overlapping tiles
+    EXPECT_GT(times("3", 20), 5);
     EXPECT_LT(times("3", 20), 20);
     EXPECT_GT(times("6", 20), times("3", 20));
     EXPECT_GT(times("6-refined", 20), 4 * times("3", 20));
@@ -395,7 +396,7 @@ TEST(SphereTiles, NeitherBordersNorTheSeamShow) {
     const at::Tensor y = nn::over_sphere(x, how, twice);
     EXPECT_LT((y - at::upsample_nearest2d(x, {40, 100})).abs().max().item<double>(), 1e-6);
     EXPECT_EQ(calls, 2 * 5);
-    // What a tile adds at its ends is spread: no column beside another jumps.
+    // A bias towards tile borders is blended away: no jump between adjacent columns.
     const auto tilted = [](const at::Tensor& t) {
         return at::zeros({1, 1, t.size(2), t.size(3)}) + at::arange(t.size(3), at::kFloat);
     };
@@ -419,7 +420,7 @@ TEST(DiffusionMemory, WhatIsKnownBeforehand) {
     EXPECT_THROW(check_memory("x", std::int64_t{1} << 50, ""), Error);
 }
 
-// A network that knows the truth: every sampler must find the clean latent again.
+// Given a perfect denoiser, every sampler must recover the clean latent.
 TEST(Samplers, FollowAPerfectDenoiserToTheCleanLatent) {
     for (const nn::Sampler sampler : {nn::Sampler::euler_ancestral, nn::Sampler::ddim, nn::Sampler::unipc})
         for (const nn::Prediction prediction : {nn::Prediction::noise, nn::Prediction::velocity}) {

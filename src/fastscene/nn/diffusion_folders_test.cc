@@ -1,5 +1,5 @@
-// Folders of weights as users bring them: named in every way, mixed up, damaged, of another model. What is wrong is
-// said before anything is computed; what can only be seen while computing is said at once, and by name.
+// Weight folders as users provide them: all naming variants, mixed up, damaged, from other models. Whatever is wrong is
+// reported by name before computing, or else as soon as it becomes detectable.
 #include <gtest/gtest.h>
 
 #include <functional>
@@ -20,7 +20,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Notes what is told, and asks to stop when `stops_at` says so.
+// Records events, and requests a stop when `stops_at` says so.
 struct Overheard : EventSink {
     std::vector<std::string> warnings;
     std::vector<std::int64_t> done;
@@ -175,7 +175,7 @@ TEST_F(Folders, AControlNetMayTakeBlueFirst) {
     const ImageRgb8 plain = paint();
     change(folder / "sd-i2p/config.json", "controlnet_conditioning_channel_order", "bgr");
     EXPECT_NE(paint(), plain);
-    // The same network with its first kernel's channels turned round sees the same again.
+    // The same network with its first kernel's channels reversed must give the same output.
     const fs::path file = folder / "sd-i2p/diffusion_pytorch_model.safetensors";
     Weights weights = load_weights(file);
     WeightTensor& kernel = weights.tensors.at("controlnet_cond_embedding.conv_in.weight");
@@ -343,7 +343,7 @@ TEST_F(Folders, WeightsThatAreNotNumbersAreToldByTheirComponentAndEarly) {
     settings.steps = 4;
     struct Case {
         std::string folder, file, key;
-        std::int64_t steps;  // that were made before it was noticed
+        std::int64_t steps;  // completed before the stop took effect
     };
     for (const Case& c : {Case{"text_encoder", "model.safetensors", "text_model.final_layer_norm.bias", -1},
                           {"unet", "diffusion_pytorch_model.safetensors", "conv_in.bias", 0},
@@ -399,7 +399,7 @@ TEST_F(Folders, AStopIsHeardBetweenLayers) {
         run.events = &heard;
         run.stop = heard.stop.get_token();
         std::string words;
-        for (int i = 0; i < 300; ++i) words += " b";  // warned of before it is read
+        for (int i = 0; i < 300; ++i) words += " b";  // warned about before it is encoded
         EXPECT_THROW((void)Diffusion360(home_ / "model", small(), {}).paint(words, run), Stopped);
         return heard.done;
     };

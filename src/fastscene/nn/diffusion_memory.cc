@@ -9,11 +9,11 @@ namespace fastscene {
 namespace {
 
 constexpr double kGiB = 1 << 30;
-// Measured at 1024 x 512: one step with guidance; decoding in bands of 64 x 160 latents. Both grow with the area.
+// Measured at 1024 x 512: one step with guidance; decoding in bands of 64 x 160 latents. Both scale with the area.
 constexpr double kDenoise = 1.6 * kGiB, kDecode = 3.2 * kGiB, kBase = 0.3 * kGiB;
 constexpr double kDecodeTile = kDecode * (64.0 * 64) / (64 * 160);
 
-// Stable Diffusion 1.5: numbers in its parts, and in its largest kernel (2560 to 1280 channels, 3 x 3).
+// Stable Diffusion 1.5: parameter counts of its parts, and of its largest kernel (2560 to 1280 channels, 3 x 3).
 constexpr std::int64_t kDenoiserNumbers = 859520964, kPictureNumbers = 83653863, kTextNumbers = 123060480,
                        kLargestNumbers = 2560LL * 1280 * 9;
 
@@ -21,7 +21,7 @@ constexpr std::int64_t kDenoiserNumbers = 859520964, kPictureNumbers = 83653863,
 
 std::int64_t diffusion_memory(const DiffusionMemory& run) {
     const double share = 0.5 * run.width * run.width / (1024.0 * 512);
-    // Of a streamed network the parameter in use is there, as it lies in the file and as it is computed with.
+    // With streaming, only the current parameter is in memory: as stored in the file and as converted.
     const auto held = [&](std::int64_t bytes) {
         return run.low_memory ? std::min<double>(static_cast<double>(bytes), 2.0 * static_cast<double>(run.largest))
                               : static_cast<double>(bytes);

@@ -20,7 +20,7 @@ struct Egformer::State {
 
 namespace {
 
-// The file says how wide its first stage is; a file of ours also says at what size it was trained.
+// The width of the first stage follows from the file; our files also state the training resolution.
 EgformerShape shape_of(const Weights& weights) {
     const WeightTensor& first = weights.at("patch_embed.0.weight");
     if (first.shape.size() != 4 || first.shape[0] < 4 || first.shape[0] > 256 || first.shape[0] % 4 != 0)
@@ -39,7 +39,7 @@ EgformerShape shape_of(const Weights& weights) {
     return shape;
 }
 
-// Every parameter is asked for once on a tiny picture, so that a file that lacks one is refused before any work.
+// Requests every parameter once on a tiny picture, so that an incomplete file is refused before any work.
 void check_all_keys(nn::LoadedWeights& weights, EgformerShape shape) {
     shape.height = 32;
     shape.width = 64;
@@ -70,8 +70,8 @@ Egformer Egformer::of(Weights weights) {
 
 const EgformerShape& Egformer::shape() const { return state_->constants.shape; }
 
-ImageF Egformer::relative_depth(const ImageColor& color, int looks) const {
-    FASTSCENE_CHECK(looks >= 1 && looks <= 8);
+ImageF Egformer::relative_depth(const ImageColor& color, int augmentations) const {
+    FASTSCENE_CHECK(augmentations >= 1 && augmentations <= 8);
     const at::NoGradGuard no_gradients;
     use_our_threads();
     const EgformerShape& size = shape();
@@ -79,23 +79,23 @@ ImageF Egformer::relative_depth(const ImageColor& color, int looks) const {
     at::Tensor input = at::empty({1, 3, size.height, size.width});
     float* planes = input.data_ptr<float>();
     for (std::size_t i = 0; i < seen.size(); ++i) {
-        // Through 8 bits: what the network was trained on.
+        // Quantized to 8 bits, like the network's training data.
         const Rgb8 c = srgb8_from_linear(seen.pixels[i]);
         planes[i] = static_cast<float>(c.r) / 255.f;
         planes[seen.size() + i] = static_cast<float>(c.g) / 255.f;
         planes[2 * seen.size() + i] = static_cast<float>(c.b) / 255.f;
     }
     at::Tensor sum;
-    for (int look = 0; look < looks; ++look) {
-        const std::int64_t turn = look / 2 * (size.width / 4);
-        const bool mirrored = look % 2 == 1;
+    for (int k = 0; k < augmentations; ++k) {
+        const std::int64_t turn = k / 2 * (size.width / 4);
+        const bool mirrored = k % 2 == 1;
         const at::Tensor turned = input.roll(turn, 3);
         const at::Tensor found = nn::egformer(nn::Scope(state_->weights), state_->constants,
                                               mirrored ? turned.flip(3) : turned.contiguous());
         const at::Tensor back = (mirrored ? found.flip(3) : found).roll(-turn, 3);
-        sum = look == 0 ? back : sum + back;
+        sum = k == 0 ? back : sum + back;
     }
-    const at::Tensor depth = (looks == 1 ? sum : sum / looks).contiguous();
+    const at::Tensor depth = (augmentations == 1 ? sum : sum / augmentations).contiguous();
     ImageF out(size.width, size.height);
     std::copy_n(depth.data_ptr<float>(), out.size(), out.pixels.begin());
     return out;

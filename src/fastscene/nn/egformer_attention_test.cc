@@ -1,4 +1,4 @@
-// What is fused for the CPU against the same by libtorch's operators in double precision: numbers and gradients.
+// Fused CPU kernels against libtorch's operators in double precision: values and gradients.
 #include <ATen/ATen.h>
 #include <gtest/gtest.h>
 
@@ -50,7 +50,7 @@ INSTANTIATE_TEST_SUITE_P(OfAnySize, OfWindows,
                                                           GridShape{1, 20, 40, 3, 33}),
                                           testing::Values(Windows::rows, Windows::columns)));
 
-// Scores that are all 0 have no direction: nothing is said, and no gradient is NaN.
+// All-zero scores have no direction: the output is zero, and no gradient is NaN.
 TEST(WindowAttention, OfNothingIsNothing) {
     const Tensor qkv = leaf(at::zeros({1, 8, 6}), at::kFloat);
     const WindowAttention found = window_attention(qkv, at::zeros({1, 2, 2}), Grid{2, 4}, 1, Windows::columns);
@@ -65,7 +65,8 @@ TEST_P(OfPoints, MixAndLearnWhatOperatorsDo) {
     const auto& [n, h, w, heads, d] = GetParam();
     const std::int64_t c = heads * d;
     at::manual_seed(c + w);
-    // Points all over the grid and a little beyond it; none where two pixels meet, for there the gradient jumps.
+    // Sample points all over the grid and slightly beyond; none at pixel boundaries, where the gradient is
+    // discontinuous.
     const Tensor patch = (at::rand({h * w, kTaps, 2}) * at::tensor({h + 2., w + 2.}, at::kFloat)).floor() - 1;
     const Tensor values = at::randn({n, h * w, c}), offsets = 0.2 + 0.2 * at::rand({n, h * w, heads * kTaps * 2}),
                  weights = at::rand({n, h * w, heads * kTaps}), back = at::randn({n, h * w, c});

@@ -28,7 +28,7 @@ Tensor picture_from_tokens(const Tensor& tokens, Grid grid) {
 }
 Tensor tokens_from_picture(const Tensor& picture) { return picture.flatten(2).transpose(1, 2).contiguous(); }
 
-// ---- PanoFormer's block: attention that samples nine points of the tangent patch, each moved by a learned offset ----
+// ---- PanoFormer block: attention to nine points of the tangent patch, each displaced by a learned offset ----
 
 // -> [N, h, w, C]
 Tensor deformable_attention(const Scope& s, const Tensor& x, Grid grid, std::int64_t heads, const Tensor& patch) {
@@ -41,7 +41,7 @@ Tensor deformable_attention(const Scope& s, const Tensor& x, Grid grid, std::int
     return s.out(linear(s / "wm_proj", mixed, c));
 }
 
-// Feed-forward with a depthwise 3 x 3 between: the picture closes at its sides.
+// Feed-forward network with a depthwise 3 x 3 convolution, circular padding horizontally.
 Tensor local_feed_forward(const Scope& s, const Tensor& x, Grid grid) {
     const std::int64_t c = x.size(2), wide = 4 * c;
     const Tensor picture = picture_from_tokens(exact_gelu(linear(s / "linear1" / 0, x, wide)), grid);
@@ -61,9 +61,9 @@ Tensor panoformer_layer(const Scope& s, Tensor x, Grid grid, std::int64_t heads,
     return s.out(x);
 }
 
-// ---- EGformer's block: attention within one row or one column, biased by the geometry of the sphere ----
+// ---- EGformer block: attention within one row or column, biased by spherical geometry ----
 
-// qkv [N, L, 3C]; x: the block's input [N, L, C]; bias: how far apart two tokens of a window lie on the sphere (ERPE).
+// qkv [N, L, 3C]; x: the block's input [N, L, C]; bias: spherical distance between two tokens of a window (ERPE).
 Tensor equirect_attention(const Scope& s, const Tensor& qkv, const Tensor& x, Grid grid, std::int64_t heads,
                           Windows windows, const Tensor& bias) {
     const std::int64_t n = x.size(0), c = x.size(2), h = grid.height, w = grid.width;
@@ -71,12 +71,12 @@ Tensor equirect_attention(const Scope& s, const Tensor& qkv, const Tensor& x, Gr
     const std::int64_t count = columns ? w : h, length = columns ? h : w;
     const auto [said, loudness] = window_attention(qkv, 0.1 * bias, grid, heads,
                                                    windows);  // no 1 / sqrt(d), as published
-    // How much a window has to say, against the window of this picture that says most.
+    // The weight of a window, relative to the picture's strongest one.
     const Tensor strength = at::clamp_min(loudness / loudness.amax(1, true), 0.5);
     const Tensor of_token = columns ? strength.view({n, 1, w, 1}) : strength.view({n, h, 1, 1});
     const Tensor raster = (said.view({n, h, w, c}) * of_token).view({n, h * w, c});
-    // What a weak window does not say is said by the input (EaAR). As published, the input is cut into chunks of a
-    // window's length in raster order also where windows are columns: the weights were trained with that.
+    // The remainder comes from the input (EaAR). As published, the input is divided in raster order into chunks of a
+    // window's length even where windows are columns: the weights were trained that way.
     const Tensor rest = x.reshape({n, count, length, c}) * (1 - strength).view({n, count, 1, 1});
     return (s / "attns" / 0).out(raster + rest.view({n, h * w, c}));
 }
@@ -91,9 +91,9 @@ Tensor equirect_block(const Scope& s, const Tensor& x, Grid grid, std::int64_t h
     return s.out(y + fed);
 }
 
-// ---- the U ----
+// ---- the U-shaped network ----
 
-// Heads of PanoFormer's attention (0: this stage has none) and of EGformer's.
+// Number of heads of PanoFormer's attention (0: not used in this stage) and of EGformer's.
 struct Stage {
     const char* name;
     int level;
@@ -104,8 +104,8 @@ constexpr Stage kBottleneck = {"bottleneck", 4, 0, 16};
 constexpr Stage kUp[] = {
     {"dec_stage5", 3, 0, 8}, {"dec_stage6", 2, 0, 4}, {"dec_stage7", 1, 4, 2}, {"dec_stage8", 0, 2, 1}};
 
-// Two blocks: where the picture is large the first is PanoFormer's, where it is small it attends to rows; the second,
-// to columns.
+// Two blocks: the first is PanoFormer's at high resolution and row attention at low resolution; the second is column
+// attention.
 Tensor run_stage(const Scope& root, const Stage& stage, const Tensor& x, const EgformerConstants& k) {
     const Scope s = root / stage.name;
     const Grid grid = grid_of(k.shape, stage.level);
@@ -136,7 +136,7 @@ EgformerConstants::EgformerConstants(const EgformerShape& of, at::Device device)
         if (level < 2) patch[i] = table_tensor(tangent_patch_table(h, w), {h * w, kTaps, 2}).to(device);
         column_bias[i] = table_tensor(vertical_chord_table(h), {1, h, h}).to(device);
         if (level >= 2) {
-            // Rows near the poles are short circles.
+            // Rows near the poles are shorter circles.
             const Tensor shrink = at::sin(at::arange(h, at::kFloat) * (std::numbers::pi / h)).view({h, 1, 1});
             row_bias[i] = (table_tensor(horizontal_chord_table(w), {1, w, w}) * shrink).to(device);
         }

@@ -13,7 +13,7 @@ double floored_modulo(double value, double divisor) {
     return rest < 0 ? rest + divisor : rest;
 }
 
-// The end point is included: the last token lies a whole span after the first, as published.
+// The end point is included: the last token is a full span after the first, as published.
 std::vector<float> chord_table(int count, double span) {
     std::vector<float> angle(static_cast<std::size_t>(count));
     const float step = count > 1 ? static_cast<float>(count) / static_cast<float>(count - 1) : 0.f;
@@ -23,7 +23,8 @@ std::vector<float> chord_table(int count, double span) {
     table.reserve(angle.size() * angle.size());
     for (const float from : angle)
         for (const float to : angle) {
-            // In float, as published: 1 - cos cancels near the diagonal, and the weights were trained with that.
+            // In single precision, as published: 1 - cos loses precision near the diagonal, and the weights were
+            // trained with that.
             const float turn = to - from;
             const float chord = std::sqrt(2.f * (1.f - std::cos(turn)));
             table.push_back(turn > 0 ? chord : -chord);
@@ -34,7 +35,7 @@ std::vector<float> chord_table(int count, double span) {
 }  // namespace
 
 std::vector<float> tangent_patch_table(int height, int width) {
-    // The patch on the tangent plane: one pixel apart at the equator (gnomonic projection).
+    // The patch in the tangent plane (gnomonic projection), with the pixel spacing of the equator.
     double right[3], down[3];
     for (int r = -1; r <= 1; ++r) {
         right[r + 1] = std::tan(r * 2 * std::numbers::pi / width);
@@ -51,7 +52,8 @@ std::vector<float> tangent_patch_table(int height, int width) {
                 const double rho = tap == 4 ? 1e-8 : std::sqrt(x * x + y * y);
                 const double nu = std::atan(rho);
                 const double lat = std::asin(std::cos(nu) * std::sin(lat0) + y * std::sin(nu) * std::cos(lat0) / rho);
-                // atan, not atan2: beyond a pole the tap stays on this side. Published so; the weights know it.
+                // atan instead of atan2: beyond a pole the tap stays on this side. As published; the weights depend on
+                // it.
                 const double lon = std::atan(
                                        x * std::sin(nu) /
                                        (rho * std::cos(lat0) * std::cos(nu) - y * std::sin(lat0) * std::sin(nu))) +

@@ -19,7 +19,7 @@ namespace {
 
 using at::Tensor;
 
-constexpr float kUnit = 16.f;  // of targets, metres
+constexpr float kUnit = 16.f;  // metres per unit of the network's output
 
 // color [N, 3, H, W] in 0..1, truth and mask [N, 1, H, W].
 nn::Batch batch_of(const std::vector<DepthExample>& examples, const EgformerShape& shape) {
@@ -46,8 +46,7 @@ nn::Batch batch_of(const std::vector<DepthExample>& examples, const EgformerShap
 
 double logit(double p) { return std::log(p / (1 - p)); }
 
-// Before anything is learned the network says what stands at that latitude in a mean room; its last layer begins near
-// zero.
+// The initial network predicts the mean range at each latitude; its last layer starts near zero.
 nn::Start start_of(const EgformerTraining& training, std::uint64_t seed) {
     nn::Start random = nn::start_he(seed, 1);
     if (!training.start.empty()) random = nn::start_from(load_weights(training.start), "patch_embed.0.weight", random);
@@ -87,7 +86,7 @@ ImageF picture_of(const Tensor& map) {  // [1, 1, H, W]
     return out;
 }
 
-// Color, truth and what the network says of it, one picture a row.
+// Preview: color, ground truth and prediction, one example per row.
 class Sheet {
   public:
     Sheet(const EgformerShape& shape, int rows) : shape_(shape), image_(3 * shape.width, rows * shape.height) {}
@@ -111,7 +110,7 @@ class Sheet {
 EgformerTrained train_egformer(const EgformerTraining& training, const std::filesystem::path& folder, const Run& run) {
     const EgformerShape& shape = training.shape;
     const at::Device device = nn::training_device(training.training);
-    // On a CPU libtorch 1.13 has no layer norm of bfloat16 with parameters in single precision.
+    // On a CPU, libtorch 1.13 lacks a bfloat16 layer norm with single precision parameters.
     if (training.training.precision == "bf16" && device.is_cpu())
         throw UsageError("--precision bf16: expected for this network with --device cuda only, found a CPU");
     const bool bf16 = device.is_cuda() && nn::trains_in_bf16(training.training);
@@ -120,10 +119,10 @@ EgformerTrained train_egformer(const EgformerTraining& training, const std::file
                         [&](const nn::Scope& s) {
                             nn::egformer(s, tiny, at::zeros({1, 3, 32, 64}, device));
                         },
-                        {.adam = {}, .average = training.training.average, .clip = training.training.clip});
+                        {.adam = {}, .ema_decay = training.training.ema_decay, .clip = training.training.clip});
     EgformerTrained trained{0, 0, 0, folder / "egformer.safetensors"};
 
-    const auto look = [&] {
+    const auto evaluate = [&] {
         const at::NoGradGuard no_gradients;
         Sheet sheet(shape, std::min<int>(6, static_cast<int>(training.held_out.size())));
         Figures mean;
@@ -132,8 +131,7 @@ EgformerTrained train_egformer(const EgformerTraining& training, const std::file
             run.check_stop();
             nn::Batch one = batch_of({training.held_out[i]}, shape);
             for (Tensor& t : one) t = t.to(device);
-            const Tensor aligned = nn::aligned_depth(nn::egformer(network.average(), constants, one[0]), one[1],
-                                                     one[2]);
+            const Tensor aligned = nn::aligned_depth(nn::egformer(network.ema(), constants, one[0]), one[1], one[2]);
             const Figures f = figures_of(aligned, one[1], one[2]);
             mean.abs_rel += f.abs_rel, mean.delta1 += f.delta1;
             loss += 0.5 * (nn::invariant_loss(aligned, one[1], one[2]) + nn::gradient_loss(aligned, one[1], one[2]))
@@ -145,9 +143,10 @@ EgformerTrained train_egformer(const EgformerTraining& training, const std::file
         Weights kept = network.kept();
         kept.metadata["height"] = std::to_string(shape.height);
         save_safetensors(trained.weights, kept, SaveAs::f16);
-        return nn::Look{{{"loss", loss / n}, {"abs_rel", trained.abs_rel}, {"delta1", trained.delta1}}, sheet.image()};
+        return nn::Evaluation{{{"loss", loss / n}, {"abs_rel", trained.abs_rel}, {"delta1", trained.delta1}},
+                              sheet.image()};
     };
-    const auto step = [&](const nn::Batch& batch, std::int64_t, double rate) -> nn::Numbers {
+    const auto step = [&](const nn::Batch& batch, std::int64_t, double learning_rate) -> nn::Numbers {
         const Tensor color = batch[0].to(device), truth = batch[1].to(device), mask = batch[2].to(device);
         Tensor found;
         {
@@ -156,20 +155,21 @@ EgformerTrained train_egformer(const EgformerTraining& training, const std::file
         }
         const Tensor loss = nn::depth_loss(found, truth, mask), direct = nn::direct_loss(found, truth, mask);
         (loss + training.direct * direct).backward();
-        const double length = network.update(rate);
+        const double length = network.update(learning_rate);
         return {{"loss", loss.item<double>()}, {"direct", direct.item<double>()}, {"gradient", length}};
     };
-    const auto draw = [&](Random& dice) {
+    const auto draw = [&](Random& rng) {
         std::vector<DepthExample> examples;
-        for (int i = 0; i < training.training.batch; ++i) examples.push_back(training.draw(dice));
+        for (int i = 0; i < training.training.batch; ++i) examples.push_back(training.draw(rng));
         return batch_of(examples, shape);
     };
     Json settings = training.settings;
     settings["network"] = {{"name", "egformer"}, {"height", shape.height}, {"channels", shape.channels}};
     settings["direct"] = training.direct;
-    trained.steps = nn::train({.learners = {&network}, .draw = draw, .step = step, .look = look, .settings = settings},
-                              training.training, folder, run)
-                        .steps;
+    trained.steps =
+        nn::train({.learners = {&network}, .draw = draw, .step = step, .evaluate = evaluate, .settings = settings},
+                  training.training, folder, run)
+            .steps;
     return trained;
 }
 

@@ -15,7 +15,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// The parts that an index names.
+// The shards listed in an index.
 std::vector<fs::path> parts_of(const fs::path& index) {
     const Json json = read_json(index);
     if (!json.contains("weight_map") || !json["weight_map"].is_object())
@@ -33,7 +33,7 @@ std::vector<fs::path> parts_of(const fs::path& index) {
     return {parts.begin(), parts.end()};
 }
 
-// The weights' files of a component's folder: the names that diffusers and transformers give them.
+// Weight files in a component's folder, by the names that diffusers and transformers use.
 std::vector<fs::path> files_of(const fs::path& component) {
     if (!fs::exists(component)) throw Error("{}: expected a model's folder or file, found none", component.string());
     if (!fs::is_directory(component)) return {component};
@@ -43,7 +43,7 @@ std::vector<fs::path> files_of(const fs::path& component) {
         for (const std::string variant : {"", ".fp16"})
             for (const std::string& stem : stems) {
                 if (const fs::path whole = component / (stem + variant + ending); fs::exists(whole)) return {whole};
-                // diffusers puts the variant behind "index", other programs before the ending.
+                // diffusers inserts the variant after "index", other programs before the extension.
                 for (const std::string& index :
                      {stem + ending + ".index" + variant + ".json", stem + variant + ending + ".index.json"})
                     if (fs::exists(component / index)) return parts_of(component / index);
@@ -52,7 +52,7 @@ std::vector<fs::path> files_of(const fs::path& component) {
                 component.string());
 }
 
-// What older files call a layer of the VAE's attention.
+// Older names of the VAE's attention layers.
 std::string older_name(std::string key) {
     for (const auto& [now, then] :
          {std::pair{".to_q.", ".query."}, {".to_k.", ".key."}, {".to_v.", ".value."}, {".to_out.0.", ".proj_attn."}})
@@ -130,11 +130,11 @@ std::int64_t FileWeights::kept_bytes() const {
 const WeightTensor& FileWeights::checked(const std::string& key, at::IntArrayRef shape) const {
     const WeightTensor* tensor = find(key);
     if (!tensor) {
-        if (parts_.size() == 1) parts_[0].at(key);  // names what is near
+        if (parts_.size() == 1) parts_[0].at(key);  // throws, suggesting similar names
         throw Error("{}: expected the tensor \"{}\" {}, found none", component_.string(), key,
                     text_of_shape(shape.vec()));
     }
-    // An old VAE stores 1 x 1 convolutions where a matrix stands now.
+    // Old VAEs store 1 x 1 convolutions in place of matrices.
     const at::IntArrayRef found(tensor->shape);
     const bool fits = found == shape || (found.size() == shape.size() + 2 && found.slice(0, shape.size()) == shape &&
                                          found[shape.size()] == 1 && found.back() == 1);

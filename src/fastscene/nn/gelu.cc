@@ -27,8 +27,8 @@ void sweep(const Tensor& a, const Tensor& b, const Tensor& to, const auto& of) {
     });
 }
 
-// The normal distribution: e^(-x^2 / 2), and how much of it lies below x (Abramowitz and Stegun 7.1.26, wrong by 8e-8
-// at most).
+// The normal distribution: e^(-x^2 / 2), and the cumulative distribution (Abramowitz and Stegun 7.1.26, error at most
+// 8e-8).
 struct Normal {
     Lanes bell, below;
     explicit Normal(Lanes x) {
@@ -60,8 +60,8 @@ Tensor gelu_gradient(const Tensor& back, const Tensor& x) {
 
 Tensor dense(const Tensor& x) { return x.contiguous(x.suggest_memory_format()); }
 
-// The gradient arrives in the layout that the input had: elsewhere (tokens cut from a picture and back) libtorch 1.13
-// leaves the memory of its own as it found it.
+// A GELU whose gradient is correct when it arrives in another memory layout than the input (tokens transposed from a
+// picture); in that case libtorch 1.13 returns uninitialized memory.
 class Gelu : public torch::autograd::Function<Gelu> {
   public:
     static Tensor forward(torch::autograd::AutogradContext* context, const Tensor& x) {
@@ -80,7 +80,7 @@ constexpr float kQuick = 1.702f;
 
 Lanes quick_gelu_of(Lanes x) {
     const Lanes t = x * all(kQuick), e = exp_of(t > Lanes{} ? -t : t),
-                above = t > Lanes{} ? all(1.f) : e;  // of the side where e^t is at most 1
+                above = t > Lanes{} ? all(1.f) : e;  // the branch where e^t is at most 1
     return x * above / (all(1.f) + e);
 }
 
@@ -90,8 +90,8 @@ Tensor exact_gelu(const Tensor& x) {
     return x.requires_grad() && at::GradMode::is_enabled() ? Gelu::apply(x) : gelu_of(dense(x));
 }
 
-// One sweep: a perceptron's inner layer is the largest thing in a network, and each temporary of its size would come
-// from the system, cleared, in every layer.
+// Single pass and in place: an MLP's inner layer is the largest tensor of a network, and temporaries of that size would
+// be allocated and zeroed by the system in every layer.
 Tensor quick_gelu(Tensor x) {
     const bool alone = x.use_count() == 1 && x.storage().use_count() == 1;
     if (!alone || at::GradMode::is_enabled() || !x.device().is_cpu() || x.scalar_type() != at::kFloat ||

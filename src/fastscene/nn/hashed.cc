@@ -25,7 +25,7 @@ at::Tensor filled(const std::string& name, at::IntArrayRef shape, Value&& value)
 }  // namespace
 
 float hashed_number(std::uint64_t name_hash, std::uint64_t index) {
-    // mix64 adds one more step of the sequence before it mixes: element i lies i + 1 steps behind the name.
+    // mix64 advances the sequence once before mixing, so element i is i + 1 steps after the name's hash.
     return static_cast<float>(static_cast<double>(mix64(name_hash + index * 0x9e3779b97f4a7c15ull) >> 40) * 0x1p-23 -
                               1);
 }

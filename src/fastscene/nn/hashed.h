@@ -1,5 +1,5 @@
-// Weights made from their names: anybody can make the same ones again, so two programs can be compared layer by layer
-// without a file between them. Private to nn/ (torch).
+// Pseudo-random weights derived from parameter names: anyone can reproduce them, so that two programs can be compared
+// layer by layer without exchanging files. Private to nn/ (torch).
 #pragma once
 
 #include <string>
@@ -12,22 +12,22 @@ namespace fastscene::nn {
 
 // Element i of the stream `name`, in [-1, 1), exact in single precision.
 float hashed_number(std::uint64_t name_hash, std::uint64_t index);
-// The numbers of a stream as a tensor: test inputs.
+// A stream's numbers as a tensor, for test inputs.
 at::Tensor hashed_input(const std::string& name, at::IntArrayRef shape);
-// A parameter: matrices and kernels are uniform with variance 1 / fan-in, weights of norms lie about 1, running
-// variances in [1, 1.1], everything else in [-0.1, 0.1].
+// A parameter: matrices and kernels are uniform with variance 1 / fan-in, norm weights lie around 1, running variances
+// in [1, 1.1], everything else in [-0.1, 0.1].
 at::Tensor hashed_parameter(const std::string& key, at::IntArrayRef shape);
 
-// Every parameter that is asked for exists.
+// Has every parameter that is requested.
 class HashedWeights final : public WeightSource {
   public:
-    // `salt`: other weights for the same names.
+    // `salt`: gives different weights for the same names.
     explicit HashedWeights(at::TensorOptions options = at::kFloat, std::string salt = "")
         : options_(options), salt_(std::move(salt)) {}
     at::Tensor get(const std::string& key, at::IntArrayRef shape) override;
     bool has(const std::string&) const override { return true; }
     const std::unordered_map<std::string, at::Tensor>& seen() const { return seen_; }
-    // Puts a tensor of one's own in the place of a hashed one.
+    // Replaces a hashed tensor by a given one.
     void set(const std::string& key, const at::Tensor& value) { seen_[key] = value; }
 
   private:

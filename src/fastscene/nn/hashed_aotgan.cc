@@ -11,7 +11,7 @@ namespace fastscene {
 Weights hashed_aotgan(int width, int blocks) {
     const c10::InferenceMode inference;
     nn::HashedWeights hashed;
-    // A network that is run has asked for all its parameters.
+    // A forward pass requests all parameters.
     (void)nn::aotgan_generator(nn::Scope(hashed), {width, blocks, {1, 2, 4, 8}}, at::zeros({1, 3, 64, 64}),
                                at::zeros({1, 1, 64, 64}));
     Weights out{"hashed weights", {}, {}, {}};

@@ -1,4 +1,4 @@
-// A generator of AOT-GAN with weights made from their names: for tests, and as a beginning that is the same everywhere.
+// An AOT-GAN generator with hashed weights, for tests and as a reproducible initialization.
 #pragma once
 
 #include "fastscene/nn/weights.h"

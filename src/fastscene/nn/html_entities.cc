@@ -11,7 +11,7 @@ struct Entity {
     char32_t character;
 };
 
-// HTML 4.01, section 24, and apos (XML, HTML 5). In byte order of the names.
+// HTML 4.01, section 24, and &apos; (XML, HTML 5). Sorted by name.
 constexpr Entity kEntities[] = {
     {"AElig", 0xc6},     {"Aacute", 0xc1},   {"Acirc", 0xc2},    {"Agrave", 0xc0},   {"Alpha", 0x391},
     {"Aring", 0xc5},     {"Atilde", 0xc3},   {"Auml", 0xc4},     {"Beta", 0x392},    {"Ccedil", 0xc7},

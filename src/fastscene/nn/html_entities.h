@@ -1,4 +1,4 @@
-// Names of characters in HTML: "eacute" is U+00E9.
+// HTML character entities: "eacute" is U+00E9.
 #pragma once
 
 #include <optional>

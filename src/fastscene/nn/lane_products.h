@@ -1,4 +1,4 @@
-// Products of small matrices in the registers: what attention by tiles and by windows is made of. Private to nn/.
+// Small matrix products in registers, the building blocks of tiled and window attention. Private to nn/.
 #pragma once
 
 #include <ATen/core/Tensor.h>
@@ -10,9 +10,11 @@
 
 namespace fastscene::nn {
 
-constexpr int kRows = kLanes / 2;  // AVX-512: 8 rows of 3 vectors, 24 of the 32 registers hold sums; else 12 of 16
+// AVX-512: 8 rows of 3 vectors, so that 24 of the 32 registers hold accumulators; otherwise 12 of 16
+constexpr int kRows = kLanes / 2;
 
-// to [kRows, W vectors] (+)= rows [kRows, depth] panel [depth, W vectors]. `rows` may lie transposed: its strides say.
+// to [kRows, W vectors] (+)= rows [kRows, depth] panel [depth, W vectors]. `rows` may be transposed, as given by its
+// strides.
 template <int W, bool add>
 void multiply(const float* rows, std::int64_t row_stride, std::int64_t depth_stride, const float* panel,
               std::int64_t panel_stride, std::int64_t depth, float* to, std::int64_t to_stride) {
@@ -33,7 +35,7 @@ void multiply(const float* rows, std::int64_t row_stride, std::int64_t depth_str
 
 inline std::int64_t rounded_up(std::int64_t x, std::int64_t to) { return (x + to - 1) / to * to; }
 
-// Zeros, aligned as libtorch aligns: a vector never lies across two lines of the cache.
+// Zero-initialized floats with libtorch's alignment, so that vectors never cross cache lines.
 class Floats {
   public:
     explicit Floats(std::int64_t count) : memory_(at::zeros({count}, at::kFloat)), data_(memory_.data_ptr<float>()) {}

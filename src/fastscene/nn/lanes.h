@@ -1,5 +1,4 @@
-// Numbers that the processor works on at once. Private to nn/, and to sources compiled for the processor that the rest
-// is compiled for.
+// SIMD vectors of floats. Private to nn/, and to sources compiled for the baseline instruction set.
 #pragma once
 
 #include <bit>
@@ -19,8 +18,8 @@ inline Lanes load(const float* p) { return *reinterpret_cast<const Lanes*>(p); }
 inline void store(float* p, Lanes x) { *reinterpret_cast<Lanes*>(p) = x; }
 inline Lanes all(float x) { return x - Lanes{}; }
 
-// e^x for x <= 0: 2^whole by the exponent's bits, 2^rest by a polynomial (relative error 2e-7); far down 1e-38, which
-// no sum notices.
+// e^x for x <= 0: 2^integer part via the exponent bits, 2^fraction by a polynomial (relative error 2e-7); underflows to
+// 1e-38, which is negligible in any sum.
 inline Lanes exp_of(Lanes x) {
     const Lanes y = x * all(1.44269504088896341f);
     const Lanes far_down = all(-126.f), clipped = y > far_down ? y : far_down;

@@ -11,8 +11,8 @@ namespace fastscene::nn {
 
 using at::Tensor;
 
-// More rows at a time leave a processor's caches: 1024 rows take 1.9 times as long for a 64 x 128 latent. A graphics
-// card wants long ones.
+// More rows at once exceed the caches: 1024 rows take 1.9 times as long for a 64 x 128 latent. A GPU prefers large
+// blocks.
 constexpr std::int64_t kAttentionRows = 256, kAttentionRowsCuda = 4096;
 
 Tensor conv(const Scope& s, const Tensor& x, std::int64_t out, Conv shape) {
@@ -29,7 +29,7 @@ Tensor linear(const Scope& s, const Tensor& x, std::int64_t out, bool bias) {
 Tensor group_norm(const Scope& s, const Tensor& x, std::int64_t groups, double eps) {
     const std::int64_t channels = x.size(1);
     const Tensor weight = s.parameter(
-        "weight", {channels});  // its type is that of the sums, whatever a coarser convolution before made
+        "weight", {channels});  // the accumulation type, even if a preceding convolution used lower precision
     return s.out(at::group_norm(x.to(weight.scalar_type()), groups, weight, s.parameter("bias", {channels}), eps));
 }
 

@@ -1,5 +1,5 @@
-// The layers that the networks share, with PyTorch's meaning. Each takes its parameters from `s` and tells s's listener
-// its output. Private to nn/ (torch).
+// Layers shared by the networks, with PyTorch's semantics. Each reads its parameters from `s` and reports its output to
+// s's listener. Private to nn/ (torch).
 #pragma once
 
 #include "fastscene/nn/scope.h"
@@ -15,20 +15,18 @@ at::Tensor conv(const Scope& s, const at::Tensor& x, std::int64_t out, Conv shap
 // x [..., C] -> [..., out].
 at::Tensor linear(const Scope& s, const at::Tensor& x, std::int64_t out, bool bias = true);
 at::Tensor group_norm(const Scope& s, const at::Tensor& x, std::int64_t groups, double eps);
-// By erf. With a gradient that is right in any layout, which libtorch's own is not (gelu.cc).
+// Exact GELU (by erf), with a correct gradient in any memory layout, unlike libtorch's own (gelu.cc).
 at::Tensor exact_gelu(const at::Tensor& x);
 // Over the last dimension.
 at::Tensor layer_norm(const Scope& s, const at::Tensor& x, double eps = 1e-5);
 
-// softmax(q k' / sqrt(d)) v for q [N, L, heads d], k and v [N, M, heads d], 256 rows of q at a time, so that the L x M
-// weights of a large picture need not be in memory at once; on a CPU, without a mask and without gradients, by tiles
-// (attention.h). `mask` [L, M] is added to the weights if defined. `in_float`: weights in single precision whatever the
-// type of q.
+// softmax(q k' / sqrt(d)) v for q [N, L, heads d], k and v [N, M, heads d], in blocks of 256 rows of q, so that the L x
+// M weights need not be in memory at once; tiled (attention.h) on a CPU without mask and gradients. `mask` [L, M], if
+// defined, is added to the scores. `in_float`: computes weights in single precision whatever the type of q.
 at::Tensor attention(const at::Tensor& q, const at::Tensor& k, const at::Tensor& v, std::int64_t heads,
                      const at::Tensor& mask = {}, bool in_float = false);
 
-// x sigmoid(1.702 x). Who moves x in, and nobody else holds it, has it in x's own memory (without gradients, floats on
-// a CPU).
+// x sigmoid(1.702 x). If x is moved in and not shared, works in place (without gradients, floats on a CPU).
 at::Tensor quick_gelu(at::Tensor x);
 
 }  // namespace fastscene::nn

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "fastscene/base/random.h"
-#include "fastscene/nn/team.h"
+#include "fastscene/nn/process_group.h"
 
 namespace fastscene::nn {
 namespace {
@@ -14,15 +14,15 @@ using at::Tensor;
 
 Tensor normal_numbers(std::uint64_t seed, const std::string& key, at::IntArrayRef shape, double deviation) {
     Tensor out = at::empty(shape, at::kFloat);
-    Random dice(seed, key);
+    Random rng(seed, key);
     float* to = out.data_ptr<float>();
-    for (std::int64_t i = 0; i < out.numel(); ++i) to[i] = static_cast<float>(deviation) * dice.normal();
+    for (std::int64_t i = 0; i < out.numel(); ++i) to[i] = static_cast<float>(deviation) * rng.normal();
     return out;
 }
 
 bool is_spectral_vector(std::string_view key) { return key.ends_with("weight_u") || key.ends_with("weight_v"); }
 
-// `deviation` of a kernel with so many inputs.
+// Normal with the standard deviation `deviation`(fan-in).
 Start start_with(std::uint64_t seed, std::function<double(double inputs)> deviation) {
     return [seed, deviation](const std::string& key, at::IntArrayRef shape) -> Tensor {
         if (is_spectral_vector(key)) {
@@ -82,14 +82,14 @@ Learner::Learner(std::string name, const Start& start, at::TensorOptions options
                  const std::function<void(const Scope&)>& run_once, LearnerSettings settings)
     : name_(std::move(name)),
       weights_(start, options),
-      average_([this](const std::string& key, at::IntArrayRef) { return weights_.all().at(key).detach().clone(); },
-               options),
+      ema_([this](const std::string& key, at::IntArrayRef) { return weights_.all().at(key).detach().clone(); },
+           options),
       adam_((run_once(Scope(weights_)), learning(weights_)), settings.adam),
       settings_(settings) {
-    for (const auto& [key, tensor] : weights_.all()) average_.get(key, tensor.sizes()).set_requires_grad(false);
+    for (const auto& [key, tensor] : weights_.all()) ema_.get(key, tensor.sizes()).set_requires_grad(false);
 }
 
-// One for every parameter, so that all processes of a team send as many numbers.
+// One per parameter, with zeros where there is none, so that all processes of a group send the same sizes.
 std::vector<Tensor> Learner::gradients() const {
     std::vector<Tensor> out;
     for (const auto& [key, parameter] : adam_.parameters()) {
@@ -99,9 +99,9 @@ std::vector<Tensor> Learner::gradients() const {
     return out;
 }
 
-double Learner::update(double rate) {
+double Learner::update(double learning_rate) {
     const at::NoGradGuard no_gradients;
-    if (team_) team_->mean(gradients());
+    if (group_) group_->mean(gradients());
     Tensor square = at::zeros({}, at::kDouble);
     for (const auto& [key, parameter] : adam_.parameters())
         if (parameter.grad().defined()) square += parameter.grad().square().sum().to(square.options());
@@ -113,14 +113,14 @@ double Learner::update(double rate) {
     if (settings_.clip > 0 && length > settings_.clip)
         for (const auto& [key, parameter] : adam_.parameters())
             if (parameter.grad().defined()) parameter.grad().mul_(settings_.clip / length);
-    adam_.settings.rate = rate;
+    adam_.settings.learning_rate = learning_rate;
     adam_.step();
     adam_.forget_gradients();
-    // A young average forgets its random beginning faster.
-    const double stays = std::min(settings_.average,
+    // The decay is smaller at first, so that the EMA forgets its random initialization sooner.
+    const double stays = std::min(settings_.ema_decay,
                                   (1.0 + static_cast<double>(adam_.steps)) / (10.0 + static_cast<double>(adam_.steps)));
     for (const auto& [key, tensor] : weights_.all()) {
-        Tensor mean = average_.all().at(key);
+        Tensor mean = ema_.all().at(key);
         if (is_buffer(key)) mean.copy_(tensor);
         else mean.lerp_(tensor, 1 - stays);
     }
@@ -134,14 +134,14 @@ void Learner::freeze(bool frozen) {
 NamedTensors Learner::state() const {
     NamedTensors out;
     for (const auto& [key, tensor] : weights_.all()) out.emplace_back(name_ + ".weights." + key, tensor);
-    for (const auto& [key, tensor] : average_.all()) out.emplace_back(name_ + ".average." + key, tensor);
+    for (const auto& [key, tensor] : ema_.all()) out.emplace_back(name_ + ".average." + key, tensor);
     for (const auto& [key, tensor] : adam_.memory()) out.emplace_back(name_ + ".adam." + key, tensor);
     return out;
 }
 
 Weights Learner::kept() const {
     Weights out{name_, {}, {}, {}};
-    for (const auto& [key, tensor] : average_.all()) out.tensors[key] = weight_of(tensor);
+    for (const auto& [key, tensor] : ema_.all()) out.tensors[key] = weight_of(tensor);
     return out;
 }
 

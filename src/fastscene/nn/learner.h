@@ -1,6 +1,5 @@
-// A network that learns: parameters that exist once they are asked for, their running average, their optimizer.
-// Networks stay functions of a scope (scope.h); where they are trained, the scope's source is a learner. Private to nn/
-// (torch).
+// A network in training: parameters created on first use, their exponential moving average (EMA) and their optimizer.
+// Networks remain functions of a scope (scope.h); in training the scope's source is a Learner. Private to nn/ (torch).
 #pragma once
 
 #include <functional>
@@ -14,19 +13,19 @@
 
 namespace fastscene::nn {
 
-class Team;
+class ProcessGroup;
 
-// What a new parameter starts from, by its name and shape.
+// Initialization of a parameter, by name and shape.
 using Start = std::function<at::Tensor(const std::string& key, at::IntArrayRef shape)>;
-// Kernels and matrices normal with this deviation, or with that of He et al. 2015 (`gain` / sqrt(fan-in)); weights of
-// norms 1; the rest 0. u and v of spectral norms are unit vectors. The same seed and name give the same numbers.
+// Kernels and matrices are normal with this standard deviation, or as by He et al. 2015 (`gain` / sqrt(fan-in)); norm
+// weights are 1, everything else 0. u and v of spectral norms are unit vectors. Depends on seed and name only.
 Start start_normal(std::uint64_t seed, double deviation);
 Start start_he(std::uint64_t seed, double gain = 1.4142135623730951);
-// Parameters of a file, unwrapped (weights.h), and for those that it lacks `otherwise`. Throws Error for another shape,
-// and when it lacks `expected`: then it is another network's.
+// Parameters from a file, unwrapped (weights.h), or from `otherwise` if the file lacks them. Throws Error for
+// mismatched shapes, and if the file lacks `expected`, which means that it belongs to another network.
 Start start_from(Weights found, std::string_view expected, Start otherwise);
 
-// Not trained, but kept with the network: spectral norms' vectors, statistics of batch norms.
+// Not trained but saved with the network: spectral norm vectors, batch norm statistics.
 bool is_buffer(std::string_view key);
 
 class TrainableWeights final : public WeightSource {
@@ -34,7 +33,7 @@ class TrainableWeights final : public WeightSource {
     TrainableWeights(Start start, at::TensorOptions options) : start_(std::move(start)), options_(options) {}
     at::Tensor get(const std::string& key, at::IntArrayRef shape) override;
     bool has(const std::string&) const override { return true; }
-    // By name, buffers too.
+    // By name, including buffers.
     const std::map<std::string, at::Tensor>& all() const { return all_; }
 
   private:
@@ -45,44 +44,44 @@ class TrainableWeights final : public WeightSource {
 
 struct LearnerSettings {
     AdamSettings adam;
-    double average = 0.999;
-    double clip = 0;  // 0 = no
+    double ema_decay = 0.999;
+    double clip = 0;  // maximum gradient norm; 0 = no clipping
 };
 
 class Learner {
   public:
-    // `run_once` runs the network through a small example, so that every parameter is there.
+    // `run_once` runs the network on a small example, so that all parameters get created.
     Learner(std::string name, const Start& start, at::TensorOptions options,
             const std::function<void(const Scope&)>& run_once, LearnerSettings settings);
 
-    Scope scope() { return Scope(weights_); }    // what learns
-    Scope average() { return Scope(average_); }  // the running average: for looking and for keeping
-    // Along the gradients that the last backward() left: shortens them, one step of Adam, moves the average, forgets
-    // them. Returns the gradients' length before. A step whose gradients are not finite is left out (NaN comes back).
-    double update(double rate);
-    // From now on update() takes the mean of the team's gradients. The team must live as long.
-    void join(const Team& team) { team_ = &team; }
+    Scope scope() { return Scope(weights_); }  // the trained parameters
+    Scope ema() { return Scope(ema_); }        // their exponential moving average: for evaluation and for saving
+    // Clips the gradients left by backward(), performs one step of Adam, updates the EMA and clears the gradients.
+    // Returns the gradient norm before clipping. If it is not finite, the step is skipped (and NaN returned).
+    double update(double learning_rate);
+    // Makes update() average gradients over the group, which must outlive this object.
+    void join(const ProcessGroup& group) { group_ = &group; }
     void forget_gradients() { adam_.forget_gradients(); }
-    // While frozen, gradients pass through the network without being kept for its parameters.
+    // While frozen, gradients flow through the network without accumulating in its parameters.
     void freeze(bool frozen);
 
     const std::string& name() const { return name_; }
-    // Everything that a training that goes on needs, sharing memory with this: NAME.weights.*, NAME.average.*,
+    // Everything needed to resume training, sharing memory with this object: NAME.weights.*, NAME.average.*,
     // NAME.adam.*.
     NamedTensors state() const;
     std::int64_t steps() const { return adam_.steps; }
     void set_steps(std::int64_t steps) { adam_.steps = steps; }
-    // The average, as a file of this network: what the program loads.
+    // The EMA as a weights file, as the program loads it.
     Weights kept() const;
 
   private:
     std::vector<at::Tensor> gradients() const;
 
     std::string name_;
-    TrainableWeights weights_, average_;
+    TrainableWeights weights_, ema_;
     Adam adam_;
     LearnerSettings settings_;
-    const Team* team_ = nullptr;
+    const ProcessGroup* group_ = nullptr;
 };
 
 }  // namespace fastscene::nn

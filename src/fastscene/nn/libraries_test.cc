@@ -1,4 +1,4 @@
-// What the libraries that multiply say of themselves: none goes beyond the instruction set in use (FASTSCENE_ISA).
+// The math libraries must respect FASTSCENE_ISA: none may use a larger instruction set.
 #include <ATen/Version.h>
 #include <dlfcn.h>
 #include <gtest/gtest.h>
@@ -10,8 +10,8 @@
 namespace fastscene::nn {
 namespace {
 
-// A function of a library that is linked through libtorch, whose headers are not needed otherwise; null where this
-// libtorch brings another.
+// Looks up a function in a library linked through libtorch, whose headers are not needed otherwise; null if this
+// libtorch uses another library.
 template <class Function>
 Function* exported(const char* name) {
     return reinterpret_cast<Function*>(::dlsym(RTLD_DEFAULT, name));
@@ -37,7 +37,7 @@ TEST(Libraries, OpenBlasKeepsToTheInstructionSet) {
 TEST(Libraries, OneDnnKeepsToTheInstructionSet) {
     auto* const effective = exported<int()>("dnnl_get_effective_cpu_isa");
     if (!effective) GTEST_SKIP() << "no oneDNN here";
-    constexpr int kSse41 = 0x1, kAvx2 = 0x7;  // dnnl_cpu_isa_t: each has the bits of those before it
+    constexpr int kSse41 = 0x1, kAvx2 = 0x7;  // dnnl_cpu_isa_t: bit sets, each includes its predecessors
     if (isa() == Isa::avx2) EXPECT_EQ(effective(), kAvx2);
     if (isa() == Isa::sse4) EXPECT_EQ(effective(), kSse41);
 }

@@ -8,9 +8,9 @@ using at::Tensor;
 
 namespace {
 
-// What to do before a convolution, and whether its rectified output is compared.
+// What precedes a convolution, and whether its ReLU output is compared.
 struct BackboneStep {
-    int index = 0;  // in torchvision's features
+    int index = 0;  // index in torchvision's features
     std::int64_t channels = 0;
     Conv shape;
     bool pool_before = false, compare = false;

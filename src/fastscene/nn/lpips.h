@@ -1,5 +1,5 @@
-// LPIPS 0.1 (Zhang et al. 2018): how different two pictures look to a network trained on ImageNet. Backbone keys as in
-// torchvision (features.N), linear heads as in the authors' files (lin0.model.1 …). Private to nn/ (torch).
+// LPIPS 0.1 (Zhang et al. 2018): perceptual distance between pictures by a network trained on ImageNet. Backbone keys
+// as in torchvision (features.N), linear heads as in the authors' files (lin0.model.1 …). Private to nn/ (torch).
 #pragma once
 
 #include <vector>
@@ -12,11 +12,11 @@ enum class LpipsNet { alex, vgg };
 
 struct Lpips {
     at::Tensor distance;                 // [N]
-    std::vector<at::Tensor> layers;      // five, [N] each; their sum is the distance
-    at::Tensor map;                      // [N, 1, H, W]: the layers' maps, enlarged and added
-    std::vector<at::Tensor> first_maps;  // the backbone's five maps of `a`
+    std::vector<at::Tensor> layers;      // five tensors [N]; their sum is the distance
+    at::Tensor map;                      // [N, 1, H, W]: sum of the layers' maps, upsampled
+    std::vector<at::Tensor> first_maps;  // the backbone's five feature maps of `a`
 };
-// a, b [N, 3, H, W] in [-1, 1]; sides of at least 32.
+// a, b [N, 3, H, W] in [-1, 1], at least 32 x 32.
 Lpips lpips(const Scope& backbone, const Scope& heads, LpipsNet net, const at::Tensor& a, const at::Tensor& b);
 
 }  // namespace fastscene::nn

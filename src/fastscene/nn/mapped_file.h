@@ -1,4 +1,4 @@
-// A whole file mapped for reading: pages come when they are touched.
+// A file mapped into memory read-only; pages are loaded on access.
 #pragma once
 
 #include <cstddef>
@@ -11,9 +11,9 @@ namespace fastscene {
 
 class MappedFile {
   public:
-    // Throws Error when it cannot be opened, or is a directory.
+    // Throws Error if it cannot be opened or is a directory.
     explicit MappedFile(const std::filesystem::path& path);
-    // What lies in memory for as long as the program runs, under a name for messages.
+    // Wraps static memory; `name` is used in messages.
     MappedFile(std::filesystem::path name, std::string_view memory)
         : path_(std::move(name)), data_(memory.data()), size_(memory.size()), mapped_(false) {}
     MappedFile(const MappedFile&) = delete;

@@ -1,4 +1,4 @@
-// Which files of a folder of weights a painting opens: those, and no others, make it what it is.
+// The weight files that a panorama generation reads: exactly those determine its result, so they enter its cache key.
 #pragma once
 
 #include <filesystem>
@@ -7,8 +7,8 @@
 
 namespace fastscene {
 
-// `weights` and `from_photo` as Diffusion360 takes them, `to` as Upscale360Settings has it. In a fixed order; headers
-// of the weights are read, to see which of their forms is there. Throws Error when a component is missing.
+// `weights` and `from_photo` as in Diffusion360, `to` as in Upscale360Settings. In a fixed order; file headers are read
+// to find out which variant exists. Throws Error if a component is missing.
 std::vector<std::filesystem::path> painting_files(const std::filesystem::path& weights, bool from_photo);
 std::vector<std::filesystem::path> enlarging_files(const std::filesystem::path& weights, const std::string& to);
 

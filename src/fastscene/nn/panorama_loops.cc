@@ -11,18 +11,18 @@ using at::Tensor;
 
 namespace {
 
-// Of one prompt alone, or led from the negative one towards it.
+// The conditional output alone, or classifier-free guidance.
 Tensor guided(const Tensor& both, double guidance) {
     if (both.size(0) == 1) return both;
     const std::vector<Tensor> halves = both.chunk(2, 0);
     return halves[0] + guidance * (halves[1] - halves[0]);
 }
 
-// One tile of the refinement: where it lies and its latents after the step.
+// One tile of the refinement: its position and its latents after the step.
 using TileRow = std::vector<Tensor>;
 
-// Overlapping tiles joined: each blended with its upper and its left neighbor, the first of a row with the last (the
-// circle closes).
+// Joins overlapping tiles: each is blended with its upper and left neighbor, and the last of a row with the first,
+// closing the circle.
 Tensor joined(std::vector<TileRow>& rows, std::int64_t half) {
     std::vector<Tensor> bands;
     for (std::size_t i = 0; i < rows.size(); ++i) {
@@ -139,7 +139,7 @@ Tensor refine_panorama(const Scope& unet_scope, const UNetConfig& config, const 
                 const Tensor output = guided(
                     unet(unet_scope, config, twice, t, prompts, &hold).to(x.device(), at::kFloat), how.guidance);
                 if (is_first) how.first_outputs("unet", output);
-                // A fresh sampler each time: as published, every step is of first order.
+                // A fresh sampler per tile and step: as published, every step is first order.
                 for (const Tensor& tile : scheduler.clone()->step(output, step, x, {}).split(1, 0))
                     done.push_back(tile.clone());
             }

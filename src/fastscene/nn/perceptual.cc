@@ -25,7 +25,7 @@ using nn::Scope;
 
 namespace {
 
-constexpr int kLeastSide = 32;  // below it the backbone has no pixels left
+constexpr int kLeastSide = 32;  // minimum input size of the backbone
 
 Tensor tensor_of(const ImageRgb8& image) {  // [3, H, W], 0..255
     const Tensor bytes = at::from_blob(const_cast<Rgb8*>(image.pixels.data()), {image.height, image.width, 3},
@@ -56,8 +56,8 @@ struct LpipsMeasure::Parts {
 LpipsMeasure::LpipsMeasure(const std::string& net, const fs::path& backbone, const fs::path& heads)
     : parts_(new Parts{net == "vgg" ? nn::LpipsNet::vgg : nn::LpipsNet::alex, FileWeights(backbone, at::kFloat),
                        FileWeights(heads, at::kFloat)}) {
-    // Every tensor is there and has its shape, and the network sees: one of zeros finds all pictures equal, which reads
-    // as a perfect score.
+    // Checks all tensors, and that the network responds: with all-zero weights every distance would be 0, a perfect
+    // score.
     const double seen = distance(ImageRgb8(kLeastSide, kLeastSide), noise(kLeastSide));
     if (!(seen > 0) || !std::isfinite(seen))
         throw Error(
@@ -83,7 +83,7 @@ double LpipsMeasure::distance(const ImageRgb8& a, const ImageRgb8& b) const {
 
 namespace {
 
-// Where the tokenizer's merges lie in a model's folder.
+// Where a model folder keeps the tokenizer's merges.
 fs::path vocabulary_in(const fs::path& folder) {
     for (const fs::path& place : {folder / "tokenizer", folder})
         if (fs::exists(place / "merges.txt")) return place;
@@ -123,7 +123,7 @@ struct ClipMeasure::Parts {
 };
 
 ClipMeasure::ClipMeasure(const fs::path& place) : parts_(std::make_unique<Parts>(place)) {
-    // Every tensor is there and has its shape, which is asked of no text and of no picture: so nothing is computed.
+    // Checks names and shapes of all tensors, independent of any input, so nothing is computed.
     const c10::InferenceMode inference;
     const Scope scope(*parts_->weights);
     const auto& [text, vision, dimension] = parts_->config;

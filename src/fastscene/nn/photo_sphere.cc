@@ -22,7 +22,7 @@ PhotoOnSphere photo_on_sphere(const ImageRgb8& photo, int width, double fov_deg)
     const Tensor forward = at::cos(lat).unsqueeze(1) * at::cos(lon).unsqueeze(0);
     const Tensor right = at::cos(lat).unsqueeze(1) * at::sin(lon).unsqueeze(0),
                  down = (-at::sin(lat)).unsqueeze(1).expand({height, width});
-    const Tensor u = right / forward / half_width, v = down / forward / half_height;  // -1 to 1 within the photo
+    const Tensor u = right / forward / half_width, v = down / forward / half_height;  // -1 to 1 across the photo
     const Tensor inside = (forward > 0).logical_and(u.abs() <= 1).logical_and(v.abs() <= 1);
     const Tensor place = at::where(inside.unsqueeze(-1), at::stack({u, v}, -1), at::zeros({1}));
     constexpr std::int64_t bilinear = 0, border = 1;

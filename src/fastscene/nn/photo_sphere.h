@@ -1,5 +1,5 @@
-// One photo as the beginning of a panorama: where it lies on the sphere, and what surrounds it before anything is
-// painted there. Diffusion360's image-to-panorama. Private to nn/ (torch).
+// A photo as the start of a panorama: its place on the sphere, and the initial surroundings. For Diffusion360's
+// image-to-panorama. Private to nn/ (torch).
 #pragma once
 
 #include <ATen/ATen.h>
@@ -9,12 +9,12 @@
 namespace fastscene::nn {
 
 struct PhotoOnSphere {
-    at::Tensor color;  // [1, 3, width / 2, width] in [0, 1]: the photo in the middle; around it, as published, all of
-                       // it stretched over the sphere
-    at::Tensor mask;   // [1, 1, width / 2, width]: 1 where the photo is
+    // [1, 3, width / 2, width] in [0, 1]: the photo in the center; around it, as published, the whole photo stretched
+    // over the sphere
+    at::Tensor color;
+    at::Tensor mask;  // [1, 1, width / 2, width]: 1 where the photo is
 };
-// The photo looks along +z (the middle of the panorama) and sees fov_deg from left to right. Throws Error when it is no
-// picture.
+// The photo is centered on +z and has a horizontal field of view of fov_deg. Throws Error for an empty picture.
 PhotoOnSphere photo_on_sphere(const ImageRgb8& photo, int width, double fov_deg);
 
 }  // namespace fastscene::nn

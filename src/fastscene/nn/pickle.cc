@@ -13,10 +13,10 @@ namespace {
 
 using pickle::Value;
 
-constexpr int kDeepest = 16;  // dictionaries within dictionaries
+constexpr int kDeepest = 16;  // maximum nesting of dictionaries
 constexpr std::size_t kMostVisits = 1 << 22;
-constexpr std::size_t kMostNumbers = 1 << 16;  // loose ones: a long history of losses is of no interest
-constexpr std::size_t kMostTensors = 1 << 17;  // one may have many names
+constexpr std::size_t kMostNumbers = 1 << 16;  // maximum count of plain numbers: a long loss history is not needed
+constexpr std::size_t kMostTensors = 1 << 17;  // maximum count; one tensor may have several names
 constexpr std::size_t kLongestName = 1024;
 
 std::optional<NumberType> type_of_storage(std::string_view name) {
@@ -45,7 +45,7 @@ bool is_c_order(const pickle::Tensor& tensor) {
     return true;
 }
 
-// Elements of a transposed or otherwise strided tensor, put in C order.
+// Copies a transposed or otherwise strided tensor into C order.
 std::shared_ptr<std::vector<std::byte>> gathered(const pickle::Tensor& tensor, std::span<const std::byte> from,
                                                  std::size_t size, std::int64_t count) {
     auto out = std::make_shared<std::vector<std::byte>>(static_cast<std::size_t>(count) * size);
@@ -102,7 +102,7 @@ class Collector {
 
     void add(const pickle::Tensor& tensor, const std::string& name) {
         const auto type = type_of_storage(tensor.storage.dtype);
-        if (!type) return;  // complex and quantized numbers: none of our networks has them
+        if (!type) return;  // complex and quantized types: not used by any of our networks
         if (out_.tensors.size() >= kMostTensors)
             throw Error("{}: expected a checkpoint, found more than {} tensors in it", out_.path.string(),
                         kMostTensors);
@@ -114,7 +114,7 @@ class Collector {
             fail(name, fmt::format("expected as many strides as sides, found {} and {}", tensor.stride.size(),
                                    tensor.shape.size()));
 
-        // The last element must lie within the storage; all in numbers that cannot overflow.
+        // The last element must lie within the storage; computed without overflow.
         const auto have = static_cast<std::int64_t>(found->second.bytes.size() / size);
         __int128 count = 1, last = static_cast<__int128>(tensor.offset) + static_cast<__int128>(tensor.storage.offset);
         const bool begins_inside = tensor.offset >= 0 && last <= have;
@@ -137,7 +137,8 @@ class Collector {
                                   found->second.owner};
             return;
         }
-        // Each such tensor costs memory of its own, so one storage must not serve for a thousand of them.
+        // Each such tensor takes memory of its own: limit the total, so that thousands of them cannot refer to one
+        // storage.
         gathered_ += static_cast<std::size_t>(numbers) * size;
         if (gathered_ > 4 * total_) fail(name, "expected a checkpoint, found one storage spread over and over");
         const auto bytes = gathered(tensor, from, size, numbers);
@@ -160,7 +161,7 @@ Weights collected(const pickle::Pickle& pickle, const Storages& storages, const 
 
 Weights load_torch_zip(std::shared_ptr<const MappedFile> file) {
     const auto records = zip_records(*file);
-    // "archive/data.pkl": the folder's name is free.
+    // "archive/data.pkl": the folder's name is arbitrary.
     std::string root;
     const ZipRecord* program = nullptr;
     for (const auto& [name, record] : records)
@@ -192,13 +193,13 @@ Weights load_torch_zip(std::shared_ptr<const MappedFile> file) {
 Weights load_torch_legacy(std::shared_ptr<const MappedFile> file) {
     const std::string_view text = file->text();
     const auto next = [&](std::size_t begin) { return pickle::read_pickle(text, begin, 0, file->path()); };
-    // magic number, protocol, machine, the values, the keys of the storages; then for each its count and its bytes.
+    // magic number, protocol, machine, the values, the storage keys; then count and bytes of each storage.
     std::size_t at = next(0).end;
     for (int i = 0; i < 2; ++i) at = next(at).end;
     const auto values = next(at);
     const auto keys = next(values.end);
     at = keys.end;
-    // What kind of numbers a storage holds stands with the values.
+    // The storages' number types are recorded with the values.
     std::map<std::string, std::string> types;
     for (const Value& value : values.values)
         if (const auto* storage = value.as<pickle::Storage>()) types[storage->key] = storage->dtype;

@@ -9,11 +9,11 @@
 namespace fastscene::pickle {
 namespace {
 
-// A checkpoint of thousands of tensors has some hundred thousand values.
+// Limit; a checkpoint with thousands of tensors has a few hundred thousand values.
 constexpr std::size_t kMostValues = std::size_t{1} << 22;
-// Dimensions of a tensor.
+// Maximum dimensions of a tensor.
 constexpr std::size_t kMostSides = 16;
-// Names that are copied: of a class, of a storage.
+// Maximum length of a copied name (of a class or a storage).
 constexpr std::size_t kLongestName = 256;
 
 std::int64_t whole(const Ref& value) {
@@ -94,7 +94,7 @@ class Machine {
         if (module.size() + name.size() > kLongestName) return make(Opaque{});
         return make(Global{std::string(module) + "." + std::string(name)});
     }
-    // Items that a value takes over from another one: a short pickle could ask for the same long list again and again.
+    // Budget for copied items: a short pickle could copy the same long list again and again.
     void spend(std::size_t items) {
         if ((copied_ += items) > bytes_.size() + kMostSides)
             fail("expected a checkpoint, found one list copied over and over");
@@ -128,7 +128,7 @@ class Machine {
 
     // ---- containers ----
     void append(const std::vector<Ref>& items) {
-        // Adding to a value that is not a list (a set, an opaque thing) is of no interest.
+        // Appending to a value that is not a list (a set, an opaque value) has no effect.
         if (auto* list = std::get_if<Sequence>(&top().held))
             list->items.insert(list->items.end(), items.begin(), items.end());
     }
@@ -155,7 +155,7 @@ class Machine {
         return out;
     }
 
-    // ---- calls: none is made; the few that make dictionaries and tensors are known ----
+    // ---- calls: never executed; the few that make dictionaries and tensors are recognized ----
     // torch._utils._rebuild_tensor_v2(storage, offset, shape, stride, …)
     Ref tensor(const std::vector<Ref>& args) {
         if (args.size() < 4) return make(Opaque{});
@@ -188,7 +188,7 @@ class Machine {
         const auto* list = arguments->as<Sequence>();
         push(name && list ? called(name->name, list->items) : make(Opaque{}));
     }
-    // An object's state: kept for a TorchScript module, else put into something that stays opaque. OrderedDict carries
+    // An object's state: stored for a TorchScript module, otherwise attached to an opaque value. OrderedDict carries
     // its hooks this way.
     void build() {
         const Ref state = pop();

@@ -1,5 +1,5 @@
-// The stack machine of Python's pickles (protocols 0 to 5, the part that torch.save uses). Private to the weights'
-// loader.
+// The stack machine of Python's pickle format (protocols 0 to 5, the subset that torch.save uses). Private to the
+// weights loader.
 #pragma once
 
 #include <cstdint>
@@ -13,12 +13,12 @@
 namespace fastscene::pickle {
 
 struct Value;
-using Ref = Value*;  // owned by the Pickle: values may share and contain each other, as in Python
+using Ref = Value*;  // owned by the Pickle: values may be shared and cyclic, as in Python
 
 struct None {};
-struct Opaque {};  // anything that is not allowed to be more
+struct Opaque {};  // any type that is not supported
 struct Text {
-    std::string_view bytes;  // in the file
+    std::string_view bytes;  // view into the file
 };
 struct Global {
     std::string name;  // "collections.OrderedDict"
@@ -30,13 +30,13 @@ struct Dictionary {
     std::vector<std::pair<Ref, Ref>> items;
 };
 struct Module {           // an object of a TorchScript class
-    Ref state = nullptr;  // the dictionary of its attributes; none until BUILD
+    Ref state = nullptr;  // its attribute dictionary; null until BUILD
 };
 struct Storage {
-    std::string key;    // "0": the name of its bytes
+    std::string key;    // "0": key of its bytes
     std::string dtype;  // "FloatStorage"
     std::uint64_t count = 0;
-    std::uint64_t offset = 0;  // of a view into it, in elements (legacy)
+    std::uint64_t offset = 0;  // offset of a view into it, in elements (legacy)
 };
 struct Tensor {
     Storage storage;
@@ -55,11 +55,11 @@ struct Value {
 struct Pickle {
     std::deque<Value> values;
     Ref root = nullptr;
-    std::size_t end = 0;  // the place behind it
+    std::size_t end = 0;  // offset after the pickle
 };
 
-// One pickle, from `begin` of `bytes`, which must outlive it. Memory stays in proportion to the length of the pickle,
-// whatever it says. Throws Error naming the file and the offset in it (`bytes` being at `base`).
+// Reads one pickle, from `begin` of `bytes`, which must outlive the result. Memory is bounded in proportion to the
+// pickle's length. Throws Error naming the file and the offset in it (`bytes` starts at `base`).
 Pickle read_pickle(std::string_view bytes, std::size_t begin, std::size_t base, const std::filesystem::path& path);
 
 }  // namespace fastscene::pickle

@@ -39,8 +39,8 @@ bool cpu_has_bf16() {
 #endif
 }
 
-// libtorch asks the processor whether oneDNN computes in bfloat16, and oneDNN then refuses where FASTSCENE_ISA forbids
-// it. Such a run goes without oneDNN from there on, backward passes included, as it does on a processor that lacks the
+// libtorch asks the processor whether oneDNN supports bfloat16, but oneDNN refuses if FASTSCENE_ISA forbids it. In that
+// case oneDNN is disabled for the rest of the run, including backward passes, as on a processor without the
 // instructions.
 void leave_bf16_to_libtorch(at::DeviceType device) {
     if (device == at::kCPU && isa() < processor_isa()) at::globalContext().setUserEnabledMkldnn(false);
@@ -69,7 +69,7 @@ Autocast::Autocast(at::Device device, bool on) : device_(device.type()), on_(on)
 }
 Autocast::~Autocast() {
     if (!on_) return;
-    at::autocast::clear_cache();  // it holds parameters as they were in this step
+    at::autocast::clear_cache();  // it caches converted parameters, which the next step changes
     turn(device_, before_);
 }
 

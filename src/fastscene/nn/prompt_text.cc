@@ -45,7 +45,7 @@ icu::UnicodeString normal_form(const icu::UnicodeString& text, bool compatible) 
     return out;
 }
 
-// Windows-1252 in the range 0x80..0x9f; 0 = not assigned.
+// Windows-1252, 0x80..0x9f; 0 = unassigned.
 constexpr char32_t kWindows1252[32] = {0x20ac, 0,      0x201a, 0x0192, 0x201e, 0x2026, 0x2020, 0x2021,
                                        0x02c6, 0x2030, 0x0160, 0x2039, 0x0152, 0,      0x017d, 0,
                                        0,      0x2018, 0x2019, 0x201c, 0x201d, 0x2022, 0x2013, 0x2014,
@@ -90,7 +90,7 @@ Text without_entities(const Text& in) {
     return out;
 }
 
-// ---- UTF-8 that was read as Windows-1252 ---------------------------------------------------------------------------
+// ---- mojibake: UTF-8 that was decoded as Windows-1252 --------------------------------------------------------------
 
 std::optional<unsigned> windows_byte(char32_t c) {
     if (c < 0x100) return static_cast<unsigned>(c);
@@ -99,8 +99,8 @@ std::optional<unsigned> windows_byte(char32_t c) {
     return std::nullopt;
 }
 
-// Sequences that real text hardly holds: accented Latin, punctuation, emoji. (A capital accented letter before a
-// quotation mark, as in a French title, is left alone.)
+// Byte sequences that genuine text rarely contains: accented Latin, punctuation, emoji. (A capital accented letter
+// before a quotation mark, as in a French title, is left alone.)
 bool likely_lead(unsigned byte) { return byte == 0xc2 || byte == 0xc3 || byte == 0xe2 || byte == 0xf0; }
 
 Text without_mojibake(const Text& in) {
@@ -172,7 +172,7 @@ void append_plain(char32_t c, Text& out) {
     if (!is_control(c)) out += c;
 }
 
-// ESC [ numbers letter: colors copied from a terminal.
+// ESC [ numbers letter: terminal colors.
 Text without_terminal_colors(const Text& in) {
     Text out;
     for (std::size_t i = 0; i < in.size();) {
@@ -194,8 +194,8 @@ bool is_space(char32_t c) { return u_isUWhiteSpace(static_cast<UChar32>(c)) || (
 std::string repaired_text(std::string_view utf8) {
     Text text = from_utf8(utf8);
     bool entities = text.find(U'<') == Text::npos;
-    // Until nothing changes: an entity may hide another one, or a wrongly read letter. Each round makes the text
-    // shorter or equal in kind; the bound only guards against a cycle.
+    // Repeated until nothing changes: decoding an entity may reveal another one or mojibake. Each round shortens the
+    // text or keeps its length; the limit only guards against cycles.
     for (int round = 0; round < 16; ++round) {
         const Text before = text;
         if (entities) text = without_entities(text);

@@ -1,5 +1,5 @@
-// What people type, made into what CLIP was trained on. CLIP's own tokenizer runs every caption through ftfy; without
-// that even "((best quality))" becomes other tokens. These are its rules as far as prompts need them.
+// Normalizes prompts to the form of CLIP's training data. CLIP's tokenizer runs every caption through ftfy; without it
+// even "((best quality))" gives other tokens. This implements ftfy's rules as far as prompts need them.
 #pragma once
 
 #include <string>
@@ -7,12 +7,11 @@
 
 namespace fastscene {
 
-// HTML entities (also doubly escaped; not in a text with "<", as ftfy decides), UTF-8 that was read as Windows-1252,
-// ligatures, full-width forms, curly quotes, line breaks, control characters, NFC. Bytes that are not UTF-8 become
-// U+FFFD.
+// Handles HTML entities (also doubly escaped; not in a text with "<", like ftfy), mojibake of Windows-1252, ligatures,
+// full-width forms, curly quotes, line breaks, control characters, NFC. Invalid UTF-8 becomes U+FFFD.
 std::string repaired_text(std::string_view utf8);
 
-// Runs of white space become one space, none at the ends.
+// Collapses white space to single spaces, and trims.
 std::string single_spaced(std::string_view utf8);
 
 // Lower case as Python's str.lower (final sigma, İ -> i + U+0307).

@@ -1,4 +1,4 @@
-// Weights in prompts, as AUTOMATIC1111's web UI introduced them and Diffusion360 reads them.
+// Prompt weighting in the syntax introduced by AUTOMATIC1111's web UI, which Diffusion360 uses.
 #include <algorithm>
 #include <charconv>
 #include <cmath>
@@ -40,10 +40,10 @@ class Parser {
     }
 
   private:
-    // Handles what starts here; returns its length.
+    // Consumes the next element; returns its length.
     std::size_t take(std::string_view text) {
         const char c = text[0];
-        if (c == '\\') {  // the next bracket or backslash is plain text; a lone backslash vanishes
+        if (c == '\\') {  // escape: the next bracket or backslash is plain text; a lone backslash is dropped
             const bool escapes = text.size() > 1 && std::string_view("()[]\\").find(text[1]) != std::string_view::npos;
             out_.push_back({std::string(text.substr(1, escapes ? 1 : 0)), 1});
             return escapes ? 2 : 1;
@@ -82,7 +82,7 @@ class Parser {
         return runs;
     }
     std::vector<WeightedText> out_;
-    std::vector<std::size_t> round_, square_;  // where the open brackets' texts begin
+    std::vector<std::size_t> round_, square_;  // start positions of open brackets
 };
 
 }  // namespace
@@ -119,7 +119,7 @@ std::vector<WeightedTokens> weighted_tokens(const ClipTokenizer& tokenizer, cons
         padded.tokens.resize(static_cast<std::size_t>(chunks * kChunkTokens + 1), pad);
         padded.tokens.push_back(ClipTokenizer::kEnd);
         padded.weights.assign(static_cast<std::size_t>(chunks * ClipTokenizer::kContext), 1.f);
-        for (std::size_t k = 0; k < weights[i].size(); ++k)  // 1 and 76 of each chunk's 77 are begin and end
+        for (std::size_t k = 0; k < weights[i].size(); ++k)  // entries 0 and 76 of each chunk's 77 are begin and end
             padded.weights[k / kChunkTokens * ClipTokenizer::kContext + 1 + k % kChunkTokens] = weights[i][k];
         out.push_back(std::move(padded));
     }

@@ -11,7 +11,7 @@ namespace {
 
 Tensor leaky(const Tensor& x) { return at::leaky_relu(x, 0.2); }
 
-// Five convolutions, each of which sees the input and all outputs before it.
+// Five convolutions, each with the concatenation of all previous outputs as its input.
 Tensor dense_block(const Scope& s, const Tensor& x, const RrdbConfig& config) {
     std::vector<Tensor> seen{x};
     for (int i = 1; i <= 4; ++i)

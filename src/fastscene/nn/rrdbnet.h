@@ -1,4 +1,4 @@
-// Real-ESRGAN's generator (Wang et al. 2018, 2021): a picture made 1, 2 or 4 times as large. Keys as in BasicSR.
+// Real-ESRGAN's generator (Wang et al. 2018, 2021): super-resolution by a factor of 1, 2 or 4. Keys as in BasicSR.
 // Private to nn/ (torch).
 #pragma once
 

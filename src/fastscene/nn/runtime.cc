@@ -15,8 +15,7 @@
 namespace fastscene {
 namespace {
 
-// What OpenBLAS asks for in each thread that multiplies. Where it is not given (`ulimit -v`), OpenBLAS asks again for
-// ever.
+// The buffer that OpenBLAS allocates per thread. Where it cannot (`ulimit -v`), OpenBLAS retries forever.
 constexpr std::size_t kWorkspaceMib = 128;
 
 void take_workspace(int threads) {
@@ -28,7 +27,7 @@ void take_workspace(int threads) {
             "(ulimit -v), or use fewer --threads",
             mib, threads);
     ::munmap(room, mib << 20);
-    // Taken now, before anything else takes it; large enough for the kernels that use it.
+    // Forces the allocation now; the product is large enough for the kernels that use the buffer.
     const at::Tensor square = at::zeros({128, 128});
     at::mm(square, square);
 }
@@ -53,7 +52,7 @@ std::string short_message(const std::exception& error) {
 
 bool is_lack_of_memory(const std::exception& error) {
     if (dynamic_cast<const std::bad_alloc*>(&error) || dynamic_cast<const c10::OutOfMemoryError*>(&error)) return true;
-    const auto* torch = dynamic_cast<const c10::Error*>(&error);  // the allocator of the CPU has no class of its own
+    const auto* torch = dynamic_cast<const c10::Error*>(&error);  // the CPU allocator has no exception class of its own
     return torch &&
            std::string_view(torch->what_without_backtrace()).find("DefaultCPUAllocator") != std::string_view::npos;
 }

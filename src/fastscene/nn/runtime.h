@@ -1,5 +1,5 @@
-// How libtorch runs here. The start scripts, or else cli/main.cc, set OMP_WAIT_POLICY=passive before it loads: threads
-// that wait at a barrier sleep, where spinning ones take the core from those that work.
+// Runtime setup of libtorch. The start scripts, or else cli/main.cc, set OMP_WAIT_POLICY=passive before it loads:
+// threads waiting at a barrier then sleep instead of spinning on a core that others need.
 #pragma once
 
 #include <exception>
@@ -7,13 +7,13 @@
 
 namespace fastscene {
 
-// What went wrong, in one line: libtorch's errors without their stack.
+// An exception's message in one line: libtorch's errors without their stack trace.
 std::string short_message(const std::exception& error);
-// Memory that was asked for and not given, by libtorch or by anybody.
+// Whether it is an out-of-memory error, of libtorch or any other origin.
 bool is_lack_of_memory(const std::exception& error);
 
-// Gives libtorch as many threads as everything else has (base/parallel.h), and room to multiply in. Every network calls
-// it before it runs. Throws Error where a limit of address space leaves no such room.
+// Sets libtorch's thread count to ours (base/parallel.h) and allocates OpenBLAS's buffers. Every network calls it
+// before running. Throws Error if the address space limit leaves no room for the buffers.
 void use_our_threads();
 
 }  // namespace fastscene

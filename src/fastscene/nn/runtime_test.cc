@@ -36,7 +36,7 @@ TEST(TorchErrors, AreOneLineAndLackOfMemoryIsKnown) {
               "a file: expected this, found that");
 }
 
-// Ends with 1 and the message on stderr, as the program does.
+// Exits with 1 and the message on stderr, like the program.
 [[noreturn]] void run_with_little_address_space(std::size_t spare) {
     std::size_t pages = 0;
     std::ifstream("/proc/self/statm") >> pages;

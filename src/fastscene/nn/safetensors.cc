@@ -12,7 +12,7 @@
 namespace fastscene {
 namespace {
 
-constexpr std::uint64_t kLargestHeader = std::uint64_t{100} << 20;  // as the reference implementation refuses
+constexpr std::uint64_t kLargestHeader = std::uint64_t{100} << 20;  // the reference implementation's limit
 
 std::optional<NumberType> type_named(std::string_view name) {
     for (int i = 0; i <= static_cast<int>(NumberType::boolean); ++i)
@@ -20,7 +20,7 @@ std::optional<NumberType> type_named(std::string_view name) {
     return std::nullopt;
 }
 
-// Number of bytes of this shape, if it is one that memory can hold.
+// Byte size of a tensor of this shape; none if it exceeds any memory.
 std::optional<std::uint64_t> bytes_of_shape(const std::vector<std::int64_t>& shape, NumberType type) {
     std::uint64_t bytes = bytes_of(type);
     for (const std::int64_t side : shape)
@@ -73,7 +73,7 @@ NumberType saved_type(NumberType type, SaveAs as) {
     return as == SaveAs::f32 ? NumberType::f32 : as == SaveAs::f16 ? NumberType::f16 : NumberType::bf16;
 }
 
-// As it is saved; whole in `kept` when it is converted.
+// The bytes to write; conversions are stored in `kept`.
 std::string_view saved_bytes(const WeightTensor& tensor, NumberType type, std::string& kept) {
     if (type == tensor.type) return {reinterpret_cast<const char*>(tensor.bytes.data()), tensor.bytes.size()};
     kept.clear();
@@ -118,7 +118,7 @@ Weights load_safetensors(std::shared_ptr<const MappedFile> file) {
 }
 
 void save_safetensors(const std::filesystem::path& path, const Weights& weights, SaveAs as) {
-    // Wide types first: so every tensor is aligned without the holes that the format forbids.
+    // Wide types first: keeps every tensor aligned without padding, which the format forbids.
     std::vector<const std::pair<const std::string, WeightTensor>*> order;
     for (const auto& entry : weights.tensors) order.push_back(&entry);
     const auto width = [&](const auto* entry) { return bytes_of(saved_type(entry->second.type, as)); };

@@ -1,4 +1,4 @@
-// The safetensors format: 8 bytes little endian = length of a JSON header, the header, then the tensors' bytes.
+// The safetensors format: an 8 byte little-endian length, a JSON header of that length, then the tensors' bytes.
 #pragma once
 
 #include <filesystem>
@@ -9,12 +9,11 @@
 
 namespace fastscene {
 
-// Every offset, shape and size is held against the file before anything is used. Throws Error naming the file and the
-// tensor.
+// Validates every offset, shape and size against the file before use. Throws Error naming the file and the tensor.
 Weights load_safetensors(std::shared_ptr<const MappedFile> file);
 
-// Writes under a temporary name, then renames: a full disk leaves what was there. Floating tensors are converted when
-// `as` says so.
+// Writes under a temporary name, then renames, so that a full disk cannot destroy an existing file. Floating-point
+// tensors are converted as `as` says.
 enum class SaveAs { unchanged, f32, f16, bf16 };
 void save_safetensors(const std::filesystem::path& path, const Weights& weights, SaveAs as = SaveAs::unchanged);
 

@@ -14,7 +14,7 @@ using at::Tensor;
 
 namespace {
 
-// sqrt((1 - a) / a) of all training steps: noise relative to signal.
+// sqrt((1 - a) / a) for all training steps: noise-to-signal ratio.
 std::vector<double> all_sigmas(const Tensor& alphas) {
     const Tensor s = at::sqrt((1 - alphas) / alphas);
     return {s.data_ptr<float>(), s.data_ptr<float>() + s.numel()};
@@ -25,7 +25,8 @@ double interpolated(const std::vector<double>& table, double at) {
     return table[below] + (table[below + 1] - table[below]) * (clamped - static_cast<double>(below));
 }
 
-// Where in the table a sigma stands, by its logarithm; the inverse of `interpolated` as far as tables rise.
+// Fractional index of a sigma in the table, interpolated in the logarithm; the inverse of `interpolated` if the table
+// increases.
 double place_of(const std::vector<double>& table, double sigma) {
     const auto above = std::upper_bound(table.begin(), table.end(), sigma);
     const auto below = std::clamp<std::ptrdiff_t>(above - table.begin() - 1, 0,
@@ -34,7 +35,7 @@ double place_of(const std::vector<double>& table, double sigma) {
                  to = std::log(table[static_cast<std::size_t>(below) + 1]);
     return static_cast<double>(below) + std::clamp((std::log(sigma) - from) / (to - from), 0.0, 1.0);
 }
-// Sigmas that fall from the table's last to its first, evenly in their seventh root.
+// Karras et al.'s spacing: sigmas descending from the table's last to its first, uniform in sigma^(1/7).
 std::vector<double> karras_sigmas(const std::vector<double>& table, int count) {
     constexpr double rho = 7;
     const double most = std::pow(table.back(), 1 / rho), least = std::pow(table.front(), 1 / rho);
@@ -46,12 +47,12 @@ std::vector<double> karras_sigmas(const std::vector<double>& table, int count) {
 
 double rounded_even(double v) { return std::nearbyint(v); }
 
-// `count` time steps downwards. `last` = the linspace form ends at 0 (else one step before it, as UniPC has it).
+// `count` descending timesteps. `last`: linspace spacing ends at 0 (otherwise one step before, as in UniPC).
 std::vector<double> spaced(const ScheduleConfig& c, int count, bool last, bool whole) {
     std::vector<double> out;
     const int parts = last ? count : count + 1;
     for (int i = 0; i < count; ++i) {
-        const int k = parts - 1 - i;  // counted upwards
+        const int k = parts - 1 - i;  // counting up
         double t = 0;
         switch (c.spacing) {
             case Spacing::linspace: t = parts > 1 ? static_cast<double>(c.train_steps - 1) * k / (parts - 1) : 0; break;
@@ -65,7 +66,7 @@ std::vector<double> spaced(const ScheduleConfig& c, int count, bool last, bool w
     return out;
 }
 
-// Sigma as the pair (signal, noise) of unit power.
+// Sigma as the pair (signal, noise) with unit total power.
 struct Mix {
     double signal, noise;
 };
@@ -73,7 +74,7 @@ Mix mix_of(double sigma) {
     const double signal = 1 / std::sqrt(sigma * sigma + 1);
     return {signal, sigma * signal};
 }
-// The clean latent that the output implies.
+// The clean latent implied by the network's output.
 Tensor clean_of(Prediction prediction, const Tensor& output, const Tensor& x, Mix m) {
     return prediction == Prediction::noise ? (x - m.noise * output) / m.signal : m.signal * x - m.noise * output;
 }
@@ -83,7 +84,7 @@ class EulerAncestral final : public Scheduler {
     EulerAncestral(const ScheduleConfig& config, int steps) {
         config_ = config;
         alphas_ = alphas_cumprod(config);
-        if (config.zero_snr) alphas_[-1] = std::pow(2.0, -24);  // an infinite sigma cannot be stepped from
+        if (config.zero_snr) alphas_[-1] = std::pow(2.0, -24);  // one cannot step from an infinite sigma
         timesteps_ = spaced(config, steps, true, false);
         if (config.spacing == Spacing::linspace)
             for (double& t : timesteps_) t = static_cast<float>(t);
@@ -148,7 +149,7 @@ class Ddim final : public Scheduler {
 };
 
 // UniPC (Zhao et al. 2023), predicting the clean latent: a predictor of order 1 to `solver_order`, and from the second
-// step on a corrector that uses the new output before predicting on.
+// step on a corrector that uses the new output before the next prediction.
 class UniPc final : public Scheduler {
   public:
     UniPc(const ScheduleConfig& config, int steps) {
@@ -160,7 +161,7 @@ class UniPc final : public Scheduler {
                 sigmas_.push_back(static_cast<float>(sigma));
                 timesteps_.push_back(rounded_even(place_of(table, sigma)));
             }
-            sigmas_.push_back(sigmas_.back());  // which already has the least noise: the last step stays where it is
+            sigmas_.push_back(sigmas_.back());  // which already has the least noise: the last step stays there
             return;
         }
         timesteps_ = spaced(config, steps, false, true);
@@ -241,8 +242,8 @@ class UniPc final : public Scheduler {
         return out;
     }
 
-    std::vector<Tensor> cleans_;  // newest last, at most solver_order
-    Tensor last_;                 // where the last predictor started
+    std::vector<Tensor> cleans_;  // history, newest last, at most solver_order
+    Tensor last_;                 // where the last predictor step started
     int order_ = 1, done_ = 0;
 };
 
@@ -271,12 +272,12 @@ std::vector<double> trained_betas_of(const ConfigFields& f, int steps) {
 void read_unipc(const ConfigFields& f, ScheduleConfig& c) {
     if (!f.flag("predict_x0", true)) throw f.wrong("predict_x0", "true", false);
     c.karras_sigmas = f.flag("use_karras_sigmas", false);
-    c.step_as_b = f.text("solver_type", "bh2") == "bh1";  // other samplers' kinds stand for bh2
+    c.step_as_b = f.text("solver_type", "bh2") == "bh1";  // solver types of other samplers map to bh2
     if (const Json* rests = f.find("disable_corrector"); rests && !(rests->is_array() && rests->empty()))
         c.uncorrected = f.list("disable_corrector", 0);
 }
 
-// Nichol and Dhariwal's: the signal falls as a squared cosine.
+// Nichol and Dhariwal's schedule: the signal power follows a squared cosine.
 Tensor cosine_betas(int steps) {
     const auto signal = [&](int i) {
         return std::pow(std::cos((static_cast<double>(i) / steps + 0.008) / 1.008 * std::numbers::pi / 2), 2);
@@ -318,7 +319,8 @@ ScheduleConfig schedule_config(const Json& json, const std::string& where, Sampl
     if (c.zero_snr && sampler == Sampler::unipc)
         throw f.wrong("rescale_betas_zero_snr", "false for --panorama-sampler unipc (euler-ancestral and ddim know it)",
                       true);
-    if (c.zero_snr && c.prediction == Prediction::noise)  // noise says nothing about a latent that is nothing but noise
+    // at zero SNR, predicting noise carries no information about the latent
+    if (c.zero_snr && c.prediction == Prediction::noise)
         throw f.wrong("prediction_type", "\"v_prediction\" where \"rescale_betas_zero_snr\" is true", prediction);
 
     const std::string spacing = f.text("timestep_spacing", sampler == Sampler::ddim ? "leading" : "linspace");
@@ -331,8 +333,8 @@ ScheduleConfig schedule_config(const Json& json, const std::string& where, Sampl
         throw f.wrong("steps_offset", fmt::format("less than the {} steps of the schedule", c.train_steps),
                       c.steps_offset);
     c.alpha_to_one = f.flag("set_alpha_to_one", true);
-    // Cutting off is DDIM's default for pictures. Latents are not cut off unless a file of DDIM's own leaves it at
-    // that, or says so.
+    // Clipping is DDIM's default, meant for pixel-space models. Latents are not clipped, unless a DDIM file enables it
+    // explicitly or by omission.
     c.clip_sample = f.flag("clip_sample", f.text("_class_name", "") == "DDIMScheduler");
     c.clip_range = f.number("clip_sample_range", 1);
     c.solver_order = static_cast<int>(std::clamp<std::int64_t>(f.whole("solver_order", 2), 1, 3));
@@ -346,7 +348,7 @@ ScheduleConfig schedule_config(const Json& json, const std::string& where, Sampl
 Tensor alphas_cumprod(const ScheduleConfig& c) {
     const Tensor products = at::cumprod(1 - betas_of(c), 0);
     if (!c.zero_snr) return products;
-    // The roots shifted so that the last is 0 and stretched so that the first stays.
+    // Square roots shifted so that the last is 0, and rescaled so that the first is unchanged.
     const Tensor roots = products.sqrt(), first = roots[0], last = roots[-1];
     return ((roots - last) * (first / (first - last))).square();
 }
@@ -363,12 +365,12 @@ std::unique_ptr<Scheduler> scheduler_of(Sampler sampler, const ScheduleConfig& c
     return nullptr;
 }
 
-// Each step leads to less noise than the one before, within the schedule.
+// Whether each step reduces noise and stays within the schedule.
 bool goes_down(const Scheduler& scheduler, const ScheduleConfig& config) {
     const std::vector<double>& t = scheduler.timesteps();
     const std::vector<float>& sigma = scheduler.sigmas();
     if (t.front() > config.train_steps - 1 || t.back() < 0) return false;
-    if (config.karras_sigmas)  // sigmas are what is spaced: time steps, rounded, may repeat, and the last sigma does
+    if (config.karras_sigmas)  // with Karras spacing rounded timesteps may repeat, and so does the last sigma
         return std::adjacent_find(t.begin(), t.end(), std::less<>()) == t.end() &&
                std::adjacent_find(sigma.begin(), sigma.end() - 1, std::less_equal<>()) == sigma.end() - 1;
     return std::adjacent_find(t.begin(), t.end(), std::less_equal<>()) == t.end() &&

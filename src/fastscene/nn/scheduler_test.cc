@@ -1,4 +1,4 @@
-// Samplers: what configurations say of them, and that they lead where the equation leads.
+// Samplers: parsing of configurations, and convergence to the solution of the differential equation.
 #include "fastscene/nn/scheduler.h"
 
 #include <c10/core/InferenceMode.h>
@@ -15,7 +15,7 @@ using at::Tensor;
 
 constexpr Sampler kSamplers[] = {Sampler::euler_ancestral, Sampler::ddim, Sampler::unipc};
 
-// As the official file of Stable Diffusion 1.5 has it, changed by `more`.
+// As in the official file of Stable Diffusion 1.5, modified by `more`.
 Json schedule_file(const Json& more = Json::object()) {
     Json file = {{"_class_name", "PNDMScheduler"}, {"beta_end", 0.012},    {"beta_schedule", "scaled_linear"},
                  {"beta_start", 0.00085},          {"clip_sample", false}, {"num_train_timesteps", 1000},
@@ -94,7 +94,7 @@ TEST(Schedules, ZeroSignalAtTheEndIsStretchedFromTheRest) {
     EXPECT_EQ(stretched[-1].item<double>(), 0);
     EXPECT_NEAR(stretched[0].item<double>(), plain[0].item<double>(), 1e-6);
     const Tensor ratio = (stretched.narrow(0, 0, 999) - stretched[0]) /
-                         (plain.narrow(0, 0, 999) - plain[0]);  // the first is 0 by 0
+                         (plain.narrow(0, 0, 999) - plain[0]);  // the first is 0 / 0
     EXPECT_LT((ratio.narrow(0, 10, 989) - ratio[500]).abs().max().item<double>(), 1e-3) << "one factor for all";
     EXPECT_NE(complaint_of({{"rescale_betas_zero_snr", true}}, Sampler::ddim).find("v_prediction"), std::string::npos);
     EXPECT_NE(complaint_of(zero, Sampler::unipc).find("unipc"), std::string::npos);
@@ -102,7 +102,7 @@ TEST(Schedules, ZeroSignalAtTheEndIsStretchedFromTheRest) {
     EXPECT_NEAR(scheduler_with(zero, Sampler::euler_ancestral, 10)->sigmas()[0], 4096, 1);
 }
 
-// What a network says that knows the clean latent.
+// The output of a perfect denoiser, which knows the clean latent.
 Tensor all_knowing(const Json& more, Sampler sampler, const Scheduler& scheduler, const Tensor& x, int i,
                    const Tensor& clean) {
     const ScheduleConfig config = schedule_of(more, sampler);
@@ -111,7 +111,7 @@ Tensor all_knowing(const Json& more, Sampler sampler, const Scheduler& scheduler
         signal = std::sqrt(alphas_cumprod(config)[static_cast<std::int64_t>(scheduler.timestep(i))].item<double>());
     else signal = 1 / std::hypot(1, scheduler.sigmas()[static_cast<std::size_t>(i)]);
     const double noise = std::sqrt(1 - signal * signal);
-    const Tensor seen = sampler == Sampler::euler_ancestral ? x * signal : x;  // x is 1 / signal larger there
+    const Tensor seen = sampler == Sampler::euler_ancestral ? x * signal : x;  // x is larger by 1 / signal there
     if (config.prediction == Prediction::noise) return (seen - signal * clean) / noise;
     return noise > 0 && signal > 0 ? (signal * seen - clean) / noise : -clean;
 }
@@ -139,14 +139,14 @@ TEST(Schedules, AnAllKnowingNetworkIsBelieved) {
                 Tensor x = waves(0.3) * scheduler->init_noise_sigma();
                 for (int i = 0; i < steps; ++i)
                     x = scheduler->step(all_knowing(file, sampler, *scheduler, x, i, clean), i, x, waves(i + 2.));
-                // What is left of the noise: 0.03 at the first step of training, which DDIM and UniPC may end at.
+                // Residual noise: 0.03 at the first training step, where DDIM and UniPC may end.
                 EXPECT_LT((x - clean).abs().max().item<double>(), 0.1) << steps;
             }
         }
 }
 
-// Latents that are normal with a deviation of `spread`: the clean one that a network expects, and where the equation
-// leads, are known.
+// For normally distributed latents with standard deviation `spread`, the expected clean latent and the exact solution
+// are known.
 TEST(Schedules, HigherOrdersFollowTheEquationMoreClosely) {
     const c10::InferenceMode inference;
     constexpr double spread = 0.6;
@@ -190,7 +190,7 @@ TEST(Schedules, ACorrectorThatRestsLeavesEachStepToItself) {
     Tensor x = waves(0), y = x, z = x;
     for (int i = 0; i < steps; ++i) {
         x = resting->step(waves(i), i, x, {});
-        y = fresh->clone()->step(waves(i), i, y, {});  // knows of no step before
+        y = fresh->clone()->step(waves(i), i, y, {});  // without history
         z = working->step(waves(i), i, z, {});
     }
     EXPECT_TRUE(at::allclose(x, y));
@@ -209,7 +209,7 @@ TEST(Schedules, KarrasSigmasFallEvenlyInTheirSeventhRoot) {
             const auto root = [&](int k) { return std::pow(sigmas[static_cast<std::size_t>(k)], 1.0 / 7); };
             EXPECT_NEAR(root(i) - root(i - 1), root(1) - root(0), 1e-5);
         }
-        // The time shown to the network is the one that has such a sigma in training.
+        // The timestep passed to the network is the one with that sigma in training.
         const Tensor alphas = alphas_cumprod(schedule_of(file, Sampler::unipc));
         for (int i = 0; i < steps; ++i) {
             const double a = alphas[static_cast<std::int64_t>(scheduler->timestep(i))].item<double>();

@@ -1,6 +1,6 @@
-// A place in a network, named as in its checkpoint: scope / "mid_block" / "resnets" / 0 / "conv1" asks for
-// mid_block.resnets.0.conv1.weight. Networks are functions of a scope and a tensor, so the names in the code are the
-// names in the file, and a parameter of the wrong shape is told where it is used. Private to nn/ (torch).
+// A named position in a network, as in its checkpoint: scope / "mid_block" / "resnets" / 0 / "conv1" requests
+// mid_block.resnets.0.conv1.weight. Networks are functions of a scope and a tensor, so names in the code match names in
+// the file, and a misshaped parameter is reported where it is used. Private to nn/ (torch).
 #pragma once
 
 #include <ATen/ATen.h>
@@ -11,17 +11,17 @@
 
 namespace fastscene::nn {
 
-// Where parameters come from.
+// Provides parameters by name.
 class WeightSource {
   public:
     virtual ~WeightSource() = default;
-    // The parameter, in the number type and on the device that the network runs with.
-    // Throws Error naming the file and the key when it is absent or has another shape.
+    // The parameter in the network's number type and on its device. Throws Error naming the file and the key if it is
+    // absent or has another shape.
     virtual at::Tensor get(const std::string& key, at::IntArrayRef shape) = 0;
     virtual bool has(const std::string& key) const = 0;
 };
 
-// Hears what each named part of a network puts out.
+// Receives the output of each named part of a network.
 using Listener = std::function<void(const std::string& name, const at::Tensor& output)>;
 
 class Scope {
@@ -40,7 +40,7 @@ class Scope {
     const std::string& prefix() const { return prefix_; }
 
     bool is_heard() const { return listener_ && *listener_; }
-    // Passes an output on, and tells the listener.
+    // Returns the output, after reporting it to the listener.
     at::Tensor out(at::Tensor tensor) const {
         if (is_heard()) (*listener_)(prefix_, tensor);
         return tensor;

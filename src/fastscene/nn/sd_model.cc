@@ -18,7 +18,7 @@ using at::Tensor;
 
 namespace {
 
-constexpr float kLargestWeight = 1000;  // of a word of a prompt; far beyond it nothing is a number any more
+constexpr float kLargestWeight = 1000;  // maximum weight of a word in a prompt; far larger ones overflow
 constexpr const char* kWords = "text_model.embeddings.token_embedding.weight";
 
 Json config_in(const fs::path& folder, const char* name = "config.json") {
@@ -30,11 +30,11 @@ std::string with_article(const std::string& name) {
     return (std::string_view("AEIO").find(name.substr(0, 1)) == std::string_view::npos ? "a " : "an ") + name;
 }
 
-// The configuration of a component that must be `kind`, where the file tells its own: diffusers writes "_class_name",
-// transformers "architectures".
+// Loads the configuration of a component and checks that it is of `kind`, if the file states it: diffusers writes
+// "_class_name", transformers "architectures".
 Json component_config(const fs::path& folder, const std::string& kind) {
     const Json json = config_in(folder);
-    if (!json.is_object()) return json;  // who reads it complains
+    if (!json.is_object()) return json;  // the parser will complain
     Json name = json.value("_class_name", Json());
     if (const Json all = json.value("architectures", Json()); name.is_null() && all.is_array() && !all.empty())
         name = all[0];
@@ -78,7 +78,7 @@ SdModel::SdModel(const fs::path& folder, const SdOptions& with) : base(folder), 
     tokenizer = std::make_unique<ClipTokenizer>(base / "tokenizer");
     unet = std::make_unique<FileWeights>(base / "unet", at::TensorOptions(with.device).dtype(with.type), with.keep,
                                          "conv_in.weight");
-    // 16 bits overflow on some pictures.
+    // float: 16 bits overflow on some pictures.
     vae = std::make_unique<FileWeights>(base / "vae", at::TensorOptions(with.device).dtype(at::kFloat), with.keep,
                                         "decoder.conv_in.weight");
     text = std::make_unique<FileWeights>(base / "text_encoder", at::kFloat, with.keep, kWords);
@@ -93,7 +93,7 @@ void SdModel::check_text() const {
                     tower.vocabulary, tower.positions);
 }
 
-// The shapes in the files decide, whatever the configurations say.
+// The shapes in the files are decisive, whatever the configurations say.
 void SdModel::check_families() const {
     const auto looks = unet->shape_of("down_blocks.0.attentions.0.transformer_blocks.0.attn2.to_k.weight");
     const auto words = text->shape_of(kWords);
@@ -117,7 +117,8 @@ void SdModel::check_families() const {
                     vae_config.factor());
 }
 
-// Walks through every network at its smallest, so that a missing or misshaped tensor is told now and not after minutes.
+// Traverses every network with minimal input, so that missing or misshaped tensors are reported now and not after
+// minutes.
 void SdModel::check_shapes() const {
     ShapesOnly words(*text), denoiser(*unet), pictures(*vae);
     clip_text(Scope(words), tower, at::full({1, 2}, ClipTokenizer::kEnd, at::kLong));
@@ -213,7 +214,7 @@ at::ScalarType type_of_precision(const std::string& name, at::Device device) {
     if (name == "float") return at::kFloat;
     if (name == "bf16") return at::kBFloat16;
     if (name != "fp16") throw UsageError("--panorama-precision: expected float, bf16 or fp16, found \"{}\"", name);
-    // libtorch has no convolution of half precision for a CPU.
+    // libtorch has no half-precision convolution on a CPU.
     if (device.is_cpu())
         throw UsageError(
             "--panorama-precision: expected float or bf16 on a CPU, found fp16 (a graphics card's: --panorama-device "

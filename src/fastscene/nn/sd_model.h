@@ -1,5 +1,5 @@
-// A Stable Diffusion 1.x or 2.x as diffusers saves it, opened and checked: every tensor's name and shape can be held
-// against the configurations before anything is computed. Private to nn/ (torch).
+// A Stable Diffusion 1.x or 2.x model in diffusers' layout, opened and validated: names and shapes of all tensors can
+// be checked against the configuration before computing. Private to nn/ (torch).
 #pragma once
 
 #include <filesystem>
@@ -21,25 +21,25 @@ namespace fastscene::nn {
 constexpr std::int64_t kPixelsPerLatent = 8;
 
 struct SdOptions {
-    at::ScalarType type = at::kFloat;  // of the denoiser; text and pictures are read and made in float
-    at::Device device = at::kCPU;      // of denoiser and pictures; text is short and read by the processor
+    at::ScalarType type = at::kFloat;  // number type of the U-Net; text encoder and VAE run in float
+    at::Device device = at::kCPU;      // of U-Net and VAE; the text encoder is small and runs on the CPU
     Sampler sampler = Sampler::euler_ancestral;
-    bool keep = true;      // converted weights stay (file_weights.h)
-    bool encoder = false;  // pictures go in, too
+    bool keep = true;      // cache converted weights (file_weights.h)
+    bool encoder = false;  // load the VAE's encoder, too
 };
 
-// Of the settings' words. Throws UsageError naming the flag.
+// Parses the settings. Throws UsageError naming the flag.
 SdOptions sd_options(const std::string& precision, const std::string& device, Sampler sampler, bool low_memory,
                      bool encoder);
 
 struct SdModel {
-    // `base`: unet/ vae/ text_encoder/ tokenizer/ scheduler/. Throws Error naming folder or file, expected and found.
+    // `base`: unet/ vae/ text_encoder/ tokenizer/ scheduler/. Throws Error naming folder or file, expected and actual.
     SdModel(const std::filesystem::path& base, const SdOptions& options);
-    // Walks through the networks, which takes some memory. Throws Error for what is missing, misshaped or too much.
+    // Traverses the networks, which takes some memory. Throws Error for missing or misshaped tensors and insufficient
+    // memory.
     void check_shapes() const;
 
-    // [2, L, width]: negative prompt, prompt; in the denoiser's type, on its device. Warns of what is too long to be
-    // read.
+    // [2, L, width]: negative prompt, prompt; in the U-Net's type, on its device. Warns if a prompt is too long.
     at::Tensor read_prompt(const std::string& prompt, const std::string& negative, const Run& run) const;
     std::string family() const;
     std::int64_t bytes() const { return unet->bytes() + vae->bytes() + text->bytes(); }
@@ -58,24 +58,24 @@ struct SdModel {
     void check_families() const;
 };
 
-// A ControlNet beside such a model, checked against it.
+// A ControlNet for such a model, checked against it.
 struct ControlModel {
-    // `channels` of the picture it must take. Throws Error as above.
+    // `channels`: of its conditioning picture. Throws Error as above.
     ControlModel(const std::filesystem::path& folder, const SdModel& model, std::int64_t channels);
     void check_shapes() const;
     UNetConfig config;
     std::unique_ptr<FileWeights> weights;
 };
 
-// Throws Error naming the component that put out what is not finite.
+// Throws Error naming the component whose output is not finite.
 void expect_finite(const at::Tensor& output, const std::filesystem::path& component, at::ScalarType type);
 
-// Pictures as networks see them, [1, 3, H, W] in [0, 1], and back (values outside are cut off).
+// Converts pictures to network input, [1, 3, H, W] in [0, 1], and back (clamped).
 at::Tensor unit_picture(const ImageRgb8& image);
 ImageRgb8 picture_of_unit(const at::Tensor& unit);
-// float, bf16, or on a graphics card fp16. Throws UsageError naming the flag.
+// float, bf16, or on a GPU fp16. Throws UsageError naming the flag.
 at::ScalarType type_of_precision(const std::string& name, at::Device device);
-// `make()`; a graphics card whose memory is too small for it is told as an Error with what helps.
+// Runs `make()`; converts a GPU out-of-memory error into an Error with remedies.
 ImageRgb8 fitting_the_card(const std::function<ImageRgb8()>& make);
 
 }  // namespace fastscene::nn

@@ -1,5 +1,5 @@
-// Weights of which only names and shapes matter: a network that walks through them at its smallest is held against its
-// file before anything is computed. Private to nn/ (torch).
+// Weights that provide names and shapes only: traversing a network with minimal input checks it against its file before
+// computing. Private to nn/ (torch).
 #pragma once
 
 #include <set>
@@ -9,7 +9,7 @@
 
 namespace fastscene::nn {
 
-// Hands out zeros that take no memory. `get` throws what the file's would.
+// Returns zeros that take no memory. `get` throws what the file's would.
 class ShapesOnly final : public WeightSource {
   public:
     explicit ShapesOnly(const FileWeights& file) : file_(file) {}
@@ -19,8 +19,8 @@ class ShapesOnly final : public WeightSource {
         return at::zeros({}, at::kFloat).expand(shape);
     }
     bool has(const std::string& key) const override { return file_.has(key); }
-    // Throws Error when the file has layers below one of `parts` ("up_blocks.") that were not asked for: the
-    // configuration is not its own.
+    // Throws Error if the file has layers below one of `parts` ("up_blocks.") that were not requested: the
+    // configuration does not match the file.
     void expect_all_of(const std::vector<std::string>& parts) const { file_.expect_none_beyond(asked_, parts); }
 
   private:

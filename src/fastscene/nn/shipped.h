@@ -1,4 +1,4 @@
-// Weights that the program carries inside (models/ in the sources): they are there wherever the program runs.
+// Weights built into the program (models/ in the source tree), available wherever it runs.
 #pragma once
 
 #include <string>
@@ -9,10 +9,10 @@
 
 namespace fastscene {
 
-// By the file's name without ending: "egformer-rooms".
+// File names without extension: "egformer-rooms".
 std::vector<std::string> shipped_names();
 bool is_shipped(std::string_view name);
-// Throws Error naming what there is.
+// Throws Error listing the available names.
 Weights shipped_weights(std::string_view name);
 
 }  // namespace fastscene

@@ -10,7 +10,7 @@
 namespace fastscene {
 namespace {
 
-// What lies in models/ is in the program, whole, and within the sizes agreed on.
+// Every model of models/ is built into the program, complete and within its size limit.
 TEST(Shipped, EveryModelOfTheSourcesIsThere) {
     std::uintmax_t total = 0;
     const std::filesystem::path folder = std::filesystem::path(FASTSCENE_SOURCE_DIR) / "models";

@@ -1,4 +1,4 @@
-// For tests: a denoiser of two levels, one of which reads the text. Private to nn/ (torch).
+// For tests: a U-Net of two levels, one of which attends to the text. Private to nn/ (torch).
 #pragma once
 
 #include "fastscene/nn/unet.h"

@@ -12,13 +12,13 @@ using at::Tensor;
 
 namespace {
 
-// Where tiles begin on a side that ends: the last one ends with it.
+// Tile positions on a bounded axis: the last tile ends with it.
 std::vector<std::int64_t> row_starts(std::int64_t side, std::int64_t tile, std::int64_t overlap) {
     std::vector<std::int64_t> out{0};
     while (out.back() + tile < side) out.push_back(std::min(out.back() + tile - overlap, side - tile));
     return out;
 }
-// … and on a circle: evenly.
+// … and on a circle: evenly spaced.
 std::vector<std::int64_t> column_starts(std::int64_t side, std::int64_t tile, std::int64_t overlap) {
     const std::int64_t step = tile - overlap, count = (side + step - 1) / step;
     std::vector<std::int64_t> out;
@@ -26,7 +26,7 @@ std::vector<std::int64_t> column_starts(std::int64_t side, std::int64_t tile, st
     return out;
 }
 
-// 1, rising from nearly 0 and falling to it over `ramp` values at the ends that have a neighbour.
+// Blend weights: 1, with ramps from and to nearly 0 over `ramp` values at the ends that have a neighbour.
 Tensor hat(std::int64_t size, std::int64_t ramp, bool rises, bool falls) {
     Tensor weight = at::ones({size}, at::kFloat);
     for (std::int64_t i = 0; i < std::min(ramp, size); ++i) {

@@ -1,5 +1,4 @@
-// Stopping in the middle of a network: a step of a large picture takes minutes, a layer seconds. Private to nn/
-// (torch).
+// Makes networks interruptible: a step on a large picture takes minutes, a layer seconds. Private to nn/ (torch).
 #pragma once
 
 #include "fastscene/base/run.h"
@@ -7,7 +6,7 @@
 
 namespace fastscene::nn {
 
-// The same parameters; whenever a layer asks for one, Stopped is thrown if somebody asked the run to stop.
+// Forwards to another source, and throws Stopped on a parameter request if the run was asked to stop.
 class StoppableWeights final : public WeightSource {
   public:
     StoppableWeights(WeightSource& weights, const Run& run) : weights_(weights), run_(run) {}

@@ -1,4 +1,4 @@
-// A model folder as diffusers saves it, small enough for tests: random weights, a vocabulary of made-up merges.
+// A model folder in diffusers' layout, small enough for tests: random weights, synthetic merges.
 #pragma once
 
 #include <filesystem>
@@ -9,25 +9,25 @@
 
 namespace fastscene {
 
-// unet/ vae/ text_encoder/ tokenizer/ scheduler/. `text_width` of the denoiser and of the text encoder may differ: a
-// mixed-up folder.
+// unet/ vae/ text_encoder/ tokenizer/ scheduler/. The `text_width` of U-Net and text encoder may differ, to simulate
+// mixed-up folders.
 struct TinyModel {
     int denoiser_text_width = 32, encoder_text_width = 32;
     std::string prediction = "epsilon";
-    std::string salt = {};  // other weights
-    int sample_size = 64;   // pixels that the VAE decodes at once
+    std::string salt = {};  // varies the weights
+    int sample_size = 64;   // tile size in pixels for decoding
 };
 void write_tiny_model(const std::filesystem::path& folder, const TinyModel& model = {});
-// A ControlNet for such a model; `channels` of the picture it holds on to.
+// A ControlNet for such a model; `channels`: of its conditioning picture.
 void write_tiny_control(const std::filesystem::path& folder, int channels, int text_width = 32);
-// Real-ESRGAN for twice the size, with two blocks; everything inside of "params_ema", as in the official file.
+// Real-ESRGAN x2 with two blocks, inside "params_ema" as in the official file.
 void write_tiny_enlarger(const std::filesystem::path& file);
 
-// The denoiser's file in two, with an index, as large models are saved; `part` is given the part's number. What a file
-// is, its first bytes tell.
+// Splits the U-Net's weights into two shards with an index, as large models are saved; `part` receives the shard
+// number. File types are recognized by their first bytes.
 void save_in_parts(const std::filesystem::path& unet, fmt::format_string<int> part, const std::string& index);
 
-// What an act complains of; empty: nothing.
+// The error message of an action; empty: none.
 template <class Act>
 std::string message_of(const Act& act) {
     try {

@@ -1,4 +1,4 @@
-// A vocabulary for tests, of made-up merges, as many as CLIP's.
+// A synthetic vocabulary for tests, with as many merges as CLIP's.
 #pragma once
 
 #include <filesystem>
@@ -8,8 +8,8 @@
 
 namespace fastscene {
 
-// FOLDER/merges.txt. The 68 bytes that are not printable stand from U+0100 on; each line makes a longer run of one of
-// them behind a printable byte.
+// Writes FOLDER/merges.txt. The 68 unprintable bytes are mapped to U+0100 and up; each line merges a longer run of one
+// of them after a printable byte.
 inline void write_tiny_tokenizer(const std::filesystem::path& folder) {
     std::string lines = "#version: 0.2\n";
     int count = 0;

@@ -22,8 +22,8 @@ namespace fs = std::filesystem;
 constexpr int kBytes = 256;
 constexpr int kMerges = ClipTokenizer::kBegin - 2 * kBytes;  // 48894
 
-// GPT-2 writes bytes as printable characters: those of Latin-1 that are printable stand for themselves, the others
-// follow from U+0100. The order of the pieces is: printable bytes first.
+// GPT-2 maps bytes to printable characters: printable Latin-1 characters map to themselves, the others to U+0100 and
+// up. Tokens are ordered with printable bytes first.
 struct ByteOrder {
     std::array<int, kBytes> piece_of_byte{};
     std::unordered_map<char32_t, int> piece_of_character;
@@ -50,7 +50,7 @@ std::uint64_t pair_key(int left, int right) {
     return static_cast<std::uint64_t>(left) << 32 | static_cast<std::uint32_t>(right);
 }
 
-// The words of a cleaned text: the alternatives 's 't 're 've 'm 'll 'd, letters, one digit, others.
+// Word splitting of a cleaned text, by the alternatives 's 't 're 've 'm 'll 'd, letters, one digit, others.
 enum class Kind { space, letter, number, other };
 Kind kind_of(UChar32 c) {
     if (u_isUWhiteSpace(c)) return Kind::space;
@@ -70,7 +70,7 @@ std::size_t contraction(std::string_view text) {
     for (const std::string_view tail : {"'s", "'t", "'re", "'ve", "'m", "'ll", "'d"})
         if (text.starts_with(tail)) return tail.size();
     return text.starts_with("'\u017f") ? std::string_view("'\u017f").size()
-                                       : 0;  // the long s is an s to a regex without case
+                                       : 0;  // case-insensitive regexes match the long s as s
 }
 // Bytes of the UTF-8 character that starts here; the text is valid.
 std::size_t character_bytes(std::string_view text) {
@@ -99,7 +99,7 @@ std::size_t word_bytes(std::string_view text) {
     return end;
 }
 
-// The filler that a diffusers folder names, by special_tokens_map.json or tokenizer_config.json.
+// The padding token that a diffusers folder names in special_tokens_map.json or tokenizer_config.json.
 std::string pad_name(const fs::path& folder) {
     for (const char* name : {"special_tokens_map.json", "tokenizer_config.json"}) {
         if (!fs::exists(folder / name)) continue;
@@ -113,7 +113,7 @@ std::string pad_name(const fs::path& folder) {
     return "<|endoftext|>";
 }
 
-// Pieces of added_tokens.json that CLIP does not have.
+// Tokens of added_tokens.json that CLIP does not have.
 std::vector<std::string> added_pieces(const fs::path& file) {
     std::vector<std::string> out;
     if (!fs::exists(file)) return out;
@@ -153,7 +153,7 @@ ClipTokenizer::ClipTokenizer(const fs::path& vocabulary) {
         unread_ = added_pieces(vocabulary / "added_tokens.json");
         const std::string pad = pad_name(vocabulary);
         const std::vector<int> piece = encode(pad);
-        // A plain filler such as "!" is piece 0 without the end of a word.
+        // A plain character such as "!" is the token without end-of-word, id 0.
         pad_ = pad == "<|endoftext|>"                                             ? kEnd
                : piece.size() == 1 && piece[0] >= kBytes && piece[0] < 2 * kBytes ? piece[0] - kBytes
                                                                                   : kEnd;

@@ -10,7 +10,7 @@
 #include "fastscene/io/image_io.h"
 #include "fastscene/nn/runtime.h"
 #include "fastscene/nn/safetensors.h"
-#include "fastscene/nn/team.h"
+#include "fastscene/nn/process_group.h"
 #include "fastscene/nn/training_log.h"
 
 namespace fastscene::nn {
@@ -19,7 +19,7 @@ namespace {
 namespace fs = std::filesystem;
 using Clock = std::chrono::steady_clock;
 
-constexpr int kShares = 1000;  // units of the progress shown
+constexpr int kShares = 1000;  // resolution of the progress display
 
 double minutes_since(Clock::time_point begin) {
     return std::chrono::duration<double>(Clock::now() - begin).count() / 60;
@@ -51,7 +51,7 @@ std::int64_t metadata_number(const Weights& checkpoint, const std::string& name)
     return std::stoll(found->second);
 }
 
-// The number of steps done; 0 when the folder is new.
+// The number of steps done; 0 in a new folder.
 std::int64_t load_checkpoint(const TrainingTask& task, const fs::path& folder) {
     if (!fs::exists(checkpoint_of(folder))) return 0;
     const Weights checkpoint = load_weights(checkpoint_of(folder));
@@ -60,7 +60,7 @@ std::int64_t load_checkpoint(const TrainingTask& task, const fs::path& folder) {
     return metadata_number(checkpoint, "step");
 }
 
-// One folder, one training.
+// Records the settings in a new folder, or checks them against an existing one.
 void settle_settings(const TrainingTask& task, const TrainingParams& params, const fs::path& folder, const Run& run) {
     Json wanted = lasting_settings(params);
     wanted["seed"] = run.seed;
@@ -75,19 +75,19 @@ void settle_settings(const TrainingTask& task, const TrainingParams& params, con
                 path.string(), name, value.dump(), found.contains(name) ? found[name].dump() : "none");
 }
 
-// What the first process has, checkpoint and all, for those that joined it.
-std::int64_t same_beginning(const TrainingTask& task, std::int64_t step, const Team& team) {
+// Broadcasts the first process's state, including its checkpoint, to the group.
+std::int64_t same_beginning(const TrainingTask& task, std::int64_t step, const ProcessGroup& group) {
     std::vector<at::Tensor> tensors;
     for (const auto& [name, tensor] : whole_state(task)) tensors.push_back(tensor);
-    team.from_first(tensors);
+    group.from_first(tensors);
     for (Learner* learner : task.learners) {
-        learner->set_steps(team.from_first(learner->steps()));
-        learner->join(team);
+        learner->set_steps(group.from_first(learner->steps()));
+        learner->join(group);
     }
-    return team.from_first(step);
+    return group.from_first(step);
 }
 
-// Means of the numbers of several steps.
+// Running means over several steps.
 class Means {
   public:
     void add(const Numbers& numbers) {
@@ -99,7 +99,7 @@ class Means {
         }
         ++count_;
     }
-    // And begins again.
+    // Returns the means and resets.
     Numbers take() {
         for (auto& [name, value] : sum_) value /= count_;
         count_ = 0;
@@ -112,11 +112,11 @@ class Means {
     int count_ = 0;
 };
 
-// The examples of each step, drawn one step ahead.
+// Draws the examples of the next step while the current one is computed.
 class Drawer {
   public:
-    Drawer(const TrainingTask& task, std::uint64_t seed, const Team* team)
-        : task_(task), seed_(seed), processes_(team ? team->size() : 1), process_(team ? team->process() : 0) {}
+    Drawer(const TrainingTask& task, std::uint64_t seed, const ProcessGroup* group)
+        : task_(task), seed_(seed), processes_(group ? group->size() : 1), process_(group ? group->process() : 0) {}
     Batch at(std::int64_t step, bool another_follows) {
         Batch now = next_.valid() ? next_.get() : draw(step);
         if (another_follows) next_ = std::async(std::launch::async, [this, step] { return draw(step + 1); });
@@ -125,8 +125,8 @@ class Drawer {
 
   private:
     Batch draw(std::int64_t step) const {
-        Random dice(seed_, "training step", static_cast<std::uint64_t>(step * processes_ + process_));
-        return task_.draw(dice);
+        Random rng(seed_, "training step", static_cast<std::uint64_t>(step * processes_ + process_));
+        return task_.draw(rng);
     }
     const TrainingTask& task_;
     std::uint64_t seed_;
@@ -142,23 +142,23 @@ std::string text_of(const Numbers& numbers) {
 
 }  // namespace
 
-double rate_at(const TrainingParams& params, std::int64_t step) {
+double learning_rate_at(const TrainingParams& params, std::int64_t step) {
     const double warm = params.warmup > 0 ? std::min(1.0, static_cast<double>(step + 1) / params.warmup) : 1.0;
     const double share = std::min(1.0, static_cast<double>(step) / params.steps);
-    return warm *
-           (params.last_rate + (params.rate - params.last_rate) * 0.5 * (1 + std::cos(std::numbers::pi * share)));
+    return warm * (params.final_learning_rate + (params.learning_rate - params.final_learning_rate) * 0.5 *
+                                                    (1 + std::cos(std::numbers::pi * share)));
 }
 
 TrainingOutcome train(const TrainingTask& task, const TrainingParams& params, const fs::path& folder, const Run& run) {
     use_our_threads();
-    const std::unique_ptr<Team> team = Team::meet(params);
-    const bool keeps = !team || team->process() == 0;  // the folder is the first process's
+    const std::unique_ptr<ProcessGroup> group = ProcessGroup::meet(params);
+    const bool keeps = !group || group->process() == 0;  // only the first process writes
     if (keeps) {
         make_directories(folder / "sheets");
         settle_settings(task, params, folder, run);
     }
     std::int64_t first = keeps ? load_checkpoint(task, folder) : 0;
-    if (team) first = same_beginning(task, first, *team);
+    if (group) first = same_beginning(task, first, *group);
     TrainingOutcome outcome{first, first >= params.steps, {}};
     std::optional<TrainingLog> log;
     if (keeps) log.emplace(folder, first);
@@ -173,31 +173,32 @@ TrainingOutcome train(const TrainingTask& task, const TrainingParams& params, co
         log->add(outcome.steps, minutes_before + minutes_since(begin), more);
         log->save();
     };
-    const auto look_now = [&] {
+    const auto evaluate_now = [&] {
         if (!keeps) return;
-        const Look look = task.look();
-        outcome.held_out = look.held_out;
+        const Evaluation evaluation = task.evaluate();
+        outcome.held_out = evaluation.held_out;
         Numbers named;
-        for (const auto& [name, value] : look.held_out) named.emplace_back(std::string(kHeldOut) + name, value);
+        for (const auto& [name, value] : evaluation.held_out) named.emplace_back(std::string(kHeldOut) + name, value);
         log_now(named);
-        if (!look.sheet.empty()) save_png(folder / "sheets" / fmt::format("{:08}.png", outcome.steps), look.sheet);
-        run.note(fmt::format("training: step {}, held out: {}", outcome.steps, text_of(look.held_out)));
+        if (!evaluation.sheet.empty())
+            save_png(folder / "sheets" / fmt::format("{:08}.png", outcome.steps), evaluation.sheet);
+        run.note(fmt::format("training: step {}, held out: {}", outcome.steps, text_of(evaluation.held_out)));
     };
     const auto keep = [&] {
         if (keeps) save_checkpoint(task, outcome.steps, folder);
     };
-    // All processes end after the same step: the first's clock and its user decide.
+    // All processes end after the same step: the first one's clock and user decide.
     enum : std::int64_t { goes_on, time_is_up, stopped };
     const auto now_what = [&] {
         const bool up = params.minutes > 0 && minutes_since(begin) >= params.minutes;
         const std::int64_t mine = run.stop.stop_requested() ? stopped : up ? time_is_up : goes_on;
-        return team ? team->from_first(mine) : mine;
+        return group ? group->from_first(mine) : mine;
     };
 
     Progress progress(run, "training", kShares);
-    Drawer drawer(task, run.seed, team.get());
+    Drawer drawer(task, run.seed, group.get());
     Clock::time_point kept = begin;
-    if (first == 0 || outcome.finished) look_now();
+    if (first == 0 || outcome.finished) evaluate_now();
     for (int shown = 0; outcome.steps < params.steps;) {
         const std::int64_t now_to_do = now_what();
         if (now_to_do == stopped) {
@@ -207,10 +208,10 @@ TrainingOutcome train(const TrainingTask& task, const TrainingParams& params, co
         }
         if (now_to_do == time_is_up) break;
         means.add(task.step(drawer.at(outcome.steps, outcome.steps + 1 < params.steps), outcome.steps,
-                            rate_at(params, outcome.steps)));
+                            learning_rate_at(params, outcome.steps)));
         ++outcome.steps;
         outcome.finished = outcome.steps == params.steps;
-        if (outcome.steps % params.look_steps == 0 && !outcome.finished) look_now();
+        if (outcome.steps % params.eval_steps == 0 && !outcome.finished) evaluate_now();
         else if (outcome.steps % params.log_steps == 0) log_now();
         if (minutes_since(kept) >= params.checkpoint_minutes && !outcome.finished) {
             keep();
@@ -225,7 +226,7 @@ TrainingOutcome train(const TrainingTask& task, const TrainingParams& params, co
     }
     if (outcome.steps > first) {
         keep();
-        look_now();
+        evaluate_now();
     }
     return outcome;
 }

@@ -1,11 +1,10 @@
-// Training: the loop around a step. Curves, looks at held-out pictures, checkpoints, going on exactly where it stopped.
+// Training: the loop around a step. Curves, evaluation on held-out pictures, checkpoints, exact resumption.
 //
-//     Learner net("network", start_he(run.seed), device, [&](const Scope& s) { … }, {…});
-//     TrainingTask task{.learners = {&net}, .draw = …, .step = …, .look = …};
-//     train(task, params, folder, run);
+// Learner net("network", start_he(run.seed), device, [&](const Scope& s) { … }, {…});
+// TrainingTask task{.learners = {&net}, .draw = …, .step = …, .evaluate = …};
+// train(task, params, folder, run);
 //
-// What a step does is the task's; where the time goes, what is written and when it ends is told here once. Private to
-// nn/ (torch).
+// The task defines what a step does; timing, output and termination are handled here. Private to nn/ (torch).
 #pragma once
 
 #include <filesystem>
@@ -24,37 +23,38 @@
 namespace fastscene::nn {
 
 using Batch = std::vector<at::Tensor>;
-using Numbers = std::vector<std::pair<std::string, double>>;  // by name, always the same names in the same order
+using Numbers = std::vector<std::pair<std::string, double>>;  // by name; names and order never change
 
-struct Look {
-    Numbers held_out;  // figures of pictures that are never trained on
-    ImageRgb8 sheet;   // what they look like; may be empty
+struct Evaluation {
+    Numbers held_out;  // metrics on held-out pictures
+    ImageRgb8 sheet;   // contact sheet; may be empty
 };
 
 struct TrainingTask {
     std::vector<Learner*> learners;
-    // Examples of a step. Runs on another thread while the step before is computed; depends on the dice only.
-    std::function<Batch(Random& dice)> draw;
-    // Losses, backward(), Learner::update(rate).
-    std::function<Numbers(const Batch& batch, std::int64_t step, double rate)> step;
-    std::function<Look()> look;  // with the learners' averages
-    Json settings;               // what else must be equal for a checkpoint to be gone on with: data, sizes, losses
+    // The examples of a step. Called on another thread while the previous step is computed; must depend on the rng
+    // only.
+    std::function<Batch(Random& rng)> draw;
+    // Computes losses, backward(), Learner::update(learning_rate).
+    std::function<Numbers(const Batch& batch, std::int64_t step, double learning_rate)> step;
+    std::function<Evaluation()> evaluate;  // uses the learners' EMA weights
+    Json settings;  // further settings that must match for a checkpoint to be resumed: data, sizes, losses
 };
 
 struct TrainingOutcome {
-    std::int64_t steps = 0;  // done in all
-    bool finished = false;   // false: the minutes ran out first
-    Numbers held_out;        // of the last look
+    std::int64_t steps = 0;  // total number done
+    bool finished = false;   // false: the time limit came first
+    Numbers held_out;        // of the last evaluation
 };
 
-// Works in `folder`: checkpoint.safetensors, training.json, curves.csv, curve-NAME.svg, sheets/. When a checkpoint is
-// there it goes on from it, to the same numbers as without the break (on one machine with one number of threads). A
-// checkpoint is written under another name and renamed: a full disk leaves the last one. Throws UsageError when the
-// folder's training has other settings, Error when a file cannot be written, Stopped after a last checkpoint.
+// Trains in `folder`: checkpoint.safetensors, training.json, curves.csv, curve-NAME.svg, sheets/. Resumes from a
+// checkpoint there, with the same results as without the interruption (on the same machine and thread count).
+// Checkpoints are written under a temporary name and renamed: a full disk leaves the last one intact. Throws UsageError
+// if the folder's training has other settings, Error if a file cannot be written, Stopped after a final checkpoint.
 TrainingOutcome train(const TrainingTask& task, const TrainingParams& params, const std::filesystem::path& folder,
                       const Run& run);
 
-// Adam's rate at a step: warm-up, then half a cosine from rate to last_rate.
-double rate_at(const TrainingParams& params, std::int64_t step);
+// Learning rate schedule: linear warm-up, then cosine decay from learning_rate to final_learning_rate.
+double learning_rate_at(const TrainingParams& params, std::int64_t step);
 
 }  // namespace fastscene::nn

@@ -11,7 +11,7 @@
 namespace fastscene::nn {
 namespace {
 
-constexpr std::size_t kMostPoints = 150;  // of a curve; more are averaged
+constexpr std::size_t kMostPoints = 150;  // of a curve; longer ones are downsampled
 
 std::vector<std::string> cells(const std::string& line) {
     std::vector<std::string> out;
@@ -26,7 +26,7 @@ double number(const std::string& cell) {
     return end == cell.c_str() ? std::nan("") : value;
 }
 
-// Every few neighbours as their mean.
+// Averages groups of consecutive points.
 std::vector<Vec2d> thinned(const std::vector<Vec2d>& points) {
     const std::size_t together = (points.size() + kMostPoints - 1) / kMostPoints;
     std::vector<Vec2d> out;
@@ -99,7 +99,7 @@ void TrainingLog::save_plots() const {
     for (std::size_t i = 0; i < columns_.size(); ++i) {
         const std::string name = columns_[i].starts_with(kHeldOut) ? columns_[i].substr(kHeldOut.size()) : columns_[i];
         if (name != columns_[i] && std::find(columns_.begin(), columns_.end(), name) != columns_.end())
-            continue;  // drawn with its brother
+            continue;  // drawn together with its counterpart
         Plot plot{name, "step", "", {curve(i)}};
         const auto brother = std::find(columns_.begin(), columns_.end(), std::string(kHeldOut) + name);
         if (brother != columns_.end() && name == columns_[i])

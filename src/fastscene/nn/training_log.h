@@ -1,4 +1,4 @@
-// The written story of a training: curves.csv and its plots. Private to nn/training.cc.
+// The log of a training: curves.csv and its plots. Private to nn/training.cc.
 #pragma once
 
 #include <cstdint>
@@ -9,17 +9,17 @@
 
 namespace fastscene::nn {
 
-// Columns of what held-out data say begin so.
+// Prefix of the columns measured on held-out data.
 inline constexpr std::string_view kHeldOut = "held-out ";
 
 class TrainingLog {
   public:
-    // Goes on with the file that is there, as far as `step`: later rows belong to steps that will be done again.
+    // Continues an existing file up to `step`: later rows belong to steps that will be repeated.
     TrainingLog(std::filesystem::path folder, std::int64_t step);
-    // Values by column; a new name opens a column. NaN: nothing to say.
+    // Values by column; a new name adds a column. NaN: no value.
     void add(std::int64_t step, double minutes, const std::vector<std::pair<std::string, double>>& values);
-    // Writes curves.csv and a curve-NAME.svg for each column; names that start with kHeldOut are drawn over those
-    // without it.
+    // Writes curves.csv and a curve-NAME.svg per column; kHeldOut columns are drawn over those of the same name without
+    // the prefix.
     void save() const;
     double minutes() const { return rows_.empty() ? 0 : rows_.back().minutes; }
 

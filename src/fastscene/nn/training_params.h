@@ -1,5 +1,4 @@
-// How a network is trained, whichever it is: the settings that `inpaint train` and `depth train` share. No libtorch in
-// sight.
+// Training settings shared by `inpaint train` and `depth train`. Free of libtorch.
 #pragma once
 
 #include <string>
@@ -12,11 +11,11 @@ struct TrainingParams {
     int steps = 100000;
     double minutes = 0;
     int batch = 4;
-    double rate = 1e-4, last_rate = 1e-4;
+    double learning_rate = 1e-4, final_learning_rate = 1e-4;
     int warmup = 100;
-    double average = 0.999;
+    double ema_decay = 0.999;
     double clip = 1;
-    int log_steps = 50, look_steps = 1000;
+    int log_steps = 50, eval_steps = 1000;
     double checkpoint_minutes = 5;
     std::string device = "auto", precision = "auto";
     int processes = 1, process = 0;
@@ -28,15 +27,15 @@ void visit_fields(TrainingParams& p, V&& v) {
     v("minutes", p.minutes, Bounds{0, 1e7},
       "Stop after so many minutes of this call, with a checkpoint; 0 = only after --steps.");
     v("batch", p.batch, Bounds{1, 4096}, "Pictures a step.");
-    v("rate", p.rate, Bounds{0, 1}, "Adam's rate after the warm-up.");
-    v("last-rate", p.last_rate, Bounds{0, 1}, "Its rate at --steps; in between half a cosine.");
+    v("learning-rate", p.learning_rate, Bounds{0, 1}, "Adam's rate after the warm-up.");
+    v("final-learning-rate", p.final_learning_rate, Bounds{0, 1}, "Its rate at --steps; in between half a cosine.");
     v("warmup", p.warmup, Bounds{0, 1e6}, "Steps in which the rate grows from 0.");
-    v("average", p.average, Bounds{0, 0.999999},
+    v("ema-decay", p.ema_decay, Bounds{0, 0.999999},
       "The network that is kept is a running average of the trained one; this is what stays of it each step.");
     v("clip", p.clip, Bounds{0, 1e9},
       "Longest gradient of a network; longer ones are shortened to it. 0 = any length.");
     v("log-steps", p.log_steps, Bounds{1, 1e6}, "Steps between rows of curves.csv.");
-    v("look-steps", p.look_steps, Bounds{1, 1e9},
+    v("eval-steps", p.eval_steps, Bounds{1, 1e9},
       "Steps between looks at the held-out pictures: their figures, and a sheet.");
     v("checkpoint-minutes", p.checkpoint_minutes, Bounds{0, 1e5}, "Minutes between checkpoints.");
     v("device", p.device, Choices{{"auto", "cpu", "cuda"}}, "Where it is trained; auto: CUDA if libtorch has it.");
@@ -49,11 +48,11 @@ void visit_fields(TrainingParams& p, V&& v) {
     v("meet", p.meet, "HOST:PORT at which process 0 awaits the others.");
 }
 
-// What is the same whenever a training is gone on with. The other settings may change in between.
+// The settings that must not change when a training is resumed; all others may.
 inline Json lasting_settings(const TrainingParams& params) {
     Json all = fields_json(params);
     for (const char* free :
-         {"steps", "minutes", "log-steps", "look-steps", "checkpoint-minutes", "device", "process", "meet"})
+         {"steps", "minutes", "log-steps", "eval-steps", "checkpoint-minutes", "device", "process", "meet"})
         all.erase(free);
     return all;
 }

@@ -1,4 +1,4 @@
-// The loop around a step: what it learns, that a break leaves no trace, that a full disk costs no checkpoint.
+// The training loop: it learns, interruptions leave no trace, a full disk costs no checkpoint.
 #include "fastscene/nn/training.h"
 
 #include <gtest/gtest.h>
@@ -18,7 +18,7 @@
 #include "fastscene/base/parallel.h"
 #include "fastscene/nn/layers.h"
 #include "fastscene/nn/precision.h"
-#include "fastscene/nn/team.h"
+#include "fastscene/nn/process_group.h"
 
 namespace fastscene::nn {
 namespace {
@@ -46,25 +46,26 @@ struct Lesson {
                   [](const Scope& s) {
                       small_network(s, at::zeros({1, 2}));
                   },
-                  {{.rate = 1e-2, .beta1 = 0.9}, 0.98, 10}) {
+                  {{.learning_rate = 1e-2, .beta1 = 0.9}, 0.98, 10}) {
         task.learners = {&learner};
-        task.draw = [](Random& dice) -> Batch {
+        task.draw = [](Random& rng) -> Batch {
             at::Tensor x = at::empty({32, 2});
-            for (std::int64_t i = 0; i < x.numel(); ++i) x.data_ptr<float>()[i] = dice.uniform(-1, 1);
+            for (std::int64_t i = 0; i < x.numel(); ++i) x.data_ptr<float>()[i] = rng.uniform(-1, 1);
             return {x};
         };
-        task.step = [this](const Batch& batch, std::int64_t, double rate) -> Numbers {
+        task.step = [this](const Batch& batch, std::int64_t, double learning_rate) -> Numbers {
             const at::Tensor loss = at::mse_loss(small_network(learner.scope(), batch[0]).squeeze(1), batch[0].prod(1));
             loss.backward();
-            const double length = learner.update(rate);
+            const double length = learner.update(learning_rate);
             return {{"loss", loss.item<double>()}, {"gradient", length}};
         };
-        task.look = [this]() -> Look {
-            Random dice(99, "held out");
-            const Batch batch = task.draw(dice);
-            return {{{"loss", at::mse_loss(small_network(learner.average(), batch[0]).squeeze(1), batch[0].prod(1))
-                                  .item<double>()}},
-                    {}};
+        task.evaluate = [this]() -> Evaluation {
+            Random rng(99, "held out");
+            const Batch batch = task.draw(rng);
+            return {
+                {{"loss",
+                  at::mse_loss(small_network(learner.ema(), batch[0]).squeeze(1), batch[0].prod(1)).item<double>()}},
+                {}};
         };
         task.settings = {{"what", "a product"}};
     }
@@ -73,12 +74,12 @@ struct Lesson {
 TrainingParams quick(int steps) {
     TrainingParams params;
     params.steps = steps;
-    params.rate = 1e-2;
-    params.last_rate = 1e-2;
+    params.learning_rate = 1e-2;
+    params.final_learning_rate = 1e-2;
     params.warmup = 5;
-    params.average = 0.98;
+    params.ema_decay = 0.98;
     params.log_steps = 10;
-    params.look_steps = 50;
+    params.eval_steps = 50;
     params.precision = "f32";
     return params;
 }
@@ -92,7 +93,7 @@ std::vector<float> all_numbers(const Learner& learner) {
     return out;
 }
 
-// A picture goes through GELU and leaves as tokens: the gradient comes back in another layout than the input had.
+// A picture passes through GELU and is transposed to tokens: its gradient arrives in another memory layout.
 TEST(Training, GeluHasItsGradientInAnyLayout) {
     const at::Tensor picture = at::randn({2, 8, 16, 32}), weight = at::randn({2, 16 * 32, 8});
     const auto gradient = [&](at::ScalarType type, const std::function<at::Tensor(const at::Tensor&)>& activation) {
@@ -108,7 +109,7 @@ TEST(Training, GeluHasItsGradientInAnyLayout) {
 TEST(Training, Learns) {
     const Folder folder("fastscene-training-learns");
     Lesson lesson;
-    const double before = lesson.task.look().held_out[0].second;
+    const double before = lesson.task.evaluate().held_out[0].second;
     const TrainingOutcome outcome = train(lesson.task, quick(400), folder.path, seeded(7));
     EXPECT_TRUE(outcome.finished);
     EXPECT_LT(outcome.held_out[0].second, 0.2 * before);
@@ -139,9 +140,9 @@ TEST(Training, StopsWithACheckpoint) {
     std::stop_source stop;
     Lesson lesson;
     const auto step = lesson.task.step;
-    lesson.task.step = [&](const Batch& batch, std::int64_t i, double rate) {
+    lesson.task.step = [&](const Batch& batch, std::int64_t i, double learning_rate) {
         if (i == 12) stop.request_stop();
-        return step(batch, i, rate);
+        return step(batch, i, learning_rate);
     };
     EXPECT_THROW(train(lesson.task, quick(1000), folder.path, seeded(7, stop.get_token())), Stopped);
     Lesson again;
@@ -149,7 +150,7 @@ TEST(Training, StopsWithACheckpoint) {
     EXPECT_EQ(again.learner.steps(), 20);
 }
 
-// A port that nobody listens at.
+// An unused TCP port.
 int free_port() {
     const int s = ::socket(AF_INET, SOCK_STREAM, 0);
     sockaddr_in at{};
@@ -162,19 +163,22 @@ int free_port() {
     return ntohs(at.sin_port);
 }
 
-// Two with a batch each learn what one learns from both batches; the first alone writes, and where it stops all stop.
+// Two processes with a batch each learn the same as one process with both batches; only the first writes, and when it
+// stops, all stop.
 TEST(Training, ATeamLearnsAsOneWithAllTheExamples) {
     constexpr int kSteps = 20;
     const Folder one("fastscene-training-one"), first("fastscene-training-first"), second("fastscene-training-second");
     Lesson alone;
     const auto draw = alone.task.draw;
-    const auto of_step = [&](std::int64_t step) {  // the dice of both processes
+    const auto of_step = [&](std::int64_t step) {  // the random streams of both processes
         Random a(7, "training step", static_cast<std::uint64_t>(2 * step)),
             b(7, "training step", static_cast<std::uint64_t>(2 * step + 1));
         return Batch{at::cat({draw(a)[0], draw(b)[0]})};
     };
     const auto step = alone.task.step;
-    alone.task.step = [&](const Batch&, std::int64_t i, double rate) { return step(of_step(i), i, rate); };
+    alone.task.step = [&](const Batch&, std::int64_t i, double learning_rate) {
+        return step(of_step(i), i, learning_rate);
+    };
     train(alone.task, quick(kSteps), one.path, seeded(7));
 
     TrainingParams params = quick(kSteps);
@@ -198,14 +202,14 @@ TEST(Training, ATeamLearnsAsOneWithAllTheExamples) {
 TEST(Training, ATeamThatDoesNotMeetSaysSo) {
     TrainingParams params = quick(1);
     params.processes = 2;
-    EXPECT_THROW(Team::meet(params), UsageError);  // no place
+    EXPECT_THROW(ProcessGroup::meet(params), UsageError);  // invalid address
     params.meet = "localhost:0";
-    EXPECT_THROW(Team::meet(params), UsageError);
+    EXPECT_THROW(ProcessGroup::meet(params), UsageError);
     params.meet = fmt::format("localhost:{}", free_port());
     params.process = 2;
-    EXPECT_THROW(Team::meet(params), UsageError);
+    EXPECT_THROW(ProcessGroup::meet(params), UsageError);
     params.process = 0;
-    EXPECT_THROW(Team::meet(params, 0.5), Error);  // nobody comes
+    EXPECT_THROW(ProcessGroup::meet(params, 0.5), Error);  // nobody joins
 }
 
 TEST(Training, AFolderKeepsItsSettings) {
@@ -248,12 +252,12 @@ TEST(Training, AnInfiniteGradientIsLeftOut) {
 TEST(Training, TheRateWarmsUpAndFades) {
     TrainingParams params;
     params.steps = 1000;
-    params.rate = 1;
-    params.last_rate = 0.1;
+    params.learning_rate = 1;
+    params.final_learning_rate = 0.1;
     params.warmup = 10;
-    EXPECT_DOUBLE_EQ(rate_at(params, 0), 0.1);
-    EXPECT_NEAR(rate_at(params, 500), 0.55, 1e-12);
-    EXPECT_NEAR(rate_at(params, 1000), 0.1, 1e-12);
+    EXPECT_DOUBLE_EQ(learning_rate_at(params, 0), 0.1);
+    EXPECT_NEAR(learning_rate_at(params, 500), 0.55, 1e-12);
+    EXPECT_NEAR(learning_rate_at(params, 1000), 0.1, 1e-12);
 }
 
 TEST(Training, AutocastComputesInBfloat16) {

@@ -12,7 +12,7 @@ using at::Tensor;
 
 namespace {
 
-// The time step as waves of falling frequency (Vaswani et al. 2017), in single precision whatever the network's type.
+// Sinusoidal timestep embedding (Vaswani et al. 2017), in single precision whatever the network's type.
 Tensor waves_of_time(double t, std::int64_t width, const UNetConfig& config) {
     const std::int64_t half = width / 2;
     const Tensor exponent = at::arange(half, at::kFloat) *
@@ -33,7 +33,7 @@ TransformerShape transformer_shape(const UNetConfig& config, std::size_t level) 
     return {config.heads[level], config.groups, config.linear_projection, config.attention_in_float};
 }
 
-// The way down: every block's output is kept for the way up.
+// The encoder: every block's output is kept for the skip connections.
 std::vector<Tensor> way_down(const Scope& s, const UNetConfig& config, const Tensor& first, const Tensor& time,
                              const Tensor& text) {
     std::vector<Tensor> kept{first};
@@ -75,7 +75,7 @@ Tensor way_up(const Scope& s, const UNetConfig& config, Tensor x, std::vector<Te
                 x = transformer(block / "attentions" / k, x, text, transformer_shape(config, level));
         }
         if (level == 0) break;
-        // To the size of what it meets next: exactly double, except where a side was odd on the way down.
+        // Upsamples to the size of the next skip connection: exactly double, except if a side was odd on the way down.
         const Scope up = block / "upsamplers" / 0;
         x = up.out(
             conv(up / "conv", resized_nearest(x, {kept.back().size(2), kept.back().size(3)}), config.channels[level]));
@@ -83,7 +83,7 @@ Tensor way_up(const Scope& s, const UNetConfig& config, Tensor x, std::vector<Te
     return x;
 }
 
-// The conditioning picture, shrunk by 8 to the size of the latent.
+// The conditioning picture, downsampled by 8 to the latent's size.
 Tensor picture_embedding(const Scope& s, const UNetConfig& config, const Tensor& picture) {
     const std::vector<std::int64_t>& widths = config.picture_widths;
     Tensor x = at::silu(conv(s / "conv_in", config.picture_reversed ? picture.flip({1}) : picture, widths[0]));

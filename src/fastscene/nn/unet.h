@@ -1,6 +1,6 @@
-// The denoiser of Stable Diffusion 1.x and 2.x (Rombach et al. 2022), and ControlNet (Zhang et al. 2023), which is its
-// first half with a picture added. Keys and configuration as in diffusers' folders unet/ and controlnet. Private to nn/
-// (torch).
+// The U-Net of Stable Diffusion 1.x and 2.x (Rombach et al. 2022), and ControlNet (Zhang et al. 2023), a copy of its
+// encoder with a conditioning picture. Keys and configuration as in diffusers' folders unet/ and controlnet. Private to
+// nn/ (torch).
 #pragma once
 
 #include <filesystem>
@@ -14,31 +14,31 @@ namespace fastscene::nn {
 
 struct UNetConfig {
     std::int64_t in_channels = 4, out_channels = 4;
-    std::vector<std::int64_t> channels;              // of each level
-    std::vector<bool> down_attention, up_attention;  // does the level look at the text?
+    std::vector<std::int64_t> channels;              // per level
+    std::vector<bool> down_attention, up_attention;  // whether the level attends to the text
     std::vector<std::int64_t>
-        heads;  // of each level, counted downwards ("attention_head_dim" in the files: a misnomer)
+        heads;  // number per level, on the way down ("attention_head_dim" in the files, a misnomer)
     std::int64_t layers = 2, groups = 32, text_width = 768, down_pad = 1;
-    double eps = 1e-5;  // of the residual blocks' norms
+    double eps = 1e-5;  // of the residual blocks' group norms
     double frequency_shift = 0;
     bool cos_first = true, linear_projection = false, attention_in_float = false;
     // ControlNet only.
     std::int64_t picture_channels = 3;
-    bool picture_reversed = false;  // its channels are taken from the last to the first: blue, green, red
+    bool picture_reversed = false;  // its channels are in reverse order: blue, green, red
     std::vector<std::int64_t> picture_widths{16, 32, 96, 256};
 };
-// Reads config.json of a UNet2DConditionModel, or of a ControlNetModel, which has no way up. `where` names it in
-// errors. Throws Error for kinds of blocks that these models do not have.
+// Parses config.json of a UNet2DConditionModel, or of a ControlNetModel, which has no decoder. `where` names it in
+// errors. Throws Error for unsupported block types.
 UNetConfig unet_config(const Json& json, const std::string& where);
 UNetConfig controlnet_config(const Json& json, const std::string& where);
 
-// What a ControlNet adds to the U-Net's skip connections and middle.
+// What a ControlNet adds to the U-Net's skip connections and middle block.
 struct Residuals {
     std::vector<at::Tensor> down;
     at::Tensor middle;
 };
 
-// latent [N, 4, H, W], t a time step for all, text [N, L, text_width] -> predicted noise (or v) [N, 4, H, W].
+// latent [N, 4, H, W], one timestep t for all, text [N, L, text_width] -> predicted noise (or v) [N, 4, H, W].
 at::Tensor unet(const Scope& s, const UNetConfig& config, const at::Tensor& latent, double t, const at::Tensor& text,
                 const Residuals* add = nullptr);
 // picture [N, picture_channels, 8 H, 8 W] in [0, 1].

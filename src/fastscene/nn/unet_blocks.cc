@@ -16,7 +16,7 @@ Tensor attend(const Scope& s, const Tensor& x, const Tensor& context, const Tran
     return s.out(linear(s / "to_out" / 0, seen, width));
 }
 
-// Gated with GELU: half of the channels open and close the other half.
+// GEGLU: half of the channels, through GELU, gate the other half.
 Tensor feed_forward(const Scope& s, const Tensor& x) {
     const std::int64_t width = x.size(2);
     const std::vector<Tensor> halves = linear(s / "net" / 0 / "proj", x, 8 * width).chunk(2, -1);

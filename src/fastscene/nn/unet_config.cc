@@ -16,7 +16,8 @@ void refuse_other_models(const ConfigFields& f) {
         throw f.wrong("transformer_layers_per_block", "1 (Stable Diffusion 1 or 2)", *v);
     if (const Json* act = f.find("act_fn"); act && *act != "silu" && *act != "swish")
         throw f.wrong("act_fn", "\"silu\"", *act);
-    // What would compute otherwise with weights of the same names and shapes.
+    // Options that change the computation without changing any parameter's name or shape; only these values are
+    // supported.
     const Json usual = {{"mid_block_type", {"UNetMidBlock2DCrossAttn"}},
                         {"resnet_time_scale_shift", {"default"}},
                         {"attention_type", {"default"}},

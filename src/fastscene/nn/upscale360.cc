@@ -27,9 +27,9 @@ using nn::Scope;
 namespace {
 
 constexpr std::int64_t kEnlargeTile = 384,
-                       kEnlargeOverlap = 40;  // pixels; as published, whose tiles see 20 pixels beyond their ends
+                       kEnlargeOverlap = 40;  // pixels; as published, where tiles extend 20 pixels beyond their ends
 
-// Real-ESRGAN's sizes, read from its file.
+// Real-ESRGAN's configuration, derived from its file.
 nn::RrdbConfig rrdb_config(const nn::FileWeights& file) {
     nn::RrdbConfig config;
     const auto first = file.shape_of("conv_first.weight"), dense = file.shape_of("body.0.rdb1.conv1.weight");
@@ -43,15 +43,15 @@ nn::RrdbConfig rrdb_config(const nn::FileWeights& file) {
     return config;
 }
 
-// The words around the user's, without the panorama's.
+// The prompt template without its panorama keywords.
 std::string larger_prompt(const std::string& prompt) {
     const std::string all = diffusion360_prompt(prompt), own = "<360panorama>, ";
     return all.starts_with(own) ? all.substr(own.size()) : all;
 }
 
-// Three times as large, by Pillow's bicubic as published, but around the circle: the ends see each other.
+// Upscales by 3 with Pillow's bicubic filter as published, but with circular padding.
 ImageRgb8 tripled(const ImageRgb8& image) {
-    constexpr int beyond = 4;  // columns; the kernel reaches 2
+    constexpr int beyond = 4;  // columns; the kernel's radius is 2
     ImageRgb8 wide(image.width + 2 * beyond, image.height);
     for (int y = 0; y < image.height; ++y)
         for (int x = 0; x < wide.width; ++x) wide.at(x, y) = image.at((x - beyond + image.width) % image.width, y);
@@ -89,7 +89,7 @@ struct Upscale360::Parts {
                 "--panorama-upscale {}: expected RealESRGAN_x2plus.pth in {}, found none (fastscene models pull "
                 "diffusion360-upscale)",
                 s.to, weights.string());
-        // The official file has everything inside of "params_ema".
+        // The official file has all tensors inside "params_ema".
         larger = std::make_unique<nn::FileWeights>(weights / "RealESRGAN_x2plus.pth",
                                                    at::TensorOptions(model.options.device).dtype(at::kFloat),
                                                    !s.low_memory, "conv_first.weight");
@@ -119,7 +119,8 @@ ImageRgb8 Upscale360::Parts::painted_anew(const ImageRgb8& picture, const std::s
                                           const Run& run) const {
     nn::StoppableWeights vae(*model.vae, run), unet(*model.unet, run), holding(*control.weights, run);
     const Scope pictures(vae);
-    random = at::detail::createCPUGenerator(run.seed);  // each step its own: it may be the first of a run that goes on
+    // a generator per stage: any stage may be the first one of a resumed run
+    random = at::detail::createCPUGenerator(run.seed);
     const Tensor unit = nn::unit_picture(picture),
                  text = model.read_prompt(
                      larger_prompt(prompt),
@@ -138,7 +139,7 @@ ImageRgb8 Upscale360::Parts::painted_anew(const ImageRgb8& picture, const std::s
     how.guidance = guidance;
     how.tile = std::min(settings.tile / kPixelsPerLatent, clean.size(2) / 2 * 2);  // no taller than the picture
     how.first_step = settings.steps - std::min(static_cast<int>(settings.steps * settings.strength), settings.steps);
-    how.batch = 1;  // a tile at a time bounds memory; the result is that of published rows
+    how.batch = 1;  // one tile at a time bounds memory; the result is that of published rows
     how.first_outputs = [&](const std::string& part, const Tensor& output) {
         nn::expect_finite(output, folder_of(part), model.options.type);
     };
@@ -180,14 +181,14 @@ Upscale360::Upscale360(const fs::path& weights, int width, const Upscale360Setti
     use_our_threads();
     parts_ = std::make_unique<Parts>(weights, settings);
     const Parts& p = *parts_;
-    // A tile is painted where a panorama of 1024 x 512 was; the pictures themselves are held beside it.
+    // A tile takes as much memory as a 1024 x 512 panorama; the full pictures are held besides.
     const std::int64_t pixels = 36ll * width * (width / 2);
     const std::int64_t need = diffusion_memory({1024, settings.low_memory, p.model.unet->bytes(), p.model.vae->bytes(),
                                                 p.model.text->bytes(), p.control.weights->bytes(),
                                                 p.model.unet->largest_bytes(), true}) +
                               (settings.to == "3" ? pixels / 4 : pixels) * 40;
     run.note(fmt::format("diffusion360: {} times as large needs about {} of memory", settings.to, gib_text(need)));
-    if (!p.model.options.device.is_cuda())  // a graphics card says itself when it is full
+    if (!p.model.options.device.is_cuda())  // CUDA reports by itself when its memory is full
         check_memory("--panorama-upscale " + settings.to, need,
                      fmt::format("{}{}", settings.low_memory ? "" : ", use --panorama-low-memory",
                                  settings.to == "3" ? "" : ", use --panorama-upscale 3"));
@@ -211,9 +212,8 @@ ImageRgb8 Upscale360::enlarge(const ImageRgb8& panorama, const std::string& prom
     return step("6-refined", [&] { return p.painted_anew(picture, prompt, p.settings.refined_guidance, run); });
 }
 
-// Counted in steps of the denoiser over as many latents as a tile has. By the numbers of Stable Diffusion 1.5's layers
-// the ControlNet costs 0.4 of the denoiser, to read and to paint the pixels of a panorama costs 3 steps of it, and to
-// double their width with Real-ESRGAN costs 2.
+// Cost in units of U-Net steps on a tile's latents. From Stable Diffusion 1.5's layer sizes: the ControlNet costs 0.4
+// of the U-Net, encoding and decoding a panorama 3 steps, doubling its width with Real-ESRGAN 2.
 double times_the_painting(int width, int painting_steps, const Upscale360Settings& settings) {
     constexpr double control = 1.4, coding = 3, doubling = 2, decoder = 2, overlap = 1.8;
     const double painting = painting_steps + decoder;

@@ -14,7 +14,7 @@ namespace {
 
 constexpr double kEps = 1e-6;
 
-// Every position looks at every other one, with a single head.
+// Single-head self-attention over all positions.
 Tensor look_around(const Scope& s, const Tensor& x, const VaeConfig& config) {
     const std::int64_t c = x.size(1);
     const Tensor rows = group_norm(s / "group_norm", x, config.groups, kEps).flatten(2).transpose(1, 2);
@@ -37,7 +37,7 @@ Tensor head(const Scope& s, const Tensor& x, std::int64_t out, const VaeConfig& 
     return conv(s / "conv_out", at::silu(group_norm(s / "conv_norm_out", x, config.groups, kEps)), out);
 }
 
-Tensor halved(const Scope& s, const Tensor& x) {  // padded right and below only
+Tensor halved(const Scope& s, const Tensor& x) {  // padded on the right and at the bottom only
     return s.out(conv(s / "conv", at::constant_pad_nd(x, {0, 1, 0, 1}), x.size(1), {3, 2, 0}));
 }
 
@@ -66,7 +66,7 @@ VaeConfig vae_config(const Json& json, const std::string& where) {
         std::any_of(c.channels.begin(), c.channels.end(), [&](std::int64_t n) { return n % c.groups != 0; }))
         throw Error("{}: expected \"block_out_channels\" to be multiples of \"norm_num_groups\", found {} groups",
                     where, c.groups);
-    // Tiles overlap by a quarter, in latents too.
+    // Tiles overlap by a quarter, in whole latents.
     if (c.sample_size < 4 * c.factor() || c.sample_size % (4 * c.factor()))
         throw Error("{}: expected \"sample_size\" to be a multiple of {} pixels (four latents), found {}", where,
                     4 * c.factor(), c.sample_size);

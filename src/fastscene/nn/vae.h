@@ -1,5 +1,5 @@
-// Stable Diffusion's autoencoder: pictures of 8 h x 8 w pixels <-> latents of h x w. Keys and configuration as in
-// diffusers' folder vae/ (AutoencoderKL). Private to nn/ (torch).
+// Stable Diffusion's VAE: pictures of 8 h x 8 w pixels <-> latents of h x w. Keys and configuration as in diffusers'
+// folder vae/ (AutoencoderKL). Private to nn/ (torch).
 #pragma once
 
 #include <string>
@@ -13,7 +13,7 @@ namespace fastscene::nn {
 struct VaeConfig {
     std::vector<std::int64_t> channels{128, 256, 512, 512};
     std::int64_t layers = 2, latent_channels = 4, groups = 32, sample_size = 512;
-    double scale = 0.18215;  // latents of the denoiser = scale * latents of the encoder
+    double scale = 0.18215;  // latents of the U-Net = scale * latents of the encoder
     std::int64_t factor() const { return std::int64_t{1} << (channels.size() - 1); }
 };
 VaeConfig vae_config(const Json& json, const std::string& where);

@@ -34,7 +34,7 @@ void convert(std::span<const std::byte> bytes, std::vector<float>& out, Convert&
     }
 }
 
-// Names that share the longest beginning or ending with the one that is missing.
+// Existing names that share the longest prefix or suffix with a missing one, for error messages.
 std::string neighbours(const std::map<std::string, WeightTensor>& tensors, const std::string& name) {
     std::vector<std::pair<std::size_t, std::string>> scored;
     for (const auto& [other, tensor] : tensors) {
@@ -104,7 +104,7 @@ Weights load_weights(const std::filesystem::path& path) {
     if (text.starts_with("PK\x03\x04") || text.starts_with("PK\x05\x06")) return load_torch_zip(file);
     if (text.size() > 2 && text[0] == '\x80' && static_cast<unsigned char>(text[1]) <= 5)
         return load_torch_legacy(file);
-    // A header's length below 2^32, then "{".
+    // safetensors: a header length below 2^32, then "{".
     if (text.size() > 8 && text[8] == '{') return load_safetensors(file);
     if (text.starts_with("version https://git-lfs.github.com/"))
         throw Error(
@@ -119,8 +119,7 @@ Weights load_weights(const std::filesystem::path& path) {
 
 Weights unwrapped(Weights weights, std::string_view expected) {
     const std::string name(expected);
-    // The averaged weights first, where a file holds both; as training on several GPUs names them, once or wrapped
-    // twice.
+    // EMA weights first, if a file holds both; including names from multi-GPU training, wrapped once or twice.
     for (const char* dictionary : {"", "params_ema.", "ema.", "g_ema.", "netG_ema.", "state_dict.", "model_state_dict.",
                                    "params.", "model.", "netG.", "generator.", "G.", "net.", "weights."})
         for (const char* module : {"", "module.", "module.module."}) {

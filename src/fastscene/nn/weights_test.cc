@@ -1,4 +1,4 @@
-// Files of weights: what PyTorch writes, what safetensors is, and every way in which a file can be broken.
+// Weight files: PyTorch's formats, safetensors, and all ways in which a file can be broken.
 #include "fastscene/nn/weights.h"
 
 #include <gtest/gtest.h>
@@ -32,7 +32,7 @@ void expect_state_dict(const Weights& w) {
     EXPECT_EQ(w.tensors.size(), 6u);
     EXPECT_EQ(w.at("a.weight").shape, (std::vector<std::int64_t>{2, 3}));
     EXPECT_EQ(w.at("a.weight").floats(), (std::vector<float>{0, 0.5f, 1, 1.5f, 2, 2.5f}));
-    EXPECT_EQ(w.at("a.bias").floats(), (std::vector<float>{3, 3.5f, 4}));  // a Parameter, inside a shared storage
+    EXPECT_EQ(w.at("a.bias").floats(), (std::vector<float>{3, 3.5f, 4}));  // a Parameter inside a shared storage
     EXPECT_EQ(w.at("a.turned").floats(), (std::vector<float>{0, 1.5f, 0.5f, 2, 1, 2.5f}));  // transposed
     EXPECT_EQ(w.at("half").type, NumberType::f16);
     EXPECT_EQ(w.at("half").floats(), (std::vector<float>{1.5f, -2, 0.25f, 0x1p-24f}));
@@ -104,8 +104,8 @@ TEST(Weights, HalvesRoundAsTheStandardSays) {
     }
 }
 
-// Every file cut anywhere and with any byte changed: either it still makes sense, or an Error says which file. Never a
-// crash.
+// Any file truncated anywhere or with any byte changed is either still valid or refused with an Error naming it. Never
+// a crash.
 TEST(Weights, BrokenFilesAreRefusedOrHarmless) {
     const Folder folder;
     save_safetensors(folder.path / "w.safetensors", load_weights(data_file("state_dict.pt")));
@@ -166,7 +166,7 @@ TEST(Weights, HostileSafetensorsSayWhatIsWrong) {
     EXPECT_NE(with_header("{\"a\":", 8), "");
 }
 
-// A short pickle that asks for much: a list that doubles itself, a tower of tuples, one storage spread over and over.
+// Small pickles that expand: a list that doubles itself, a tower of tuples, one storage used over and over.
 TEST(Weights, PicklesThatExplodeAreStopped) {
     const Folder folder;
     const fs::path path = folder.path / "bomb.pth";

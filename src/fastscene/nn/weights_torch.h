@@ -1,4 +1,4 @@
-// Weights of a file as tensors of libtorch. Private to nn/ (torch).
+// Weight files as libtorch tensors. Private to nn/ (torch).
 #pragma once
 
 #include <string>
@@ -13,14 +13,13 @@
 namespace fastscene::nn {
 
 at::ScalarType scalar_type(NumberType type);
-// Shares the file's bytes (they are never written to) when they are aligned, copies otherwise.
+// Shares the file's (read-only) bytes if they are aligned, otherwise copies.
 at::Tensor tensor_of(const WeightTensor& weight);
-// The other way, for saving: in C order on the CPU. Where the tensor lies so already its memory is shared: a training
-// that changes it changes both.
+// For saving: in C order on the CPU. Shares memory if the tensor already is: later training changes both.
 WeightTensor weight_of(const at::Tensor& tensor);
 
-// A file as the parameters of a network written as functions (scope.h). Checks each key's shape where it is asked for,
-// and that it holds numbers.
+// A file as the parameters of a network written as functions (scope.h). Checks each key's shape when it is requested,
+// and that it is numeric.
 class LoadedWeights final : public WeightSource {
   public:
     LoadedWeights(Weights weights, at::TensorOptions options = at::kFloat)
@@ -35,8 +34,8 @@ class LoadedWeights final : public WeightSource {
     std::unordered_map<std::string, at::Tensor> ready_;
 };
 
-// Copies into a list of (name, tensor). Throws one Error that names every missing key, every unexpected one (unless
-// `extra_allowed`) and every other shape, as far as a message can hold them.
+// Copies into a list of (name, tensor). Throws one Error that lists every missing key, every unexpected one (unless
+// `extra_allowed`) and every mismatched shape, as far as fits in a message.
 using NamedTensors = std::vector<std::pair<std::string, at::Tensor>>;
 void load_into(const NamedTensors& targets, const Weights& weights, bool extra_allowed = false);
 

@@ -16,14 +16,14 @@ namespace {
 
 using at::Tensor;
 
-constexpr float kShortest = 1e-12f;  // a row of scores that is nothing is divided by this
+constexpr float kShortest = 1e-12f;  // lower limit of a row's length when normalizing
 constexpr float kQuarterTurn = std::numbers::pi_v<float> / 2;
 
-// How tokens lie in windows, and what a window's matrices are padded to.
+// How tokens are arranged in windows, and the padded matrix sizes.
 struct WindowLayout {
     std::int64_t n, channels, heads, count, length;  // `count` windows of `length` tokens
-    std::int64_t step, next;              // tokens from one of a window to its next, from a window to the next
-    std::int64_t d, wide, rows, columns;  // of a head; padded: values, a matrix's rows and columns
+    std::int64_t step, next;                         // stride between tokens of a window, and between windows
+    std::int64_t d, wide, rows, columns;             // of a head; padded: values, a matrix's rows and columns
 
     WindowLayout(const Tensor& qkv, Grid grid, std::int64_t of_heads, Windows windows)
         : n(qkv.size(0)), channels(qkv.size(2) / 3), heads(of_heads) {
@@ -38,7 +38,7 @@ struct WindowLayout {
     }
 };
 
-// to [rows, columns] = left [rows, depth] right [depth, columns], padded; `left` may lie transposed.
+// to [rows, columns] = left [rows, depth] right [depth, columns], padded; `left` may be transposed.
 void product(const float* left, std::int64_t row_stride, std::int64_t depth_stride, const float* right,
              std::int64_t depth, float* to, std::int64_t rows, std::int64_t columns) {
     for (std::int64_t r = 0; r < rows; r += kRows) {
@@ -61,13 +61,13 @@ Lanes cosine_of(Lanes x) {
     return all(1.f) + y * (all(-0.5f) + y * (all(1.f / 24) + y * (all(-1.f / 720) + y * all(1.f / 40320))));
 }
 
-// One window and head at a time: what a thread works in.
+// One window and head at a time: a thread's scratch memory.
 struct WindowBench {
     const WindowLayout& at;
     Floats q{token()}, k{token()}, v{token()}, keys_across{across()},
         values_across{across()};                     // [tokens, wide], and keys and values as [d, tokens]
     Floats score{square()}, inverse_length{side()};  // [tokens, tokens]; of each token's row of scores
-    // Weights and gradients of scores; what is said, what comes back.
+    // Weights and gradients of scores; output, and its gradient.
     Floats weight{square()}, gradient{square()}, said{token()}, back{token()};
 
     explicit WindowBench(const WindowLayout& layout) : at(layout) {}
@@ -76,7 +76,7 @@ struct WindowBench {
     std::int64_t across() const { return at.d * at.columns; }
     std::int64_t square() const { return side() * at.columns; }
 
-    // `from`: the head's first number of the window's first token; tokens lie `stride` apart.
+    // `from`: the head's first value of the window's first token; `stride` between tokens.
     void fetch(const float* from, std::int64_t stride, Floats& to, float* across) const {
         for (std::int64_t i = 0; i < at.length; ++i) {
             std::copy_n(from + i * stride, at.d, to.data() + i * at.wide);
@@ -88,7 +88,7 @@ struct WindowBench {
         for (std::int64_t i = 0; i < at.length; ++i) std::copy_n(from.data() + i * at.wide, at.d, to + i * stride);
     }
 
-    // Scores, the lengths of their rows, and the weights that follow. Returns the sum of the scores' magnitudes.
+    // Computes scores, the norms of their rows and the resulting weights. Returns the sum of absolute scores.
     double weigh(const float* qkv, const float* bias) {
         const std::int64_t stride = 3 * at.channels * at.step;
         fetch(qkv, stride, q, nullptr);
@@ -119,8 +119,8 @@ struct WindowBench {
         return loud;
     }
 
-    // After weigh(): `back` holds the gradient of what was said, `per_score` that of a score's magnitude. Leaves the
-    // scores' gradient.
+    // After weigh(): `back` is the output's gradient, `per_score` the gradient with respect to a score's magnitude.
+    // Computes the gradient of the scores.
     void weigh_back(float per_score) {
         product(back.data(), at.wide, 1, values_across.data(), at.d, gradient.data(), at.rows, at.columns);
         for (std::int64_t i = 0; i < at.length; ++i) {
@@ -136,7 +136,7 @@ struct WindowBench {
             }
             float sum = 0;
             for (int lane = 0; lane < kLanes; ++lane) sum += along[lane];
-            // What would only lengthen the row changes nothing.
+            // The component along the row itself changes only its length, which is normalized away.
             const Lanes stretch = all(inverse < 1 / kShortest ? sum * inverse * inverse : 0.f);
             for (std::int64_t j = 0; j < at.columns; j += kLanes) {
                 const Lanes x = load(s + j), sign = x > Lanes{}   ? all(per_score)
@@ -150,7 +150,7 @@ struct WindowBench {
 
 class WindowFunction : public torch::autograd::Function<WindowFunction> {
   public:
-    // bias: padded, [windows or 1, L, columns]. -> said, loudness
+    // bias: padded, [windows or 1, L, columns]. -> output, loudness
     static torch::autograd::tensor_list forward(torch::autograd::AutogradContext* context, const Tensor& qkv,
                                                 const Tensor& bias, std::int64_t height, std::int64_t width,
                                                 std::int64_t heads, bool columns) {

@@ -1,5 +1,5 @@
-// Where the files of a zip lie. Nothing is unpacked: torch.save stores what it writes, and a TorchScript archive packs
-// only its code.
+// Locates the files inside a zip. Compression is not supported: torch.save stores its files, and TorchScript archives
+// compress only their code.
 #pragma once
 
 #include <map>
@@ -10,11 +10,11 @@
 namespace fastscene {
 
 struct ZipRecord {
-    std::size_t begin = 0, size = 0;  // of the contents, in the file; 0 bytes when they are packed
+    std::size_t begin = 0, size = 0;  // of the contents, in the file; size 0 if compressed
     bool packed = false;
 };
-// Reads the central directory (zip64 too) and holds every entry against the file. Throws Error naming the file and the
-// entry.
+// Reads the central directory (including zip64) and validates every entry against the file. Throws Error naming the
+// file and the entry.
 std::map<std::string, ZipRecord> zip_records(const MappedFile& file);
 
 }  // namespace fastscene

@@ -33,7 +33,7 @@ struct Plan {
     fs::path file(int picture, std::string_view ending) const {
         return fs::path(stem(picture).string() + std::string(ending));
     }
-    // The picture's own JSON is written last: where it is, the rest is.
+    // The picture's JSON is written last: if it exists, so does everything else.
     bool there(int picture) const { return fs::exists(file(picture, ".json")); }
     std::vector<int> missing(int room) const {
         std::vector<int> out;
@@ -43,7 +43,7 @@ struct Plan {
     }
 };
 
-// What must be equal for two calls to work on one folder. The number of pictures may grow.
+// Settings that two calls on the same folder must share. The number of pictures may grow.
 Json description(const Plan& plan) {
     const DatasetParams& p = plan.request.params;
     return {{"format", "fastscene dataset 1"},
@@ -74,35 +74,34 @@ void settle_description(const Plan& plan) {
                 path.string(), name, value.dump(), found.contains(name) ? found[name].dump() : "none");
 }
 
-// A free place in the room: somewhere at the height of eyes or a tripod, clear of furniture, with floor or,
-// `over_things`, a piece of furniture below and ceiling above. A room that has no such piece is seen from over its
-// floor.
-Vec3f random_place(const TracedRoom& room, bool over_things, Random& dice) {
-    constexpr float kLowestThing = 0.25f;  // a carpet is floor
+// A free position in the room at the height of a person or a tripod, clear of furniture, with floor or (`over_things`)
+// furniture below and ceiling above. If there is no such furniture, a position over the floor is used.
+Vec3f random_place(const TracedRoom& room, bool over_things, Random& rng) {
+    constexpr float kLowestThing = 0.25f;  // anything lower, such as a carpet, counts as floor
     const Vec3f low = room.room().min_corner, high = room.room().max_corner;
     for (int attempt = 0; attempt < 200; ++attempt) {
         const float floor = high.y;  // y is down
-        const Vec3f p{dice.uniform(low.x, high.x), floor - dice.uniform(0.7f, std::min(2.f, high.y - low.y - 0.3f)),
-                      dice.uniform(low.z, high.z)};
+        const Vec3f p{rng.uniform(low.x, high.x), floor - rng.uniform(0.7f, std::min(2.f, high.y - low.y - 0.3f)),
+                      rng.uniform(low.z, high.z)};
         const bool inside = room.distance(p, {0, 1, 0}) < 4.f && room.distance(p, {0, -1, 0}) < 6.f;
         const bool as_wished = !over_things || attempt >= 150 ||
                                room.distance(p, {0, 1, 0}) < floor - p.y - kLowestThing;
         if (inside && as_wished && room.clearance(p, 0.35f) >= 0.35f) return p;
     }
-    return {};  // the camera of the room itself is always clear
+    return {};  // the room's own camera position is always free
 }
 
 struct Camera {
     Rigid world_from_camera;
-    Pinhole pinhole;  // of a perspective view
+    Pinhole pinhole;  // for perspective views
 };
 
-Camera random_camera(const Plan& plan, const TracedRoom& room, int view, Random& dice) {
-    const bool over_things = dice.chance(static_cast<float>(plan.request.params.over_things));
-    const Vec3f place = view == 0 ? Vec3f{} : random_place(room, over_things, dice);
-    const float yaw = dice.uniform(0.f, 360.f) * kDegree, fov_deg = dice.uniform(50.f, 100.f);
-    const float pitch = plan.panorama ? 0.f : 11.f * kDegree * dice.normal(),
-                roll = plan.panorama ? 0.f : 2.f * kDegree * dice.normal();
+Camera random_camera(const Plan& plan, const TracedRoom& room, int view, Random& rng) {
+    const bool over_things = rng.chance(static_cast<float>(plan.request.params.over_things));
+    const Vec3f place = view == 0 ? Vec3f{} : random_place(room, over_things, rng);
+    const float yaw = rng.uniform(0.f, 360.f) * kDegree, fov_deg = rng.uniform(50.f, 100.f);
+    const float pitch = plan.panorama ? 0.f : 11.f * kDegree * rng.normal(),
+                roll = plan.panorama ? 0.f : 2.f * kDegree * rng.normal();
     const Mat3f rotation = rotation_about(Vec3f{0, 1, 0}, yaw) *
                            rotation_about(Vec3f{1, 0, 0}, std::clamp(pitch, -0.7f, 0.7f)) *
                            rotation_about(Vec3f{0, 0, 1}, roll);
@@ -113,15 +112,15 @@ Random dice_of(const Plan& plan, int picture) {
     return {plan.seed, "dataset picture", static_cast<std::uint64_t>(picture)};
 }
 
-// Where all pictures of a room are taken from, those that are there already too: its light does not depend on what is
+// Camera positions of all pictures of a room, including existing ones, so that the light does not depend on which are
 // missing.
 std::vector<Vec3f> eyes_in(const Plan& plan, const TracedRoom& room, int first, int count) {
-    std::vector<Vec3f> eyes;
+    std::vector<Vec3f> viewpoints;
     for (int k = 0; k < count; ++k) {
-        Random dice = dice_of(plan, first + k);
-        eyes.push_back(random_camera(plan, room, k, dice).world_from_camera.translation);
+        Random rng = dice_of(plan, first + k);
+        viewpoints.push_back(random_camera(plan, room, k, rng).world_from_camera.translation);
     }
-    return eyes;
+    return viewpoints;
 }
 
 ImageRgb8 encoded_normals(const ImageColor& normals, const Image<std::int32_t>& object,
@@ -136,7 +135,7 @@ ImageRgb8 encoded_normals(const ImageColor& normals, const Image<std::int32_t>& 
     return out;
 }
 
-// Millimetres; 0 = the sky, or farther than 16 bits reach.
+// Millimetres; 0 = sky, or beyond the 16-bit range.
 Image<std::uint16_t> millimetres(const ImageF& range) {
     Image<std::uint16_t> out(range.width, range.height);
     std::transform(range.pixels.begin(), range.pixels.end(), out.pixels.begin(), [](float r) {
@@ -145,7 +144,7 @@ Image<std::uint16_t> millimetres(const ImageF& range) {
     return out;
 }
 
-// The bare shell has no objects: its surfaces are told apart by where they face (y is down).
+// Walls, floor and ceiling are not objects: they are distinguished by their normals (y is down).
 int class_of(const Room& room, std::int32_t object, Vec3f normal) {
     if (object == -2) return 0;
     if (object == -1) return normal.y < -0.7f ? 2 : normal.y > 0.7f ? 22 : 1;
@@ -168,10 +167,10 @@ Json instances_json(const Room& room, const Image<std::int32_t>& object) {
 
 void make_picture(const Plan& plan, const TracedRoom& room, const std::string& prompt, int picture, const Run& run) {
     const DatasetRequest& request = plan.request;
-    Random dice = dice_of(plan, picture);
-    const Camera camera = random_camera(plan, room, picture % request.params.views, dice);
-    const Film film = random_film(dice, !plan.panorama);
-    const Run quiet{dice.next_u64(), nullptr, run.stop};
+    Random rng = dice_of(plan, picture);
+    const Camera camera = random_camera(plan, room, picture % request.params.views, rng);
+    const Film film = random_film(rng, !plan.panorama);
+    const Run quiet{rng.next_u64(), nullptr, run.stop};
     const ShotParts parts{.color = true, .range = true, .normal = true, .object = true};
     const Shot shot = plan.panorama
                           ? room.panorama(camera.world_from_camera, {request.width, request.height}, parts, quiet)
@@ -188,7 +187,7 @@ void make_picture(const Plan& plan, const TracedRoom& room, const std::string& p
     const std::string color_ending = clean ? ".color.png" : ".color.jpg";
     make_directories(plan.stem(picture).parent_path());
     if (clean) save_png(plan.file(picture, color_ending), srgb8_from_linear(shot.color));
-    else save_jpeg(plan.file(picture, color_ending), expose(shot.color, film, plan.panorama, dice), film.jpeg_quality);
+    else save_jpeg(plan.file(picture, color_ending), expose(shot.color, film, plan.panorama, rng), film.jpeg_quality);
     save_png16(plan.file(picture, ".range.png"), millimetres(shot.range));
     save_png(plan.file(picture, ".normal.png"),
              encoded_normals(shot.normal, shot.object, transpose(camera.world_from_camera.rotation)));
@@ -232,7 +231,7 @@ void check_request(const DatasetRequest& request) {
                          request.height);
 }
 
-// One line a picture, for loaders that want a list. Whoever finishes the set writes it.
+// A list with one line per picture, for data loaders. Written by whichever process completes the set.
 void write_index(const Plan& plan) {
     std::string lines;
     for (int i = 0; i < plan.request.count; ++i)

@@ -1,8 +1,7 @@
-// Dataset: many random rooms as training data: color, exact range, normals, class and instance ids, cameras.
+// Dataset: random rooms as training data: color, exact range, normals, class and instance ids, cameras.
 //
-// Pictures are numbered from 0 over the whole set and depend on (settings, seed, number) only, so a set can be made by
-// any number of processes on any number of machines, stopped, gone on with and made longer; docs/dataset.md describes
-// the files.
+// Pictures are numbered from 0 and depend on (settings, seed, number) only, so a set can be made by any number of
+// processes on any number of machines, interrupted, resumed and extended; docs/dataset.md describes the files.
 #pragma once
 
 #include <cstdint>
@@ -43,17 +42,18 @@ void visit_fields(DatasetParams& p, V&& v) {
 }
 
 struct DatasetRequest {
-    int count = 0;  // pictures in all
+    int count = 0;  // total number of pictures
     int width = 0, height = 0;
     DatasetParams params;
 };
 struct DatasetState {
-    int count = 0;  // asked for
+    int count = 0;  // requested
     int made = 0;   // by this call
     int there = 0;  // in the folder now
 };
-// Makes what the folder lacks and no other process is at work on. Throws UsageError when the folder holds a set with
-// other settings, or the request makes no sense; Error when a file cannot be written. Stopped: what is finished stays.
+// Makes the missing pictures that no other process is working on. Throws UsageError if the folder holds a set with
+// other settings or the request is invalid, Error if a file cannot be written, Stopped if asked to stop; finished
+// pictures are kept.
 DatasetState make_dataset(const DatasetRequest& request, const std::filesystem::path& folder, const Run& run);
 
 }  // namespace fastscene

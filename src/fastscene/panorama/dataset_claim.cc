@@ -21,7 +21,7 @@ std::string host_name() {
     return ::gethostname(name.data(), name.size() - 1) == 0 ? name.data() : "unknown";
 }
 
-// "HOST PID", the whole content of a claim.
+// "HOST PID", the content of a claim file.
 std::string signature() { return fmt::format("{} {}", host_name(), ::getpid()); }
 
 bool left_behind(const fs::path& path, int stale_minutes) {
@@ -41,7 +41,7 @@ bool left_behind(const fs::path& path, int stale_minutes) {
     return !none && fs::file_time_type::clock::now() - written > std::chrono::minutes(stale_minutes);
 }
 
-// Exactly one process wins: the file is created only where there is none.
+// Exclusive creation: exactly one process succeeds.
 bool create(const fs::path& path) {
     const int file = ::open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0644);
     if (file < 0) {
@@ -65,7 +65,7 @@ std::optional<Claim> Claim::take(const fs::path& folder, const std::string& name
     const fs::path path = folder / (name + ".claim");
     if (create(path)) return Claim(path);
     if (!left_behind(path, stale_minutes)) return {};
-    // Of several that find it, the one whose rename succeeds goes on.
+    // If several processes find a stale claim, the one whose rename succeeds continues.
     const fs::path mine = folder / fmt::format("{}.stale.{}.{}", name, host_name(), ::getpid());
     if (std::rename(path.c_str(), mine.c_str()) != 0) return {};
     fs::remove(mine);

@@ -36,7 +36,7 @@ ImageColor blurred(const ImageColor& image, float sigma, bool wraps) {
     return out;
 }
 
-// The camera's own rendering of tones: an S about the middle, a power, blacks that are not quite black.
+// The camera's tone curve: an S-curve around mid-gray, a gamma, and lifted blacks.
 float tone(const Film& film, float v) {
     const float s = v + film.s_curve * v * (1 - v) * (2 * v - 1) * 2;
     return film.lift + (1 - film.lift) * std::pow(std::clamp(s, 0.f, 1.f), film.gamma);
@@ -44,23 +44,23 @@ float tone(const Film& film, float v) {
 
 }  // namespace
 
-Film random_film(Random& dice, bool perspective) {
+Film random_film(Random& rng, bool perspective) {
     Film film;
-    film.blur_px = dice.chance(0.5f) ? dice.uniform(0.25f, 0.9f) : 0.f;
-    // A third of all pictures are as good as free of noise, the worst are those of a phone at night.
-    const float noise = dice.chance(0.35f) ? 0.f : std::pow(dice.uniform(), 2.f);
+    film.blur_px = rng.chance(0.5f) ? rng.uniform(0.25f, 0.9f) : 0.f;
+    // A third of all pictures are practically free of noise; the worst resemble a phone at night.
+    const float noise = rng.chance(0.35f) ? 0.f : std::pow(rng.uniform(), 2.f);
     film.shot_noise = 0.05f * noise;
-    film.read_noise = 0.012f * noise * dice.uniform();
-    film.gamma = std::exp(0.14f * dice.normal());
+    film.read_noise = 0.012f * noise * rng.uniform();
+    film.gamma = std::exp(0.14f * rng.normal());
     film.gamma = std::clamp(film.gamma, 0.7f, 1.4f);
-    film.lift = dice.chance(0.3f) ? dice.uniform(0.f, 0.06f) : 0.f;
-    film.s_curve = dice.uniform(-0.15f, 0.3f);
-    film.vignette = perspective && dice.chance(0.5f) ? dice.uniform(0.f, 0.35f) : 0.f;
-    film.jpeg_quality = static_cast<int>(dice.uniform(58.f, 97.99f));
+    film.lift = rng.chance(0.3f) ? rng.uniform(0.f, 0.06f) : 0.f;
+    film.s_curve = rng.uniform(-0.15f, 0.3f);
+    film.vignette = perspective && rng.chance(0.5f) ? rng.uniform(0.f, 0.35f) : 0.f;
+    film.jpeg_quality = static_cast<int>(rng.uniform(58.f, 97.99f));
     return film;
 }
 
-ImageRgb8 expose(const ImageColor& color, const Film& film, bool wraps, Random& dice) {
+ImageRgb8 expose(const ImageColor& color, const Film& film, bool wraps, Random& rng) {
     ImageColor light = film.blur_px > 0 ? blurred(color, film.blur_px, wraps) : color;
     ImageRgb8 out(light.width, light.height);
     const float rx = 0.5f * static_cast<float>(light.width), ry = 0.5f * static_cast<float>(light.height),
@@ -72,7 +72,7 @@ ImageRgb8 expose(const ImageColor& color, const Film& film, bool wraps, Random& 
             c = c * (1.f - film.vignette * (dx * dx + dy * dy) / corner);
             for (std::size_t a = 0; a < 3; ++a) {
                 if (film.shot_noise > 0)
-                    c[a] += dice.normal() *
+                    c[a] += rng.normal() *
                             std::hypot(film.shot_noise * std::sqrt(std::max(0.f, c[a])), film.read_noise);
                 c[a] = tone(film, std::clamp(srgb_from_linear(c[a]), 0.f, 1.f));
             }

@@ -13,8 +13,8 @@ namespace fastscene::dataset {
 namespace {
 
 template <std::size_t N>
-std::string_view one_of(const std::array<std::string_view, N>& words, Random& dice) {
-    return words[static_cast<std::size_t>(dice.index(static_cast<int>(N)))];
+std::string_view one_of(const std::array<std::string_view, N>& words, Random& rng) {
+    return words[static_cast<std::size_t>(rng.index(static_cast<int>(N)))];
 }
 
 constexpr std::array<std::string_view, 12> kRooms{"living room", "bedroom",      "kids room", "kitchen",
@@ -32,43 +32,42 @@ constexpr std::array<std::string_view, 24> kColors{
 constexpr std::array<std::string_view, 8> kMaterials{"wooden", "leather", "velvet", "metal",
                                                      "marble", "oak",     "walnut", "wicker"};
 
-std::string random_prompt(Random& dice) {
+std::string random_prompt(Random& rng) {
     const std::vector<std::string> all_styles = styles();
-    std::string text = fmt::format(
-        "a {}{} {}", one_of(kMoods, dice),
-        all_styles[static_cast<std::size_t>(dice.index(static_cast<int>(all_styles.size())))], one_of(kRooms, dice));
-    const int wishes = dice.index(5);
+    std::string text = fmt::format("a {}{} {}", one_of(kMoods, rng),
+                                   all_styles[static_cast<std::size_t>(rng.index(static_cast<int>(all_styles.size())))],
+                                   one_of(kRooms, rng));
+    const int wishes = rng.index(5);
     const std::vector<std::string>& pieces = piece_classes();
     for (int i = 0; i < wishes; ++i) {
-        std::string piece = pieces[static_cast<std::size_t>(dice.index(static_cast<int>(pieces.size())))];
+        std::string piece = pieces[static_cast<std::size_t>(rng.index(static_cast<int>(pieces.size())))];
         std::replace(piece.begin(), piece.end(), '_', ' ');
-        const std::string_view color = dice.chance(0.6f) ? one_of(kColors, dice) : "",
-                               material = dice.chance(0.3f) ? one_of(kMaterials, dice) : "";
+        const std::string_view color = rng.chance(0.6f) ? one_of(kColors, rng) : "",
+                               material = rng.chance(0.3f) ? one_of(kMaterials, rng) : "";
         text += fmt::format("{}{}{}{}{}{}",
                             i == 0            ? " with a "
                             : i + 1 == wishes ? " and a "
                                               : ", a ",
                             color, color.empty() ? "" : " ", material, material.empty() ? "" : " ", piece);
     }
-    if (dice.chance(0.5f)) text += fmt::format(", {} {}", one_of(kColors, dice), dice.chance(0.5f) ? "walls" : "floor");
-    if (const auto hour = one_of(kHours, dice); !hour.empty()) text += fmt::format(", {}", hour);
-    if (const auto weather = one_of(kWeathers, dice); !weather.empty()) text += fmt::format(", {}", weather);
+    if (rng.chance(0.5f)) text += fmt::format(", {} {}", one_of(kColors, rng), rng.chance(0.5f) ? "walls" : "floor");
+    if (const auto hour = one_of(kHours, rng); !hour.empty()) text += fmt::format(", {}", hour);
+    if (const auto weather = one_of(kWeathers, rng); !weather.empty()) text += fmt::format(", {}", weather);
     return text;
 }
 
-// Patterns that may stand for each other on any surface; pictures, leaves and screens stay what they are.
+// Patterns that may replace each other on any surface; pictures, leaves and screens are excluded.
 constexpr std::array kPlain{Pattern::plain,    Pattern::plaster, Pattern::wood,   Pattern::planks,   Pattern::parquet,
                             Pattern::tile,     Pattern::checker, Pattern::brick,  Pattern::concrete, Pattern::marble,
                             Pattern::terrazzo, Pattern::fabric,  Pattern::carpet, Pattern::leather,  Pattern::stripes,
                             Pattern::damask,   Pattern::floral};
 bool may_change(Pattern p) { return std::find(kPlain.begin(), kPlain.end(), p) != kPlain.end(); }
 
-Vec3f random_albedo(Random& dice) {
+Vec3f random_albedo(Random& rng) {
     // Gray level first, then a tint: saturated colors are rare in rooms.
-    const float level = std::exp(dice.uniform(std::log(0.04f), std::log(0.85f))),
-                tint = 0.9f * std::pow(dice.uniform(), 2.f);
-    return {level * (1 - tint * dice.uniform()), level * (1 - tint * dice.uniform()),
-            level * (1 - tint * dice.uniform())};
+    const float level = std::exp(rng.uniform(std::log(0.04f), std::log(0.85f))),
+                tint = 0.9f * std::pow(rng.uniform(), 2.f);
+    return {level * (1 - tint * rng.uniform()), level * (1 - tint * rng.uniform()), level * (1 - tint * rng.uniform())};
 }
 
 Vec3f shifted(Vec3f color, float strength, Vec3f by) {
@@ -77,15 +76,15 @@ Vec3f shifted(Vec3f color, float strength, Vec3f by) {
     return color;
 }
 
-void vary_material(Material& m, float strength, Random& dice) {
-    const Vec3f by{dice.normal(), dice.normal(), dice.normal()};
+void vary_material(Material& m, float strength, Random& rng) {
+    const Vec3f by{rng.normal(), rng.normal(), rng.normal()};
     m.color_a = shifted(m.color_a, strength, by);
     m.color_b = shifted(m.color_b, strength, by);
     m.color_c = shifted(m.color_c, strength, by);
-    const float roughness = 0.25f * strength * dice.normal(), scale = 0.3f * strength * dice.normal();
-    const bool recolor = dice.chance(0.2f * strength), repattern = dice.chance(0.2f * strength);
-    const Vec3f a = random_albedo(dice), b = random_albedo(dice);
-    const Pattern pattern = kPlain[static_cast<std::size_t>(dice.index(static_cast<int>(kPlain.size())))];
+    const float roughness = 0.25f * strength * rng.normal(), scale = 0.3f * strength * rng.normal();
+    const bool recolor = rng.chance(0.2f * strength), repattern = rng.chance(0.2f * strength);
+    const Vec3f a = random_albedo(rng), b = random_albedo(rng);
+    const Pattern pattern = kPlain[static_cast<std::size_t>(rng.index(static_cast<int>(kPlain.size())))];
     if (m.mirror > 0 || luminance(m.emission) > 0 || !may_change(m.pattern)) return;
     m.roughness = std::clamp(m.roughness + roughness, 0.08f, 1.f);
     m.scale_m *= std::exp(scale);
@@ -96,42 +95,42 @@ void vary_material(Material& m, float strength, Random& dice) {
     }
 }
 
-void vary_light(Room& room, Random& dice) {
-    const float lamps = std::exp2(dice.uniform(-1.2f, 1.2f)), warmth = dice.uniform(-0.25f, 0.25f);
+void vary_light(Room& room, Random& rng) {
+    const float lamps = std::exp2(rng.uniform(-1.2f, 1.2f)), warmth = rng.uniform(-0.25f, 0.25f);
     for (Material& m : room.materials)
         m.emission = m.emission * Vec3f{lamps * (1 + warmth), lamps, lamps * (1 - warmth)};
-    const float sky = std::exp2(dice.uniform(-0.8f, 0.8f)), sun = std::exp2(dice.uniform(-1.f, 0.6f));
+    const float sky = std::exp2(rng.uniform(-0.8f, 0.8f)), sun = std::exp2(rng.uniform(-1.f, 0.6f));
     room.sky.zenith = room.sky.zenith * sky;
     room.sky.horizon = room.sky.horizon * sky;
     room.sky.ground = room.sky.ground * sky;
     room.sky.sun_irradiance = room.sky.sun_irradiance * sun;
-    room.sky.seed = dice.next_u32();
+    room.sky.seed = rng.next_u32();
 }
 
-// Exposure and white balance miss by what a camera's automatic misses.
-void vary_look(Look& look, Random& dice) {
-    look.exposure_ev += std::clamp(0.45f * dice.normal(), -1.2f, 1.2f);
-    const float warm = 0.07f * dice.normal(), green = 0.025f * dice.normal();
+// Varies exposure and white balance by the typical errors of a camera's automatic.
+void vary_look(Look& look, Random& rng) {
+    look.exposure_ev += std::clamp(0.45f * rng.normal(), -1.2f, 1.2f);
+    const float warm = 0.07f * rng.normal(), green = 0.025f * rng.normal();
     look.white = look.white * Vec3f{std::exp(warm - green), std::exp(green), std::exp(-warm - green)};
-    look.contrast *= dice.uniform(0.88f, 1.15f);
-    look.saturation *= dice.uniform(0.7f, 1.25f);
+    look.contrast *= rng.uniform(0.88f, 1.15f);
+    look.saturation *= rng.uniform(0.7f, 1.25f);
 }
 
 }  // namespace
 
 RandomRoom random_room(std::uint64_t seed, int index) {
-    Random dice(seed, "dataset room", static_cast<std::uint64_t>(index));
+    Random rng(seed, "dataset room", static_cast<std::uint64_t>(index));
     RandomRoom made;
-    made.prompt = random_prompt(dice);
+    made.prompt = random_prompt(rng);
     PromptSpec spec = understand_prompt(made.prompt, false);
     Run run;
-    run.seed = dice.next_u64();
+    run.seed = rng.next_u64();
     made.room = make_room(spec, run);
-    // A third of the rooms stay as their style has them; in the rest materials stray, in some wildly.
-    const float strength = dice.chance(0.33f) ? 0.f : dice.uniform(0.2f, 1.5f);
-    for (Material& m : made.room.materials) vary_material(m, strength, dice);
-    vary_light(made.room, dice);
-    vary_look(made.room.look, dice);
+    // A third of the rooms keep their style; in the rest materials vary, in some extremely.
+    const float strength = rng.chance(0.33f) ? 0.f : rng.uniform(0.2f, 1.5f);
+    for (Material& m : made.room.materials) vary_material(m, strength, rng);
+    vary_light(made.room, rng);
+    vary_look(made.room.look, rng);
     return made;
 }
 

@@ -45,7 +45,7 @@ TEST_F(Dataset, ResumedAndLengthenedIsTheSameBytes) {
     EXPECT_EQ(whole.made, 5);
     EXPECT_EQ(whole.there, 5);
     make_dataset(small(2), folder_ / "parts", run);
-    // A picture half made: its JSON, which comes last, is not there.
+    // An unfinished picture: its JSON, which is written last, is missing.
     fs::remove(folder_ / "parts/shard-00000/00000001.json");
     fs::remove(folder_ / "parts/shard-00000/00000001.range.png");
     EXPECT_EQ(make_dataset(small(5), folder_ / "parts", run).made, 4);
@@ -65,8 +65,8 @@ TEST_F(Dataset, OtherSettingsAreRefused) {
     EXPECT_THROW(make_dataset(other, folder_, {}), UsageError);
 }
 
-// Neighbouring ranges, as points, span a plane whose normal is the one in the normal map: so frames, units and signs
-// agree.
+// Neighbouring ranges as 3D points must span a plane with the normal of the normal map: verifies frames, units and
+// signs.
 TEST_F(Dataset, RangeNormalsAndClassesAgree) {
     DatasetRequest request = small(2);
     request.width = 256;
@@ -102,7 +102,7 @@ TEST_F(Dataset, RangeNormalsAndClassesAgree) {
     }
 }
 
-// What lies straight below a camera: furniture, where places over furniture are asked for.
+// Straight below the camera there is furniture if positions over furniture are requested.
 TEST_F(Dataset, PlacesOverFurniture) {
     const auto over_furniture = [&](double share, const char* name) {
         DatasetRequest request = small(16);
@@ -112,7 +112,7 @@ TEST_F(Dataset, PlacesOverFurniture) {
         make_dataset(request, folder_ / name, {});
         int found = 0;
         for (int i = 0; i < request.count; ++i) {
-            if (i % request.params.views == 0) continue;  // the room's own place
+            if (i % request.params.views == 0) continue;  // the room's own camera position
             const ImageMask classes = load_mask_png(folder_ / name / fmt::format("shard-00000/{:08}.class.png", i));
             const int nadir = classes.at(5, classes.height - 1);
             constexpr int kFloor = 2, kRug = 20;
@@ -136,7 +136,7 @@ TEST_F(Dataset, AClaimIsHeldByOneAndInheritedFromTheDead) {
     const pid_t child = ::fork();
     if (child == 0) {
         const auto held = dataset::Claim::take(folder_, "a", 10);
-        ::_exit(held ? 0 : 1);  // no destructor: as if killed
+        ::_exit(held ? 0 : 1);  // no destructors: simulates a kill
     }
     int status = 0;
     ::waitpid(child, &status, 0);

@@ -48,7 +48,7 @@ Upscale360 enlarger(const PaintingSource& source, const PanoramaParams& params, 
     return {source.weights, params.width, enlarging_of(params), run};
 }
 
-// The photo as it was meant to be seen.
+// The photo rotated upright by its EXIF orientation.
 ImageRgb8 upright_photo(const fs::path& photo) { return upright(load_rgb8(photo), picture_info(photo).orientation); }
 
 std::string hash_of_files(const std::vector<fs::path>& files, const fs::path& root) {
@@ -58,14 +58,14 @@ std::string hash_of_files(const std::vector<fs::path>& files, const fs::path& ro
     return hash.hex();
 }
 
-// Without what is made of the painting later.
+// The settings of the painting, without those of later upscaling.
 Json painting_fields(const PanoramaParams& params) {
     Diffusion360Settings painting = params.diffusion;
     painting.upscale = "none";
     return fields_json(painting);
 }
 
-// All that the painting hangs on.
+// Hash of everything that the painting depends on.
 std::string painting_key(const PaintingSource& source, const PanoramaParams& params, const Run& run,
                          const std::string& salt) {
     return Hash()
@@ -90,7 +90,7 @@ struct Enlarging {
     const PanoramaParams& params;
     const KeptPictures& kept;
     std::string key;          // of the picture
-    double painting_seconds;  // 0: not known
+    double painting_seconds;  // 0: unknown
 };
 
 ImageRgb8 made_larger(const ImageRgb8& picture, const Enlarging& how, const Run& run) {
@@ -148,10 +148,11 @@ std::string enlarger_identity(const fs::path& weights, const std::string& to) {
 
 ImageRgb8 panorama_by_diffusion360(const PaintingSource& source, const PanoramaParams& params, const Run& run,
                                    const Diffusion360::Preview& look, const PaintingMemory& memory) {
-    const Run quiet{run.seed, nullptr, run.stop};  // what it needs was said when the request was checked
+    const Run quiet{run.seed, nullptr, run.stop};  // notes were already emitted when the request was checked
     const KeptPictures kept(memory.folder);
     const std::string key = painting_key(source, params, run, memory.salt);
-    KeptPicture found = kept.get("1", key, [&] {  // the painter's networks leave memory before those that enlarge come
+    // free the generator's networks before the upscaling networks are loaded
+    KeptPicture found = kept.get("1", key, [&] {
         const Diffusion360 with = painter(source, params, quiet);
         return source.photo.empty() ? with.paint(source.prompt, run, look)
                                     : with.paint_around(upright_photo(source.photo), source.prompt, run, look);

@@ -1,4 +1,4 @@
-// Backend "image": the user's own panorama and range map. Both come from outside and are believed in nothing.
+// Backend "image": a panorama and range map provided by the user. Both are untrusted input.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -14,8 +14,8 @@
 namespace fastscene {
 namespace {
 
-constexpr int kLeastWidth = 64;        // below this a "panorama" is an icon
-constexpr int kGreatestWidth = 16384;  // 16384 x 8192 floats of color are 1.6 GB: the most that a desktop can hold
+constexpr int kLeastWidth = 64;        // minimum width: smaller "panoramas" are icons
+constexpr int kGreatestWidth = 16384;  // 16384 x 8192 floats of color are 1.6 GB, the maximum for a desktop
 
 void check_panorama_size(const std::filesystem::path& path, EquirectSize size) {
     if (size.width != 2 * size.height)
@@ -26,8 +26,8 @@ void check_panorama_size(const std::filesystem::path& path, EquirectSize size) {
                     kGreatestWidth, size.width, size.height);
 }
 
-// Light of any unit as film shows it: walls bright, windows short of white. Its own white stays: the camera has
-// balanced it.
+// Tone maps radiance of unknown scale: walls bright, windows below white. White balance is kept, as the camera has
+// already done it.
 ImageColor developed(ImageColor light, const std::filesystem::path& path) {
     bool any = false;
     for (Vec3f& c : light.pixels) {
@@ -76,7 +76,7 @@ ImageColor PictureFile::color() && { return light.empty() ? linear_from_srgb8(rg
 PictureFile picture_file_from(std::string_view bytes, const std::filesystem::path& file) {
     const std::string where = file.string();
     const PictureInfo info = picture_info(bytes, where);
-    size_in(file, info);  // before decoding: a huge picture is refused cheaply
+    size_in(file, info);  // before decoding: rejects huge pictures cheaply
     PictureFile picture;
     picture.remarks = remarks_on(info, info.light ? ImageMask{} : decode_alpha(bytes, where));
     if (info.light) picture.light = developed(decode_light(bytes, where), file);
@@ -97,7 +97,7 @@ Panorama reduced_panorama(const Panorama& panorama, int width) {
     const int w = panorama.color.width, h = panorama.color.height;
     if (width >= w) return panorama;
     FASTSCENE_CHECK(width > 0 && width % 2 == 0);
-    // Each new pixel is the mean over its area: first along the rows, then along the columns.
+    // Area averaging: first along rows, then along columns.
     const auto shrink = [](int from, int to, int i, auto&& add) {
         const double scale = static_cast<double>(from) / to, begin = i * scale, end = (i + 1) * scale;
         for (int x = static_cast<int>(begin); x < from && x < end; ++x) {

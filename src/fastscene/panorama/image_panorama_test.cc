@@ -63,7 +63,7 @@ TEST(ImagePanorama, OtherShapesAreRefusedWithTheirSize) {
     expect_in(complaint([] { panorama_from_image(temporary("absent.png")); }), "absent.png");
 }
 
-// Only the header of a huge picture is looked at: here there is nothing behind it.
+// A huge picture is rejected by its header alone: there is nothing behind it here.
 TEST(ImagePanorama, AHugePictureIsRefusedBeforeItIsDecoded) {
     std::string bytes = read_file(write_picture("huge.png", 128, 64));
     const auto put = [&](std::size_t at, std::uint32_t v) {
@@ -135,7 +135,7 @@ TEST(ReducedPanorama, KeepsTheMeanColorAndPicksRanges) {
     EXPECT_EQ(reduced_panorama(panorama, 200).color, panorama.color);
 }
 
-// A camera held on its side stores 64 x 128 and says so.
+// A camera held sideways stores 64 x 128 with an orientation tag.
 TEST(ImagePanorama, IsTurnedUprightAsExifSays) {
     ImageRgb8 stored(64, 128);
     for (int y = 0; y < 128; ++y)
@@ -154,7 +154,7 @@ TEST(ImagePanorama, IsTurnedUprightAsExifSays) {
     EXPECT_LT(panorama.color.at(20, 30).x, 0.05f);
     ASSERT_EQ(remarks_on(temporary("side.jpg")).size(), 1u);
     expect_in(remarks_on(temporary("side.jpg"))[0], "EXIF orientation 6");
-    // As it lies it is no panorama.
+    // Without applying the orientation it is not 2:1.
     write_file(temporary("lies.jpg"), jpeg);
     expect_in(complaint([] { panorama_from_image(temporary("lies.jpg")); }), "found 64 x 128");
 }
@@ -165,7 +165,7 @@ TEST(ImagePanorama, LightIsExposedWhateverItsUnit) {
         for (int y = 0; y < 64; ++y)
             for (int x = 0; x < 128; ++x)
                 for (const float c : {1.f, 0.9f, 0.8f}) {
-                    // A window that is a hundred times as bright as the walls, and a pixel that is no number.
+                    // A window a hundred times as bright as the walls, and a NaN pixel.
                     const float v = unit * c *
                                     (x > 60 && x < 70 && y > 25 && y < 40 ? 100.f
                                      : x == 3 && y == 3                   ? std::nanf("")
@@ -177,7 +177,7 @@ TEST(ImagePanorama, LightIsExposedWhateverItsUnit) {
         for (const Vec3f c : color.pixels) ASSERT_TRUE(c.x >= 0 && c.x <= 1 && c.y >= 0 && c.z <= 1);
         const Vec3f wall = color.at(100, 32);
         EXPECT_TRUE(luminance(wall) > 0.25f && luminance(wall) < 0.5f) << unit;
-        EXPECT_GT(wall.x, wall.z);  // the white stays
+        EXPECT_GT(wall.x, wall.z);  // white balance is kept
         EXPECT_GT(luminance(color.at(65, 32)), 0.9f);
         expect_in(remarks_on(temporary("probe.pfm")).at(0), "exposed");
     }

@@ -13,7 +13,7 @@ namespace fastscene {
 namespace fs = std::filesystem;
 namespace {
 
-// What a stop or a hand has damaged is made again.
+// Damaged or incomplete files are made again.
 std::optional<KeptPicture> kept(const fs::path& picture, const fs::path& about, const std::string& key) {
     if (!fs::exists(about) || !fs::exists(picture)) return std::nullopt;
     try {

@@ -1,5 +1,5 @@
-// Pictures that took long, kept beside the stage that makes them: a run that was stopped goes on after the last one,
-// and a picture that is made larger later begins with the one that is there.
+// Caches expensive pictures next to their stage: an interrupted run resumes after the last one, and later upscaling
+// starts from the existing picture.
 #pragma once
 
 #include <filesystem>
@@ -12,17 +12,17 @@ namespace fastscene {
 
 struct KeptPicture {
     ImageRgb8 picture;
-    double seconds = 0;  // that it took when it was made
+    double seconds = 0;  // time that it took to make
     bool was_there = false;
 };
 
 class KeptPictures {
   public:
-    // An empty folder: nothing is kept.
+    // An empty folder disables caching.
     explicit KeptPictures(std::filesystem::path folder) : folder_(std::move(folder)) {}
 
-    // NAME.png of the folder if it was kept under this key, a hash of all that it hangs on; else what `make` returns,
-    // which is kept from then on. Throws what `make` throws; Error when it cannot be written.
+    // Returns NAME.png of the folder if it was stored under this key, a hash of everything it depends on; otherwise
+    // calls `make` and stores the result. Throws what `make` throws, and Error if it cannot be written.
     KeptPicture get(const std::string& name, const std::string& key, const std::function<ImageRgb8()>& make) const;
     std::filesystem::path file_of(const std::string& name) const { return folder_ / (name + ".png"); }
 

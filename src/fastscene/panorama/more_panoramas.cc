@@ -14,10 +14,10 @@ namespace fastscene {
 namespace fs = std::filesystem;
 namespace {
 
-constexpr float kFarthest_m = 1000;      // positions beyond are a mistake of units
-constexpr float kRotationError = 1e-3f;  // what few digits in a file leave
+constexpr float kFarthest_m = 1000;      // metres: positions beyond this indicate wrong units
+constexpr float kRotationError = 1e-3f;  // tolerance for matrices written with few digits
 
-// One entry of the list, by its key.
+// One entry of the list, with access by key.
 class ListEntry {
   public:
     ListEntry(const fs::path& list, std::size_t index, const Json& json)
@@ -68,7 +68,7 @@ class ListEntry {
                               : 0;
         const float c = std::cos(yaw), s = std::sin(yaw);
         return {{{c, 0, s}, {0, 1, 0}, {-s, 0, c}},
-                {p[0], p[1], p[2]}};  // what lies ahead (z) lies to the right (x) of the first's ahead
+                {p[0], p[1], p[2]}};  // its forward direction (z) is to the right (x) of the first panorama's
     }
     Rigid checked(const Rigid& pose) const {
         const Mat3f unit = pose.rotation * transpose(pose.rotation);

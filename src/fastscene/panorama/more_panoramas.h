@@ -1,5 +1,4 @@
-// Further panoramas of the place that the first one shows, with their poses: `make --panorama A --more LIST.json`. The
-// list is from outside and believed in nothing.
+// Further panoramas of the same place, with poses: `make --panorama A --more LIST.json`. The list is untrusted input.
 #pragma once
 
 #include <filesystem>
@@ -15,14 +14,13 @@ struct MorePanorama {
 };
 
 // {"panoramas": [{"color": FILE, "range": FILE, "world_from_pano": 4 x 4, or "position": [x, y, z] and "yaw_deg":
-// degrees to the right}]}; files relative to the list. Throws Error naming the list and the entry for what is not so:
-// an unknown key, a matrix that is no rotation, a number that is none.
+// degrees to the right}]}; file names relative to the list. Throws Error naming the list and the entry for invalid
+// input: an unknown key, a matrix that is not a rotation, a value that is not a number.
 std::vector<MorePanorama> read_more_panoramas(const std::filesystem::path& list);
 
-// As it is seen from the same place in the first panorama's orientation, at `size`: color averaged over areas, range
-// picked.
+// Rotated to the first panorama's orientation, at `size`: color is area-averaged, range uses nearest neighbours.
 Panorama in_first_orientation(const Panorama& panorama, EquirectSize size);
-// Of a range map alone. `turn`: world_from_pano's.
+// The same for a range map. `turn`: the rotation of world_from_pano.
 ImageF range_in_first_orientation(const ImageF& range, const Mat3f& turn, EquirectSize size);
 
 }  // namespace fastscene

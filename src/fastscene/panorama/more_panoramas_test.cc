@@ -46,7 +46,7 @@ TEST_F(MoreList, PosesAreMatricesOrPlacesWithAYaw) {
     EXPECT_TRUE(list[0].range.empty());
     EXPECT_EQ(list[1].range, folder_ / "c.exr");
     EXPECT_EQ(list[0].world_from_pano.translation, (Vec3f{1, -0.5f, 2}));
-    // Turned to the right by a quarter, ahead is where right was; the matrix of the second says the same.
+    // Yawed right by 90 degrees, forward is where right was; the second entry's matrix says the same.
     for (const MorePanorama& one : list)
         EXPECT_LT(length(one.world_from_pano.rotation * Vec3f{0, 0, 1} - Vec3f{1, 0, 0}), 1e-6f);
 }
@@ -82,16 +82,16 @@ TEST(FirstOrientation, AYawShiftsTheColumns) {
             turned.color.at(x, y) = {static_cast<float>(x) / 64, static_cast<float>(y) / 32, 0.5f};
             turned.range.at(x, y) = 1 + static_cast<float>(x);
         }
-    turned.world_from_pano.rotation = {{0, 0, 1}, {0, 1, 0}, {-1, 0, 0}};  // looks right
+    turned.world_from_pano.rotation = {{0, 0, 1}, {0, 1, 0}, {-1, 0, 0}};  // faces right
     turned.world_from_pano.translation = {1, 2, 3};
     const Panorama straight = in_first_orientation(turned, size);
     EXPECT_EQ(straight.world_from_pano.translation, (Vec3f{1, 2, 3}));
     EXPECT_EQ(straight.world_from_pano.rotation, Mat3f{});
     for (int y = 4; y < 28; ++y)
         for (int x = 0; x < size.width; ++x) {
-            const int from = wrap_column(x - 16, 64);  // what it has in its middle lies a quarter to the right
+            const int from = wrap_column(x - 16, 64);  // its center is 90 degrees to the right
             EXPECT_EQ(straight.range.at(x, y), turned.range.at(from, y)) << x << ", " << y;
-            if (from <= 1 || from >= 62) continue;  // the colors jump there
+            if (from <= 1 || from >= 62) continue;  // color discontinuities
             EXPECT_LT(length(straight.color.at(x, y) - turned.color.at(from, y)), 0.02f) << x << ", " << y;
         }
 }

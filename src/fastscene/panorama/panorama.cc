@@ -18,9 +18,9 @@ PromptSpec read_prompt(const std::string& prompt, const PanoramaParams& params, 
 
 namespace {
 
-// Panorama 0, and where visitors may stand: what none of them sees gets fewer light paths.
+// Panorama 0 and visitor positions: surfaces visible from none of them get fewer light paths.
 std::vector<Vec3f> places_to_look_from(const TracedRoom& room) {
-    constexpr int kApart = 8;  // cells
+    constexpr int kApart = 8;  // in cells
     constexpr float kEyeHeight_m = 1.5f;
     const StandableFloor floor = passable_floor(room);
     std::vector<Vec3f> places{Vec3f{}};
@@ -40,8 +40,8 @@ std::shared_ptr<TracedRoom> make_traced_room(PromptSpec& prompt, const PanoramaP
 }
 
 ShotParts panorama_parts(const TraceParams& trace) {
-    // With the denoiser, a quarter of pixel_samples where light is even, twice as many where they do not agree (soft
-    // shadows, reflections, outlines).
+    // With the denoiser: a quarter of pixel_samples where light is smooth, up to twice as many where rays disagree
+    // (soft shadows, reflections, outlines).
     return {.color = true,
             .range = true,
             .object = true,

@@ -1,7 +1,6 @@
-// Panorama stage: prompt -> equirectangular picture. Paper: text-to-panorama (Diffusion360).
-// Backends: "rooms" (furnished room, path traced; needs no download), "image" (the user's own picture) and
-// "diffusion360" (the paper's own: Stable Diffusion fine-tuned on panoramas, with weights of the user's;
-// diffusion360.h).
+// Panorama stage: prompt -> equirectangular picture. Paper: text-to-panorama (Diffusion360). Backends: "rooms" (a
+// furnished, path traced room; no download needed), "image" (the user's own picture) and "diffusion360" (the paper's:
+// Stable Diffusion fine-tuned on panoramas, with weights provided by the user; diffusion360.h).
 #pragma once
 
 #include <filesystem>
@@ -38,12 +37,12 @@ void visit_fields(Diffusion360Settings& p, V&& v) {
 
 struct PanoramaParams {
     std::string backend = "rooms";
-    int width = 2048;  // height is half of it
+    int width = 2048;  // the height is half of it
     bool strict = false;
     std::string assets =
-        "cc0";  // without obligations for who shows the scene; "all" asks to keep credits.txt beside it
+        "cc0";  // free of obligations when publishing the scene; "all" requires credits.txt to be distributed with it
     TraceParams trace;
-    Diffusion360Settings diffusion;  // its width is the one above
+    Diffusion360Settings diffusion;  // its width is the field above
 };
 template <class V>
 void visit_fields(PanoramaParams& p, V&& v) {
@@ -57,65 +56,65 @@ void visit_fields(PanoramaParams& p, V&& v) {
     visit_fields(p.diffusion, v);
 }
 
-// The furniture pack that the settings ask for; what is missing or damaged is told in `complaints`, when given.
+// The furniture pack selected by the settings; missing or damaged files are reported in `complaints`, if given.
 std::shared_ptr<const FurniturePack> furniture_pack(const PanoramaParams& params,
                                                     std::vector<std::string>* complaints = nullptr);
-// The prompt, read with that pack's names.
+// Parses the prompt, including the pack's model names.
 PromptSpec read_prompt(const std::string& prompt, const PanoramaParams& params,
                        std::vector<std::string>* complaints = nullptr);
 
-// Backend "rooms". The traced room stays alive for the depth stage and for truth.
+// Backend "rooms". The traced room is kept for the depth stage and for ground truth.
 struct RoomPanorama {
     Panorama panorama;  // with exact range
     PromptSpec prompt;
     Image<std::int32_t> object_of_pixel;
     std::shared_ptr<TracedRoom> room;
 };
-// The room alone, its light gathered: deterministic, so that metrics can make the same room again.
+// The room alone, with its light gathered. Deterministic, so that metrics can recreate the room.
 std::shared_ptr<TracedRoom> make_traced_room(PromptSpec& prompt, const PanoramaParams& params, const Run& run);
-// How its panoramas are shot; true panoramas for comparison are shot alike.
+// Render settings of its panoramas; ground truth is rendered with the same.
 ShotParts panorama_parts(const TraceParams& trace);
 RoomPanorama panorama_from_prompt(const std::string& prompt, const PanoramaParams& params, const Run& run);
 
 // Backend "diffusion360".
 struct PaintingSource {
     std::string prompt;
-    std::filesystem::path weights;  // a folder as diffusers saves it, or the official folder of several
-    std::filesystem::path photo;    // continued all around, turned upright as EXIF says; empty: none
+    std::filesystem::path weights;  // a diffusers folder, or the official folder of several
+    std::filesystem::path photo;    // a photo to outpaint, rotated upright by EXIF; empty: none
 };
-// Where the painting and each larger picture are kept, so that a run that was stopped goes on after them; `salt`: of
-// another, nothing is taken.
+// Cache for the generated and upscaled pictures, so that interrupted runs can resume; `salt` distinguishes incompatible
+// versions.
 struct PaintingMemory {
-    std::filesystem::path folder;  // empty: nothing is kept
+    std::filesystem::path folder;  // empty: no cache
     std::string salt;
 };
-// params.width x params.width / 2, or as many times larger as params.diffusion.upscale says; sRGB. `look` is shown what
-// the picture is going to be, at half its size. Throws Error as check_diffusion360 (diffusion360.h) does.
+// Returns an sRGB picture of params.width x params.width / 2, times the factor of params.diffusion.upscale. `look`
+// receives previews at half size. Throws Error as check_diffusion360 (diffusion360.h) does.
 ImageRgb8 panorama_by_diffusion360(const PaintingSource& source, const PanoramaParams& params, const Run& run,
                                    const Diffusion360::Preview& look = {}, const PaintingMemory& memory = {});
-// A picture that is there already, as many times larger as params.diffusion.upscale says; of the source, the prompt and
-// the weights count.
+// Upscales an existing picture by the factor of params.diffusion.upscale; of the source only the prompt and the weights
+// are used.
 ImageRgb8 enlarged_by_diffusion360(const ImageRgb8& picture, const PaintingSource& source, const PanoramaParams& params,
                                    const Run& run, const PaintingMemory& memory = {});
 
-// Backend "image": .jpg, .png (of any depth, gray and alpha too), or light in floats (.hdr, .exr, .pfm), which is
-// exposed as a film would; turned upright as EXIF says. Throws Error when the picture is not 2:1, too small (< 64) or
-// too large (> 16384), or the map does not fit.
+// Backend "image": .jpg, .png (any bit depth, gray, alpha), or floating-point radiance (.hdr, .exr, .pfm), which is
+// tone mapped; rotated upright by EXIF. Throws Error if the picture is not 2:1, too small (< 64) or too large (>
+// 16384), or if the range map does not match.
 Panorama panorama_from_image(const std::filesystem::path& picture);
-// Its size, upright, from the header alone. Throws Error as above.
+// The upright size, from the file header alone. Throws Error as above.
 EquirectSize panorama_size(const std::filesystem::path& picture);
-// Depth backend "image": range along the ray in metres from .exr, .pfm or 16-bit .png (millimetres); +inf: the sky.
-// Zero and NaN mean "not measured" (completed_range), which `run` is told. Throws Error for another size, a negative
-// range, or none at all.
+// Depth backend "image": range along the ray in metres from .exr, .pfm or 16-bit .png (millimetres); +inf: sky. Zero
+// and NaN mean "not measured" (completed_range), which is reported to `run`. Throws Error for a mismatched size,
+// negative ranges, or no range at all.
 ImageF range_from_file(const std::filesystem::path& map, EquirectSize size, const Run& run = {});
-// What was not measured (0, NaN) is far background, +inf; but specks of less than three degrees take after their
-// surroundings, and what is missing straight below the camera is level floor.
+// Unmeasured pixels (0, NaN) become far background, +inf; but specks smaller than three degrees are interpolated, and a
+// gap straight below the camera becomes level floor.
 struct RangeGaps {
     std::int64_t unmeasured = 0, far = 0, closed = 0;  // pixels
 };
 ImageF completed_range(ImageF range, RangeGaps& gaps);
-// A wider panorama is reduced to `width` (even); a narrower one stays. Color is averaged over areas, range is picked (a
-// mean of two surfaces lies on neither). Clears `known`.
+// Downsamples a wider panorama to `width` (even); narrower ones are unchanged. Color is area-averaged, range uses
+// nearest neighbours (an interpolated range lies on neither surface). Clears `known`.
 Panorama reduced_panorama(const Panorama& panorama, int width);
 ImageF reduced_range(const ImageF& range, int width);
 

@@ -22,7 +22,7 @@ ImageF luma_of(const ImageColor& color) {
     return out;
 }
 
-// Mean change between two columns, over the middle of the picture where columns are far apart.
+// Mean difference between two columns, over the middle rows, where columns are far apart.
 double column_change(const ImageF& image, int a, int b) {
     double sum = 0;
     const int top = image.height / 8, bottom = image.height - top;
@@ -43,8 +43,8 @@ RowStats row_stats(const ImageF& image, int y) {
     return s;
 }
 
-// The seam may pass an edge of the room; so it is held against what columns elsewhere do: their upper tenth, and how
-// many are as strong.
+// The seam may coincide with an edge of the room, so it is compared with other columns: their upper tenth, and how many
+// are as strong.
 bool seam_is_open(const ImageF& image) {
     constexpr int kEnough = 3;
     std::vector<double> changes;
@@ -76,7 +76,7 @@ int black_columns(const ImageF& image, bool left) {
     return columns;
 }
 
-// A tripod, a stand or a logo: within the lowest 40 degrees a ring where the brightness jumps all around.
+// Detects a tripod, stand or logo: within the lowest 40 degrees, a ring with a brightness step all around.
 bool has_nadir_disc(const ImageF& image) {
     const int from = image.height * 7 / 9;
     double strongest = 0, usual = 0;
@@ -115,8 +115,8 @@ std::vector<std::string> doubts_about_panorama(const ImageColor& color) {
                         "taken for surfaces",
                         top, bottom, left, right));
     else {
-        // Each row of pixels at a pole is one point of the world. A rug's edge or a tripod's leg may lie there; so one
-        // pole alone is no proof.
+        // Each pixel row at a pole is a single point of the world. A rug's edge or a tripod's leg may be there, so one
+        // pole alone is not evidence.
         const RowStats zenith = row_stats(image, 0), nadir = row_stats(image, image.height - 1);
         const double less = std::min(zenith.deviation, nadir.deviation),
                      more = std::max(zenith.deviation, nadir.deviation);

@@ -1,4 +1,4 @@
-// Is this picture what it says it is? A panorama from outside is looked at before minutes are spent on it.
+// Plausibility check of a user's panorama, before minutes are spent on it.
 #pragma once
 
 #include <string>
@@ -8,9 +8,8 @@
 
 namespace fastscene {
 
-// What speaks against an equirectangular picture of a room, in sentences for the user; empty when nothing does:
-// sides that do not meet, poles that are not one color, black borders, a tripod or logo under the camera, no light at
-// all.
+// Warnings for the user about what does not look like an equirectangular picture of a room: mismatched sides, poles
+// with more than one color, black borders, a tripod or logo under the camera, no light at all. Empty if plausible.
 std::vector<std::string> doubts_about_panorama(const ImageColor& color);
 
 }  // namespace fastscene

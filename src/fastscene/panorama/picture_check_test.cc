@@ -9,7 +9,7 @@
 namespace fastscene {
 namespace {
 
-// A smooth closed picture of a room's light: continuous on the sphere.
+// A smooth picture, continuous on the sphere.
 ImageColor smooth() {
     const EquirectSize size{256, 128};
     ImageColor color(size.width, size.height);
@@ -84,7 +84,7 @@ TEST(PictureCheck, SeesAPhotoBetweenBlackSides) {
     EXPECT_TRUE(says(color, "20 columns at the left, 20 at the right"));
 }
 
-// A tiled room whose tiles meet at the seam: edges as strong stand elsewhere.
+// A tiled room with a joint at the seam: equally strong edges exist elsewhere.
 TEST(PictureCheck, AnEdgeOfTheRoomMayRunAlongTheSeam) {
     ImageColor color(256, 128);
     for (int y = 0; y < color.height; ++y)

@@ -1,4 +1,4 @@
-// A panorama of the user's as it came out of its file, decoded once: what is made of it, and what is to be said of it.
+// A user's panorama, decoded once, with the remarks about it.
 #pragma once
 
 #include <filesystem>
@@ -11,17 +11,17 @@
 
 namespace fastscene {
 
-// One of the two pictures is empty; both are upright.
+// Exactly one of the two pictures is set; both are upright.
 struct PictureFile {
-    ImageRgb8 rgb;                     // of 8 or 16 bits: four times smaller than its linear color
-    ImageColor light;                  // of floats, exposed as a film would
-    std::vector<std::string> remarks;  // turned as EXIF says, exposed, see-through parts made black
+    ImageRgb8 rgb;                     // 8 or 16 bit sources: four times smaller than linear color
+    ImageColor light;                  // floating-point sources, tone mapped
+    std::vector<std::string> remarks;  // rotated by EXIF, tone mapped, transparent parts made black
     EquirectSize size() const;
     ImageColor color() const&;  // linear
     ImageColor color() &&;
 };
-// Throws Error naming the file when it is no picture, not 2:1, too small or too large; also while it is still small:
-// from the header alone.
+// Throws Error naming the file if it is not a picture, not 2:1, too small or too large; based on the header, before
+// decoding.
 PictureFile picture_file_from(std::string_view bytes, const std::filesystem::path& file);
 
 }  // namespace fastscene

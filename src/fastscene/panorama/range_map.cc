@@ -1,5 +1,5 @@
-// Range maps of users: what was not measured becomes far background, or goes on from its surroundings where only a
-// speck or the tripod is missing.
+// Users' range maps: unmeasured pixels become far background, or are interpolated if only a speck or the tripod is
+// missing.
 #include <algorithm>
 #include <cmath>
 #include <iterator>
@@ -14,11 +14,11 @@ namespace fastscene {
 namespace {
 
 constexpr float kFar = std::numeric_limits<float>::infinity();
-constexpr double kSpeckShare = 1.5e-4;  // of the sphere: a patch of 3 degrees across
+constexpr double kSpeckShare = 1.5e-4;  // share of the sphere: a patch 3 degrees across
 
 using Pixels = std::vector<std::pair<int, int>>;
 
-// A connected patch of unmeasured pixels from (x, y) on, the seam included; `left` loses them.
+// Extracts the connected patch of unmeasured pixels that contains (x, y), across the seam too, and clears it in `left`.
 Pixels patch_from(int x, int y, ImageMask& left) {
     Pixels patch{{x, y}};
     left.at(x, y) = 0;
@@ -41,7 +41,7 @@ double share_of_sphere(const Pixels& patch, EquirectSize size) {
     return sum / (4 * std::numbers::pi);
 }
 
-// Measured ranges beside the patch, each as `of(range, row)` sees it; their median.
+// Median of the measured ranges around the patch, each mapped by `of(range, row)`.
 template <class Of>
 float median_beside(const ImageF& range, const Pixels& patch, Of of) {
     std::vector<float> beside;
@@ -57,7 +57,7 @@ float median_beside(const ImageF& range, const Pixels& patch, Of of) {
     return *middle;
 }
 
-// How much of a range from the viewpoint leads down.
+// Vertical component of a unit ray in this row, downwards.
 float down_of(int y, int height) {
     return std::cos((static_cast<float>(y) + 0.5f) / static_cast<float>(height) * std::numbers::pi_v<float>) * -1.f;
 }
@@ -85,7 +85,7 @@ ImageF completed_range(ImageF range, RangeGaps& gaps) {
                                      return a.second < b.second;
                                  })->second;
             const bool speck = share_of_sphere(patch, size) < kSpeckShare;
-            // Below the horizon and as far down as there is: the camera stood on it. The floor goes on level.
+            // Below the horizon and down to the nadir: the camera's stand. The floor continues level.
             const bool tripod = lowest == range.height - 1 && highest > range.height * 2 / 3;
             const float floor = tripod ? median_beside(range, patch,
                                                        [&](float r, int j) { return r * down_of(j, range.height); })
@@ -99,12 +99,11 @@ ImageF completed_range(ImageF range, RangeGaps& gaps) {
 
 namespace {
 
-// Median of the measured ranges outside of which no room lies (half a metre to 200 m wide ones do): thousandths,
-// thousands or a share of something.
+// Plausible median range of rooms (half a metre to 200 m wide); otherwise the unit is probably millimetres, kilometres,
+// or a normalized value.
 constexpr float kNearestRoom = 0.15f, kFarthestRoom = 150.f;
 
-// Millimetres, or ranges divided by their greatest, are walked through as well as metres are, only wrongly: so it is
-// told.
+// Millimetres or normalized ranges would give a valid but wrong walk, so they are reported.
 void tell_other_units(const ImageF& range, const std::filesystem::path& map, const Run& run) {
     std::vector<float> measured;
     std::copy_if(range.pixels.begin(), range.pixels.end(), std::back_inserter(measured),

@@ -24,13 +24,13 @@ TEST(RangeMap, WhatWasNotMeasuredIsFarBackground) {
     for (const float nothing : {0.f, kNan}) {
         ImageF range(kWidth, kHeight, 2.f);
         for (int y = 40; y < 60; ++y)
-            for (int x = -15; x < 15; ++x) range.at(wrap_column(x, kWidth), y) = nothing;  // a window over the seam
+            for (int x = -15; x < 15; ++x) range.at(wrap_column(x, kWidth), y) = nothing;  // a window across the seam
         range.at(100, 50) = kInf;
         RangeGaps gaps;
         const ImageF out = completed_range(range, gaps);
         EXPECT_EQ(out.at(0, 50), kInf);
         EXPECT_EQ(out.at(kWidth - 10, 50), kInf);
-        EXPECT_EQ(out.at(100, 50), kInf);  // the sky stays what it is
+        EXPECT_EQ(out.at(100, 50), kInf);  // the sky is unchanged
         EXPECT_EQ(out.at(20, 50), 2.f);
         EXPECT_EQ(gaps.unmeasured, 600);
         EXPECT_EQ(gaps.far, 600);
@@ -81,7 +81,8 @@ TEST(RangeMap, AnotherUnitIsTold) {
         range.at(3, 3) = kInf;
         save_pfm(path, range);
         Heard heard;
-        EXPECT_EQ(range_from_file(path, {kWidth, kHeight}, {0, &heard, {}}).pixels, range.pixels);  // told, not changed
+        // reported, not changed
+        EXPECT_EQ(range_from_file(path, {kWidth, kHeight}, {0, &heard, {}}).pixels, range.pixels);
         return heard.warnings;
     };
     for (const float metres : {0.25f, 2.f, 100.f}) EXPECT_EQ(heard_of(metres), "");

@@ -11,12 +11,12 @@ namespace fastscene {
 namespace {
 
 constexpr int kYaws = 24;
-// What was asked for must lie this near to the middle to be well inside the picture.
+// A requested object must be this close to the center to be well inside the picture.
 constexpr float kInsideDeg = 0.38f * kPreviewFovDeg;
-// A piece that was asked for is worth this share of a mean view's detail and depth.
+// Weight of a requested object, relative to a mean view's detail and depth.
 constexpr double kWorthOfAPiece = 0.35;
 
-// Per column, over the rows that a level camera sees: how much detail, and how far away (in doublings of a metre).
+// Per column, over the rows visible to a level camera: amount of detail, and distance (in doublings of a metre).
 std::vector<double> interest_by_column(const Panorama& first) {
     const EquirectSize size = first.size();
     std::vector<double> column(static_cast<std::size_t>(size.width));

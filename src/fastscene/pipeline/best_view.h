@@ -1,4 +1,4 @@
-// Where to look first: the direction of the preview and of the viewer's first glance.
+// Chooses the direction of the preview and of the viewer's initial view.
 #pragma once
 
 #include <vector>
@@ -8,15 +8,16 @@
 
 namespace fastscene {
 
-// Wide enough for half a room, narrow enough to keep its corners straight.
+// Wide enough for half a room, narrow enough to limit distortion in the corners.
 inline constexpr float kPreviewFovDeg = 105.f;
-// Furniture stands below eye height.
+// Most furniture is below eye height.
 inline constexpr float kPreviewPitchDeg = -14.f;
 
-// World directions (any length) from panorama 0 to the middles of what the prompt asked for, as room.json has them.
+// World directions (any length) from panorama 0 to the centers of the objects that the prompt asked for, from
+// room.json.
 std::vector<Vec3f> requested_directions(const RunFolder& folder);
 
-// The yaw in degrees, of 24 all around, with the most to see: what was asked for, detail, and depth. `first` has range.
+// The best yaw in degrees, of 24: requested objects, detail and depth count. `first` has range.
 float best_yaw_deg(const Panorama& first, const std::vector<Vec3f>& requested);
 
 }  // namespace fastscene

@@ -5,7 +5,7 @@
 namespace fastscene {
 namespace {
 
-// A gray room, 2 m all around, whose wall at the given yaw is striped.
+// A gray room with walls 2 m away, striped at the given yaw.
 Panorama room_with_stripes_at(float yaw_deg) {
     Panorama room;
     room.color = ImageColor(360, 180, {0.5f, 0.5f, 0.5f});
@@ -25,7 +25,8 @@ TEST(BestView, LooksWhereThereIsSomethingToSee) {
 }
 
 TEST(BestView, WhatWasAskedForWins) {
-    const std::vector<Vec3f> requested{{-1, 0.5f, 0}, {-1, 0.3f, 0.2f}, {-1, 0.3f, -0.2f}};  // three pieces on the left
+    const std::vector<Vec3f> requested{
+        {-1, 0.5f, 0}, {-1, 0.3f, 0.2f}, {-1, 0.3f, -0.2f}};  // three objects on the left
     const float found = best_yaw_deg(room_with_stripes_at(90), requested);
     EXPECT_LE(std::abs(std::remainder(found - 270.f, 360.f)), 36.f) << found;
 }

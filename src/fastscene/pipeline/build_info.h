@@ -1,4 +1,4 @@
-// What this program was built from: its version and its compiler.
+// Build information: version and compiler.
 #pragma once
 
 #include <string_view>

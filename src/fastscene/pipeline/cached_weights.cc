@@ -40,7 +40,7 @@ void use_cached_weights(SceneRequest& request, const Run& run) {
     const bool estimated = depth.backend == "egformer" ||
                            (depth.backend == "auto" && !has_room(source) && range_map_of(source).empty());
     if (estimated && depth.weights.empty())
-        take("egformer", cached_file("egformer"), depth.weights);  // else the program may carry its own
+        take("egformer", cached_file("egformer"), depth.weights);  // otherwise built-in weights may apply
     if (request.last_stage == "depth") return;
     WalkParams& walk = request.params.walk;
     const WalkParams resolved = walk_of(source, depth, walk);

@@ -1,14 +1,14 @@
-// Weights that nobody named but `models pull` has brought: with them the flags that name weights may be left out.
+// Uses weights fetched by `models pull` if no flag names any.
 #pragma once
 
 #include "fastscene/pipeline/request.h"
 
 namespace fastscene {
 
-// Fills in what is empty where the settings, up to the request's last stage, ask for a network: Diffusion360's folder
-// when the panorama is painted or made larger, EGformer's file where depth has to be estimated, AOT-GAN's where it
-// paints holes; a note says which. Throws UsageError, with the command that helps, when a painter was asked for by name
-// and its weights are neither named nor in the cache.
+// Fills in empty weight paths for the networks that the request's stages need: Diffusion360's folder for generating or
+// upscaling the panorama, EGformer's file for depth estimation, AOT-GAN's for inpainting; a note reports each. Throws
+// UsageError, with the command that helps, if a network was requested by name but its weights are neither given nor
+// cached.
 void use_cached_weights(SceneRequest& request, const Run& run);
 
 }  // namespace fastscene

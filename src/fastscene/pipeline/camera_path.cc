@@ -12,7 +12,7 @@
 namespace fastscene {
 namespace {
 
-// Angles are continued so that neighbouring keys differ by at most half a turn.
+// Unwraps angles, so that neighbouring keys differ by at most 180 degrees.
 float nearest_turn(float angle_deg, float reference_deg) {
     return angle_deg - 360.f * std::round((angle_deg - reference_deg) / 360.f);
 }
@@ -24,7 +24,7 @@ T catmull_rom(T a, T b, T c, T d, float t) {
            0.5f;
 }
 
-// One object of the file, by its keys: a typo is told, not passed over.
+// One JSON object of the file, with checked keys: a typo is an error.
 class PathPart {
   public:
     PathPart(std::string where, const Json& json, const std::vector<std::string>& known)

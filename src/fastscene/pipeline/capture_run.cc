@@ -28,7 +28,7 @@ Capture load_capture(const CaptureRequest& request) {
                                    : load_nerfstudio_capture(source.source, folders);
 }
 
-// Masks that fit no picture are a mistake that would show only in the result.
+// Masks that match no picture are a mistake that would otherwise show only in the result.
 void check_masks(const CaptureRequest& request, const Capture& capture, const Run& run) {
     const std::string folder = request.source.masks.string();
     if (folder.empty()) return;
@@ -45,7 +45,7 @@ void check_masks(const CaptureRequest& request, const Capture& capture, const Ru
                          capture.photos.size(), name));
 }
 
-// The model's numbers, and of each picture its name, size and time: pictures are not read to know that nothing changed.
+// Hash of the model's numbers and of each picture's name, size and time, without reading the pictures.
 std::string identity_of(const Capture& capture) {
     Hash hash;
     hash.add("capture");
@@ -93,7 +93,7 @@ void claim(const RunFolder& folder, const Json& wanted, bool start_over) {
     claim_folder(folder, wanted, start_over, clash, called(wanted));
 }
 
-// The least turn that brings `up` to the world's up (-y).
+// The smallest rotation from `up` to the world's up (-y).
 Mat3d upright_from(Vec3f up) {
     const Vec3d from{up.x, up.y, up.z}, to{0, -1, 0};
     const Vec3d axis = cross(from, to);
@@ -107,7 +107,7 @@ Json json_of(const Rigid& pose) {
     return {{"position_m", {p.x, p.y, p.z}}, {"forward", {forward.x, forward.y, forward.z}}};
 }
 
-// Before hours of reading and training: what is known of the pictures and the Gaussians must fit together.
+// Checks memory from the pictures' sizes and the number of Gaussians, before hours of loading and training.
 void check_memory(const CaptureRequest& request, const Capture& capture) {
     const std::int64_t have = available_memory();
     if (have <= 0) return;
@@ -129,7 +129,7 @@ void check_memory(const CaptureRequest& request, const Capture& capture) {
         request.splat.count, static_cast<double>(splats) / kGiB, static_cast<double>(have) / kGiB);
 }
 
-// All files of the stage. viewer.json: where a visitor stands first, in the frame of viewer.compressed.ply.
+// Writes all files of the stage. viewer.json: the visitor's initial pose, in the frame of viewer.compressed.ply.
 void make_capture_splat(const CaptureRequest& request, const Capture& capture, const RunFolder& folder,
                         const fs::path& out, const Run& run) {
     check_memory(request, capture);

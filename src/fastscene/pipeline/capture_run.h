@@ -1,5 +1,5 @@
-// A capture (photographs with cameras of another program) becomes splats in a run folder: the splat stage standing on
-// its own.
+// Trains splats on a capture (photographs with cameras from another program) in a run folder: the splat stage on its
+// own.
 #pragma once
 
 #include <optional>
@@ -24,10 +24,10 @@ struct CaptureRequest {
 
 // Writes run.json, splat/{scene.ply,scene.compressed.ply,curve.json} in the capture's own coordinates,
 // splat/viewer.compressed.ply (upright and metre-sized) with viewer.html, preview.jpg and report.json; returns the
-// report. A finished run of the same request is left as it is. Throws as make_scene does.
+// report. A finished run of the same request is left unchanged. Throws as make_scene does.
 Json train_capture(const CaptureRequest& request, const RunFolder& folder, const Run& run);
 
-// The request of a folder that train_capture made; absent when another made it.
+// The request recorded by train_capture; empty for other folders.
 struct RecordedCapture {
     CaptureRequest request;
     std::uint64_t seed = 0;

@@ -1,4 +1,4 @@
-// A folder belongs to one run: its source and its seed.
+// A folder belongs to one run, identified by source and seed.
 #pragma once
 
 #include <functional>
@@ -10,9 +10,9 @@
 
 namespace fastscene {
 
-// Writes run.json. Throws UsageError when the folder holds another run, or files under our names that no run made; with
-// `start_over` those are removed instead. `clash` says what the recorded run is a run of, where it is another than the
-// wanted one; `described` says the same of that.
+// Writes run.json. Throws UsageError if the folder holds another run, or files with our names that do not belong to a
+// run; `start_over` removes those instead. `clash` describes the recorded run's source if it differs from the wanted
+// one's; `described` always does.
 void claim_folder(const RunFolder& folder, const Json& wanted, bool start_over,
                   const std::function<std::optional<std::string>(const Json& recorded)>& clash,
                   const std::string& described);

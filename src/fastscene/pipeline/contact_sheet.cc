@@ -35,13 +35,13 @@ std::string file_name(const std::string& room, const std::string& style) {
     return name;
 }
 
-// Two views side by side: where the room looks, and what is behind.
+// Two views side by side: the room's main direction, and the opposite one.
 ImageRgb8 perspectives(const TracedRoom& room, int width, const ShotParts& parts, const Run& run) {
     const int half = width / 2, height = half * 3 / 4;
     const Pinhole camera = Pinhole::with_fov(half, height, 100);
     ImageRgb8 out(width, height);
     for (const bool back : {false, true}) {
-        // Furniture stands below eye height.
+        // Most furniture is below eye height.
         const Mat3f turn = rotation_about(Vec3f{0, 1, 0}, back ? 3.14159265f : 0.f) *
                            rotation_about(Vec3f{1, 0, 0}, -0.2f);
         const Shot shot = room.perspective({turn, {}}, camera, parts, run);
@@ -62,7 +62,7 @@ ImageRgb8 picture_of(const std::string& room, const std::string& style, const Sh
     return srgb8_from_linear(traced->panorama({}, {params.width, params.width / 2}, parts, quiet).color);
 }
 
-// Pictures in columns, each with its name above.
+// Pictures in columns, with captions above.
 struct Tile {
     ImageRgb8 picture;
     std::string name;
@@ -80,7 +80,7 @@ ImageRgb8 sheet_of(const std::vector<Tile>& tiles, int columns) {
     return sheet;
 }
 
-// Pictures made by other settings or another program are thrown away.
+// Deletes pictures made with other settings or by another version.
 void keep_only_fitting(const fs::path& folder, const SheetParams& params, const Run& run) {
     Json key = fields_json(params);
     key["seed"] = run.seed;

@@ -1,4 +1,4 @@
-// Contact sheet: a picture of every room in every style, side by side: to look at what the room maker makes.
+// Contact sheet: pictures of every room type in every style, side by side, to inspect the room generator.
 #pragma once
 
 #include <filesystem>
@@ -13,7 +13,7 @@ namespace fastscene {
 
 struct SheetParams {
     int width = 384;                // of one picture
-    std::string view = "panorama";  // or "perspective"
+    std::string view = "panorama";  // panorama or perspective
     TraceParams trace{.cell_m = 0.07f, .cell_samples = 64, .pixel_samples = 16};
 };
 template <class V>
@@ -24,10 +24,10 @@ void visit_fields(SheetParams& p, V&& v) {
     visit_fields(p.trace, v);
 }
 
-// Renders "a <style> <room>" for every pair (empty lists: all there are) into folder/<room>-<style>.png, and puts them
-// together: folder/sheet.jpg has a row a room and a column a style, folder/<room>.jpg two styles a row. Pictures that
-// are there from the same settings, seed and program are kept. Returns the sheets' paths. Throws UsageError for an
-// unknown room or style.
+// Renders "a <style> <room>" for every pair (empty lists: all) to folder/<room>-<style>.png, and combines them:
+// folder/sheet.jpg has a row per room and a column per style, folder/<room>.jpg two styles per row. Existing pictures
+// of the same settings, seed and version are kept. Returns the sheets' paths. Throws UsageError for an unknown room or
+// style.
 std::vector<std::filesystem::path> make_contact_sheet(const std::filesystem::path& folder,
                                                       std::vector<std::string> rooms, std::vector<std::string> styles,
                                                       const SheetParams& params, const Run& run);

@@ -1,4 +1,4 @@
-// How well is range estimated? Many pictures whose range is known, by any backend: `fastscene depth check`.
+// Evaluates depth backends on pictures with known range: `fastscene depth check`.
 #pragma once
 
 #include <filesystem>
@@ -12,13 +12,14 @@ namespace fastscene {
 
 struct DepthCheck {
     std::filesystem::path data;  // a folder (depth/examples.h)
-    int count = 50;              // places looked at, one picture each
-    bool all = false;   // of all places: a set that the network never saw; false: held-out ones only (depth/examples.h)
+    int count = 50;              // number of places, one picture each
+    // all places, for sets that the network was not trained on; false: only held-out ones (depth/examples.h)
+    bool all = false;
     DepthParams depth;  // backend egformer, layout or auto
 };
-// Mean scores aligned in scale and shift, in scale alone and not at all ("affine", "scale", "none"), the backend's name
-// and CPU seconds a picture. The picture is the size of the file. `run` is told when there are fewer places than
-// `count`. Throws Error when there is none.
+// Mean scores after alignment of scale and shift, of scale alone, and without ("affine", "scale", "none"), the
+// backend's name and CPU seconds per picture. Pictures are used at the file's size. Notes in `run` if there are fewer
+// places than `count`. Throws Error if there are none.
 Json check_depth(const DepthCheck& check, const Run& run);
 std::string depth_check_text(const Json& report);
 

@@ -20,7 +20,7 @@ ImageRgb8 beside(const ImageRgb8& left, const ImageRgb8& right) {
     return both;
 }
 
-// Every step that has a row in either list, in order; empty cells where one has none.
+// Every step that occurs in either list, in order; missing values are empty cells.
 std::string csv_of(const FittedSplats& fitted) {
     std::string text = "step,loss,psnr_train,psnr_held_out,ssim_held_out\n";
     auto c = fitted.curve.begin();

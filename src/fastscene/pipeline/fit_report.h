@@ -1,4 +1,4 @@
-// What training leaves beside the splats: its curves, and the held-out views as it shows them.
+// Training outputs besides the splats: curves, and renderings of the held-out views.
 #pragma once
 
 #include <filesystem>
@@ -7,8 +7,7 @@
 
 namespace fastscene {
 
-// curve.json, curve.csv, curve.svg; with held-out views eval/NAME.png: the splats' picture on the left, the truth on
-// the right.
+// curve.json, curve.csv, curve.svg; with held-out views eval/NAME.png: rendering on the left, photo on the right.
 void save_curves(const std::filesystem::path& out, const FittedSplats& fitted);
 
 }  // namespace fastscene

@@ -1,4 +1,4 @@
-// A mirror in a room that is known: the walk looks into it.
+// A mirror in a known room: the walk sees the mirrored room in it.
 #include <gtest/gtest.h>
 
 #include "fastscene/depth/depth.h"
@@ -12,7 +12,7 @@
 namespace fastscene {
 namespace {
 
-// 4 x 2.6 x 5 m, a mirror on the wall in front (object 0), colored things behind the camera.
+// 4 x 2.6 x 5 m, a mirror on the wall in front (object 0), colored objects behind the camera.
 Room room_with_a_mirror() {
     Room room;
     room.min_corner = kLow;

@@ -30,12 +30,12 @@ namespace fastscene {
 namespace fs = std::filesystem;
 namespace {
 
-// The stages in their order: each hangs on the results of all before it, and none is made after the last one asked for.
+// The stages in order: each depends on the results of all before it; stops after the last one requested.
 class Stream {
   public:
     Stream(const RunFolder& folder, const SceneRequest& request, const std::string& identity, const Run& run)
         : folder_(folder), last_stage_(request.last_stage), run_(run), inputs_{identity} {
-        // Another furniture pack furnishes another room.
+        // Another furniture pack gives another room.
         if (!std::holds_alternative<PictureSource>(request.source))
             if (const auto pack = furniture_pack(request.params.panorama)) inputs_.push_back(pack->fingerprint());
         const std::string& to = request.params.panorama.diffusion.upscale;
@@ -43,7 +43,7 @@ class Stream {
             inputs_.push_back(enlarger_identity(weights, to));
     }
 
-    // `make` writes the stage's files into the directory it is given.
+    // `make` writes the stage's files into the given directory.
     void stage(std::string_view name, const Json& params,
                const std::function<void(const fs::path& out, const Run& run)>& make) {
         if (!done_.empty() && done_.back().name == last_stage_) return;
@@ -96,7 +96,7 @@ Json report_of(const std::vector<StageRecord>& stages, const SceneRequest& reque
     return report;
 }
 
-// What people look at hangs on the splats alone; it is made again only when they changed or a file is gone.
+// The viewer and preview depend on the splats only; they are made again if those changed or a file is missing.
 bool is_shared(const RunFolder& folder, const StageRecord& splat) {
     for (const fs::path& path :
          {folder.report_json(), folder.viewer_html(), folder.preview_jpg(), folder.credits_txt()})
@@ -108,7 +108,7 @@ bool is_shared(const RunFolder& folder, const StageRecord& splat) {
     }
 }
 
-// Files and memory that only a later stage asks for: better missed now than after an hour's work for it.
+// Checks files and memory needed by later stages: better to fail now than after an hour.
 void check_later_stages(const SceneRequest& request, const RunFolder& folder) {
     const SceneParams& params = request.params;
     const auto reaches = [&](std::string_view stage) {
@@ -124,7 +124,7 @@ void check_later_stages(const SceneRequest& request, const RunFolder& folder) {
     if (!reaches("splat")) return;
     check_splat_params(params.splat);
     if (!params.splat.checkpoint.empty()) check_writable(params.splat.checkpoint);
-    // Splats that are there already may come from a larger machine.
+    // Existing splats may come from a machine with more memory.
     if (params.splat.per_m2 == 0 && (request.start_over || !fs::exists(folder.stage("splat"))))
         check_splat_memory(params.splat, static_cast<std::size_t>(params.views.points));
 }
@@ -162,7 +162,7 @@ Json make_scene(const SceneRequest& request, const RunFolder& folder, const Run&
     const SceneSource& source = request.source;
     const SceneParams& params = request.params;
     Stream stream(folder, request, wanted.at("identity").get<std::string>(), run);
-    std::shared_ptr<const TracedRoom> room;  // kept for a walk that looks into it again
+    std::shared_ptr<const TracedRoom> room;  // kept for a walk that renders the room again
     stream.stage("panorama", fields_json(params.panorama), [&](const fs::path& out, const Run& r) {
         auto made = make_panorama(source, params.panorama, files, out, r);
         if (looks_into_room(walk_of(source, params.depth, params.walk))) room = std::move(made);

@@ -1,4 +1,4 @@
-// The whole stream: a sentence becomes a scene in a run folder.
+// The whole pipeline: from a prompt or picture to a scene in a run folder.
 #pragma once
 
 #include "fastscene/base/json.h"
@@ -8,10 +8,10 @@
 
 namespace fastscene {
 
-// Makes every stage up to the last one that is not there yet, then what people look at (share.h), report.json at the
-// end; returns the report. run.seed is the scene's seed.
-// Throws UsageError for a prompt that is none, a setting out of bounds, or a folder that
-// holds something else; Error when a file or the disk is wrong; Stopped on request. Finished stages stay in any case.
+// Makes all missing stages up to the last one requested, then viewer and preview (share.h), and finally report.json;
+// returns the report. run.seed is the scene's seed. Throws UsageError for an empty prompt, a setting out of bounds, or
+// a folder that holds something else; Error for file and disk problems; Stopped on request. Finished stages are kept in
+// any case.
 Json make_scene(const SceneRequest& request, const RunFolder& folder, const Run& run);
 
 }  // namespace fastscene

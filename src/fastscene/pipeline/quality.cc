@@ -5,8 +5,8 @@
 namespace fastscene {
 namespace {
 
-// Scenes from panoramas: points lie dense on every surface, and there is a backdrop behind, so splats start as closed,
-// opaque surfaces that are nearly where they belong.
+// Scenes from panoramas have dense points on every surface, and a backdrop, so splats start as closed, opaque surfaces
+// near their final positions.
 void start_closed(SplatParams& p) {
     p.start_opacity = 0.95f;
     p.start_overlap = 0.7f;
@@ -29,12 +29,12 @@ SplatParams started_as_photographs(SplatParams p) {
     return p;
 }
 
-// Two minutes a core: to see whether the prompt was understood as meant.
+// Two minutes of CPU time, to check whether the prompt was understood.
 void fill_draft(SceneParams& p) {
     p.panorama.width = 1024;
     p.panorama.trace = {.cell_m = 0.045f, .cell_samples = 256, .pixel_samples = 8};
     p.walk.viewpoints = 8;
-    p.walk.standpoints = 12;
+    p.walk.room_viewpoints = 12;
     p.walk.pixel_samples = 2;
     p.views.size = 320;
     p.views.points = 250'000;
@@ -46,7 +46,7 @@ void fill_standard(SceneParams& p) {
     p.panorama.width = 2048;
     p.panorama.trace = {.cell_m = 0.03f, .cell_samples = 160, .pixel_samples = 8};
     p.walk.viewpoints = 14;
-    p.walk.standpoints = 20;
+    p.walk.room_viewpoints = 20;
     p.walk.pixel_samples = 2;
     p.views.size = 640;
     p.views.points = 700'000;
@@ -58,7 +58,7 @@ void fill_high(SceneParams& p) {
     p.panorama.width = 4096;
     p.panorama.trace = {.cell_m = 0.02f, .cell_samples = 512, .pixel_samples = 16};
     p.walk.viewpoints = 20;
-    p.walk.standpoints = 40;
+    p.walk.room_viewpoints = 40;
     p.walk.pixel_samples = 4;
     p.views.size = 1024;
     p.views.points = 1'500'000;

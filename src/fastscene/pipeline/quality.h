@@ -1,4 +1,4 @@
-// All settings of a run, and the three presets that fill them.
+// All settings of a run, and the three presets.
 #pragma once
 
 #include <string>
@@ -21,7 +21,7 @@ struct SceneParams {
     ViewsParams views;
     SplatParams splat;
 };
-// Calls v(section, params struct) for each stage that has settings, in stream order.
+// Calls v(section, params struct) for each stage with settings, in pipeline order.
 template <class V>
 void visit_sections(SceneParams& p, V&& v) {
     v("panorama", p.panorama);
@@ -34,13 +34,13 @@ void visit_sections(SceneParams& p, V&& v) {
 std::vector<std::string> qualities();  // "draft", "standard", "high"
 // Throws UsageError for an unknown name.
 SceneParams params_of_quality(std::string_view quality);
-// For splats of photographs, whose starting points are sparse and where the world has no end.
+// For splats of photographs, which have sparse initial points and unbounded scenes.
 SplatParams capture_params_of_quality(std::string_view quality);
 
-// By section and field, as in run.json, and back. Fields that the JSON lacks keep the value they have in `base`.
+// Converts to and from run.json's sections and fields. Fields missing in the JSON keep their value of `base`.
 Json json_of_params(const SceneParams& params);
 SceneParams params_from_json(const Json& json, const SceneParams& base);
-// Throws UsageError naming the flag that is out of bounds.
+// Throws UsageError naming a flag that is out of bounds.
 void check_params(SceneParams params);
 
 }  // namespace fastscene

@@ -38,7 +38,7 @@ RecordedRun recorded_run(const RunFolder& folder) {
         return recorded;
     } catch (const Json::exception& e) {
         throw Error("{}: expected prompt, quality, params and seed: {}", folder.run_json().string(), e.what());
-    } catch (const Error& e) {  // "run.json: params: width: …", of whichever run
+    } catch (const Error& e) {  // prefixes the file, since the error may concern any run
         if (!std::string_view(e.what()).starts_with("run.json: ")) throw;
         throw Error("{}", (folder.root / e.what()).string());
     }

@@ -1,4 +1,4 @@
-// What is asked of make_scene, and how run.json has it.
+// The request of make_scene, and its form in run.json.
 #pragma once
 
 #include <optional>
@@ -14,18 +14,18 @@ namespace fastscene {
 
 struct SceneRequest {
     SceneSource source;
-    std::string quality = "standard";  // which preset the params started from; for the record only
+    std::string quality = "standard";  // the preset that the params started from; only recorded
     SceneParams params;
-    std::string last_stage = "splat";  // go no further than this stage
-    bool start_over = false;           // the folder may hold another prompt's run: throw that away
+    std::string last_stage = "splat";  // stop after this stage
+    bool start_over = false;           // delete another source's run in the folder
 };
 
-// run.json; of a source that is gone it keeps what was recorded.
+// run.json; for a source whose files are gone, the recorded entry is kept.
 Json json_of_request(const SceneRequest& request, std::uint64_t seed, SourceFiles& files,
                      const std::optional<GoneSource>& gone);
 
-// The request that run.json records, with its seed; for verbs that go on with a folder. Throws UsageError when the
-// folder holds no run.
+// The request recorded in run.json, with its seed; for commands that continue a folder. Throws UsageError if the folder
+// holds no run.
 struct RecordedRun {
     SceneRequest request;
     std::uint64_t seed = 0;

@@ -18,7 +18,7 @@ std::string depth_backend(const SceneSource& source, const DepthParams& params) 
 }
 
 DepthParams depth_of_further(DepthParams params, const Vec3f& position) {
-    if (params.backend == "image") params.backend = "auto";  // the map was the first panorama's
+    if (params.backend == "image") params.backend = "auto";  // the given range map belongs to the first panorama
     params.camera_height_m = std::max(kLeastCameraHeight, params.camera_height_m - position.y);  // y points down
     return params;
 }

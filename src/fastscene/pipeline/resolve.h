@@ -1,4 +1,4 @@
-// Settings with "auto" resolved by what the scene is made from.
+// Resolves "auto" settings by the scene's source.
 #pragma once
 
 #include <string>
@@ -10,18 +10,18 @@
 
 namespace fastscene {
 
-// What tells the range of such a source: "auto" resolved as far as the source says. Throws UsageError for a backend
-// that the source has nothing for.
+// The depth backend for a source: "auto" resolved as far as the source determines it. Throws UsageError for a backend
+// that needs something the source does not have.
 std::string depth_backend(const SceneSource& source, const DepthParams& params);
-// How the range of a further panorama (--more) without a map is estimated, at `position` in the first one's frame: its
-// camera stands as high over the floor as that says, at least kLeastCameraHeight.
+// Depth settings for a further panorama (--more) without range map, at `position` in the first one's frame: its camera
+// height above the floor follows from that, at least kLeastCameraHeight.
 inline constexpr float kLeastCameraHeight = 0.2f;
 DepthParams depth_of_further(DepthParams params, const Vec3f& position);
-// The walk's settings: whether a room stands behind the panorama.
+// The walk's settings, with "auto" resolved by whether the room is known.
 WalkParams walk_of(const SceneSource& source, const DepthParams& depth, const WalkParams& params);
-// Whether that walk looks into the room.
+// Whether that walk renders the room.
 bool looks_into_room(const WalkParams& resolved);
-// Throws UsageError where --walk room or --walk-inpainter room has no room to look into.
+// Throws UsageError if --walk room or --walk-inpainter room is used without a known room.
 void check_walk(const SceneSource& source, const DepthParams& depth, const WalkParams& params);
 
 }  // namespace fastscene

@@ -23,7 +23,7 @@ std::shared_ptr<const TracedRoom> room_of_run(const RunFolder& folder, const Rec
     const PanoramaParams panorama = panorama_of_run(recorded, least_cell_samples);
     PromptSpec prompt = read_prompt(prompt_of(request.source), panorama);
     auto room = make_traced_room(prompt, panorama, Run{recorded.seed, run.events, run.stop});
-    // An estimated range says nothing of the room.
+    // An estimated range cannot verify the room.
     if (depth_backend(request.source, request.params.depth) == "exact")
         check_same_room(*room, load_float(folder.depth_range()), folder.root);
     return room;

@@ -1,4 +1,4 @@
-// The room behind a run from a prompt: made and lit again as its panorama saw it.
+// Recreates the room of a run from its prompt, lit as for its panorama.
 #pragma once
 
 #include <memory>
@@ -7,11 +7,11 @@
 
 namespace fastscene {
 
-// `least_cell_samples`: light paths a cell, where more are wanted than the run's own settings say. Throws UsageError
-// when the run has no room behind it, Error when this program would make another room than the run's.
+// `least_cell_samples`: minimum light paths per cell, if more are wanted than in the run's settings. Throws UsageError
+// if the run has no known room, Error if this version of the program would make another room than the run's.
 std::shared_ptr<const TracedRoom> room_of_run(const RunFolder& folder, const RecordedRun& recorded,
                                               int least_cell_samples, const Run& run);
-// How that room's panoramas are shot with so many light paths.
+// Render settings of that room's panoramas with that many light paths.
 PanoramaParams panorama_of_run(const RecordedRun& recorded, int least_cell_samples);
 
 }  // namespace fastscene

@@ -1,4 +1,4 @@
-// A room that is known: the walk looks at what panorama 0 did not see, in place of painting it.
+// A known room: the walk renders what panorama 0 did not see, instead of inpainting it.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -13,7 +13,7 @@
 namespace fastscene {
 namespace {
 
-// 4 x 2.6 x 5 m; a white screen before a blue and a red block that nobody sees from the middle.
+// 4 x 2.6 x 5 m; a white screen in front of a blue and a red block that are hidden from the center.
 Room room_with_a_screen() {
     Room room;
     room.min_corner = kLow;
@@ -63,7 +63,8 @@ TEST(RoomWalk, HolesAreWhatTheRoomHasThere) {
     const Walked painted = walked_through(w.first, w.params, {});
     ASSERT_EQ(looked.panoramas.size(), painted.panoramas.size());
     int all = 0;
-    double off = 0, looked_error = 0, painted_error = 0;  // metres; squares of sRGB values where panorama 0 saw nothing
+    // range error in metres; squared sRGB errors where panorama 0 saw nothing
+    double off = 0, looked_error = 0, painted_error = 0;
     for (std::size_t i = 1; i < looked.panoramas.size(); ++i) {
         const Panorama &one = looked.panoramas[i], &other = painted.panoramas[i];
         ASSERT_EQ(one.world_from_pano.translation, other.world_from_pano.translation);

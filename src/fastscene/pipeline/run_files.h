@@ -1,4 +1,4 @@
-// What the stages leave in a run's folder, read back: panoramas with their ranges and poses.
+// Reads the outputs of stages from a run's folder: panoramas with ranges and poses.
 #pragma once
 
 #include <filesystem>
@@ -11,22 +11,22 @@
 
 namespace fastscene {
 
-// Panorama 0 with its range, those of --more with theirs, and the whole walk, as the files have them.
+// Panorama 0 with range, those of --more with theirs, and the whole walk, as stored.
 Panorama load_first_panorama(const RunFolder& folder);
 std::vector<Panorama> load_more_panoramas(const RunFolder& folder);
-// What lies outside the windows of a known room: walk/outside/color.png, seen.png. Empty where the walk wrote none.
+// The outside of a known room's windows: walk/outside/color.png, seen.png. Empty if the walk wrote none.
 inline constexpr const char* kOutsideName = "outside";
 Outside load_outside(const RunFolder& folder);
 std::vector<Panorama> load_walk(const RunFolder& folder);
-// world_from_pano of every panorama of the walk, without the pictures.
+// world_from_pano of every panorama of the walk, without loading pictures.
 std::vector<Rigid> load_walk_poses(const RunFolder& folder);
 
 // An 8-bit picture in linear color.
 ImageColor load_color(const std::filesystem::path& path);
 
-// poses.json of a folder of panoramas.
+// An entry of poses.json in a folder of panoramas.
 struct Viewpoint {
-    std::string name;  // of its files or its folder
+    std::string name;  // base name of its files, or its folder
     Rigid world_from_pano;
 };
 std::string name_of_viewpoint(std::size_t index);  // "007"

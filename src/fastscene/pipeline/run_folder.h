@@ -1,4 +1,4 @@
-// The run folder: the names of everything that a run leaves on disk. Other tools rely on them.
+// Names of all files and folders in a run folder. Other tools rely on them.
 #pragma once
 
 #include <filesystem>
@@ -8,7 +8,7 @@
 
 namespace fastscene {
 
-// The stages that make files, in stream order: name of the directory and of the verb.
+// The stages that produce files, in pipeline order: names of directories and commands.
 inline constexpr std::string_view kStages[] = {"panorama", "depth", "walk", "views", "splat"};
 
 struct RunFolder {
@@ -20,29 +20,29 @@ struct RunFolder {
     std::filesystem::path preview_jpg() const { return root / "preview.jpg"; }
     std::filesystem::path credits_txt() const { return root / "credits.txt"; }
 
-    // Diffusion360's picture, 1.png, and what was made of it, 3.png, 6.png …: kept, so that neither is made twice.
+    // Diffusion360's picture, 1.png, and its upscaled versions, 3.png, 6.png …: cached.
     std::filesystem::path painting() const { return root / "painting"; }
     std::filesystem::path stage(std::string_view name) const { return root / name; }
     std::filesystem::path panorama_color() const { return root / "panorama" / "color.png"; }
-    // Further panoramas of the user's, turned as the first: NNN.png with poses.json, NNN.exr.
+    // The user's further panoramas, rotated to the first's orientation: NNN.png with poses.json, NNN.exr.
     std::filesystem::path more_panoramas() const { return root / "panorama" / "more"; }
     std::filesystem::path more_ranges() const { return root / "depth" / "more"; }
     std::filesystem::path prompt_json() const { return root / "panorama" / "prompt.json"; }
     std::filesystem::path room_json() const { return root / "panorama" / "room.json"; }
     std::filesystem::path depth_range() const { return root / "depth" / "range.exr"; }
-    // Where panorama 0 looks into a mirror of a room that is known.
+    // Range through mirrors, where panorama 0 of a known room shows one.
     std::filesystem::path depth_mirrored_range() const { return root / "depth" / "mirrored-range.exr"; }
     std::filesystem::path walk() const { return root / "walk"; }
     // Where visitors may walk (scene/walkable_json.h).
     std::filesystem::path walkable_json() const { return root / "walk" / "walkable.json"; }
     std::filesystem::path views() const { return root / "views"; }
-    // Where a training that was stopped goes on; gone when it is done.
+    // Checkpoint of an interrupted training; deleted when it is complete.
     std::filesystem::path splat_place() const { return root / ".splat.unfinished"; }
     std::filesystem::path scene_ply() const { return root / "splat" / "scene.ply"; }
     std::filesystem::path scene_compressed_ply() const { return root / "splat" / "scene.compressed.ply"; }
     std::filesystem::path metrics() const { return root / "metrics"; }
 
-    // Everything above that a run owns, relative to the root.
+    // All of the above that belong to a run, relative to the root.
     static std::vector<std::string> owned();
 };
 
@@ -50,8 +50,8 @@ struct RunFolder {
 // left.
 std::string slug_of(std::string_view text);
 
-// One program at a time works on a folder. Throws Error when another one does. Released with the object, or with the
-// process.
+// Exclusive lock on a folder. Throws Error if another process holds it. Released with the object, or when the process
+// ends.
 class FolderLock {
   public:
     explicit FolderLock(const std::filesystem::path& folder);

@@ -1,5 +1,5 @@
-// The room behind a run is made again from its prompt and seed. The room maker changes from version to version: then it
-// is another room.
+// Verifies that the room recreated from a run's prompt and seed is the same. The room generator changes between
+// versions: then it is another room.
 #pragma once
 
 #include <filesystem>
@@ -8,7 +8,7 @@
 
 namespace fastscene {
 
-// Throws Error naming the run when its exact range map shows another room than this one.
+// Throws Error naming the run if its exact range map does not match this room.
 void check_same_room(const TracedRoom& room, const ImageF& range, const std::filesystem::path& run_dir);
 
 }  // namespace fastscene

@@ -37,7 +37,7 @@ std::vector<Pair> pairs_of(const std::vector<View>& known, const std::vector<Pho
     return out;
 }
 
-// Of quaternions that nearly agree: their sum, each with the sign nearer to the first.
+// Mean of nearly equal rotations: normalized sum of quaternions with consistent signs.
 Quatd mean_turn(const std::vector<Pair>& pairs) {
     Quatd sum{0, 0, 0, 0}, first;
     for (std::size_t i = 0; i < pairs.size(); ++i) {
@@ -56,7 +56,7 @@ double median(std::vector<double> v) {
     return v[v.size() / 2];
 }
 
-// colmap's subcommands, one after the other, on one database.
+// Runs colmap's subcommands in sequence on one database.
 class Colmap {
   public:
     Colmap(const fs::path& dir, const Run& run) : dir_(dir), run_(run) {
@@ -84,7 +84,7 @@ class Colmap {
     const Run& run_;
 };
 
-// Views that look the same way within this can see the same things; matching all with all would take most of an hour.
+// Only views whose directions are within this angle can overlap; exhaustive matching would take most of an hour.
 constexpr double kMatchDeg = 75;
 
 std::string match_list(const std::vector<View>& views) {
@@ -101,7 +101,7 @@ std::string match_list(const std::vector<View>& views) {
 void match(Colmap& colmap, const fs::path& dir, const fs::path& work, const std::vector<View>& views,
            const std::string& mode) {
     const Pinhole& c = views.front().camera;
-    // Where numbers of images must be those of our files, one thread keeps them in order.
+    // Triangulation relies on image numbers matching our file order, which a single thread guarantees.
     const std::string threads = std::to_string(mode == "triangulate" ? 1 : thread_count());
     colmap.run("feature_extractor", {"--database_path", work / "database.db", "--image_path", dir / "images",
                                      "--ImageReader.camera_model", "PINHOLE", "--ImageReader.single_camera", "1",
@@ -113,7 +113,7 @@ void match(Colmap& colmap, const fs::path& dir, const fs::path& work, const std:
                 "pairs", "--SiftMatching.use_gpu", "0", "--SiftMatching.num_threads", std::to_string(thread_count())});
 }
 
-// The mapper may leave several models; the one with most images counts.
+// The mapper may produce several models; uses the one with the most images.
 Capture largest_model(const fs::path& dir) {
     Capture best;
     std::vector<fs::path> models;
@@ -167,7 +167,7 @@ void measure(const ViewSet& known, SfmResult& result) {
             const Rigid &a = v.world_from_camera, &b = at->second->world_from_camera;
             error.registered = true;
             error.position_m = static_cast<double>(length(a.translation - b.translation));
-            // From the sine: the cosine of small angles loses them to rounding.
+            // From the sine: the cosine is inaccurate for small angles.
             const Mat3f turn = transpose(a.rotation) * b.rotation;
             const Vec3f axis{turn.row2.y - turn.row1.z, turn.row0.z - turn.row2.x, turn.row1.x - turn.row0.y};
             error.rotation_deg = std::atan2(static_cast<double>(length(axis)) / 2,

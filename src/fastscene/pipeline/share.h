@@ -1,4 +1,4 @@
-// What a run leaves for people: a page to walk through the scene, a picture of it, and who is to be thanked.
+// The shareable results of a run: a web page to walk through the scene, a preview picture, and credits.
 #pragma once
 
 #include <filesystem>
@@ -14,28 +14,28 @@
 
 namespace fastscene {
 
-// Yaw turns right about the world's down axis, pitch looks up; no roll.
+// Yaw turns right about the world's down axis, pitch turns up; no roll.
 Rigid world_from_camera_at(Vec3f position_m, float yaw_deg, float pitch_deg);
-// The splats as an 8-bit picture on black.
+// Renders the splats to an 8-bit picture on black.
 ImageRgb8 picture_of(const Splats& splats, const Pinhole& camera, const Rigid& world_from_camera);
 
-// The folder of the viewer's page: $FASTSCENE_VIEWER_DIR, or supersplat-viewer/public among the data files
-// (base/data_files.h). Absent where neither holds one.
+// The folder of the viewer page: $FASTSCENE_VIEWER_DIR, or supersplat-viewer/public among the data files
+// (base/data_files.h). Empty if neither has one.
 std::optional<std::filesystem::path> find_viewer_dir();
-// How to get it, as a sentence for people.
+// How to install it, as a sentence for users.
 std::string viewer_remedy();
 
-// Writes credits.txt of what the panorama shows, for a stream that ends before there is a scene to share.
+// Writes credits.txt for the panorama's contents, if a run ends before there is a scene to share.
 void write_credits(const RunFolder& folder);
-// Writes viewer.html, preview.jpg and credits.txt. A missing viewer is a warning: the scene is not lost for it.
+// Writes viewer.html, preview.jpg and credits.txt. A missing viewer is only a warning.
 void share_scene(const RunFolder& folder, const std::string& title, const Run& run);
 // The same for splats of photographs, from splat/viewer.compressed.ply and viewer.json.
 void share_capture(const RunFolder& folder, const std::string& title, const Run& run);
 
-// Where a visitor may walk; absent in a folder whose walk did not say.
+// The walkable area; empty if the walk recorded none.
 std::optional<WalkableArea> walkable_in(const RunFolder& folder);
 
-// Where a visitor of a capture stands first; absent in a folder that is none.
+// A visitor's initial view of a capture; empty for other folders.
 struct FirstGlance {
     Vec3f position_m, forward;
     float fov_deg = 75;

@@ -4,7 +4,7 @@ namespace fastscene {
 namespace fs = std::filesystem;
 namespace {
 
-// A member of the alternative that has it, else a default.
+// A member if the alternative has it, else a default.
 template <class Alternative, class T>
 T member_of(const SceneSource& source, T Alternative::*member) {
     const auto* one = std::get_if<Alternative>(&source);

@@ -1,7 +1,7 @@
-// What a scene is made from. Each alternative says its fields once, in visit_fields: from them come the flags of the
-// command line, run.json and the messages about them (source_json.h). A field with a flag is
+// The source of a scene. Each alternative defines its fields once, in visit_fields: command line flags, run.json and
+// messages are derived from that (source_json.h). A field with a flag is
 //
-//     v("range_map", s.range_map, SourceFlag{"--range", "FILE", "range map"}, "The flag's sentence in --help.");
+// v("range_map", s.range_map, SourceFlag{"--range", "FILE", "range map"}, "The flag's sentence in --help.");
 #pragma once
 
 #include <filesystem>
@@ -13,32 +13,32 @@
 
 namespace fastscene {
 
-// A sentence. The room that it describes is laid out and traced: everything about it is known.
+// A prompt. The described room is laid out and path traced: everything about it is known.
 struct PromptSource {
     std::string prompt;
 };
-// A panorama of the user's.
+// A panorama provided by the user.
 struct PictureSource {
-    std::string prompt;  // what it shows, for the network that makes it larger
+    std::string prompt;  // describes its content, for upscaling
     std::filesystem::path picture;
     std::filesystem::path range_map;  // empty: range is estimated
-    std::filesystem::path more;       // list of further panoramas (panorama/more_panoramas.h); empty: there are none
-    std::filesystem::path weights;    // of the network that makes it larger; empty: it stays as it is
+    std::filesystem::path more;       // list of further panoramas (panorama/more_panoramas.h); empty: none
+    std::filesystem::path weights;    // weights for upscaling; empty: no upscaling
 };
-// PaintingSource (panorama/panorama.h): a sentence that Diffusion360 paints.
+// PaintingSource (panorama/panorama.h): a prompt for Diffusion360.
 
-// Photographs with the cameras of another program (capture_run.h).
+// Photographs with cameras from another program (capture_run.h).
 struct CaptureSource {
-    std::string kind = "colmap";   // or "nerfstudio"
-    std::filesystem::path source;  // the folder, or transforms.json
-    std::filesystem::path images;  // empty: the format's own
-    std::filesystem::path masks;   // empty: beside the model, where there are some
+    std::string kind = "colmap";   // colmap or nerfstudio
+    std::filesystem::path source;  // the model's folder, or transforms.json
+    std::filesystem::path images;  // empty: the format's default
+    std::filesystem::path masks;   // empty: next to the model, if there are any
 };
 
 using SceneSource = std::variant<PromptSource, PictureSource, PaintingSource, CaptureSource>;
 
-// `flag`: how the command line calls a field, by itself where that is no word; `kind`: of argument; `called`: by
-// people.
+// `flag`: the command line flag, or empty for the positional argument; `kind`: its argument's type; `called`: name in
+// messages.
 struct SourceFlag {
     std::string_view flag, kind, called;
 };
@@ -86,7 +86,7 @@ void visit_fields(CaptureSource& s, V&& v) {
       "Folder of masks, white = counts; default: masks beside the model, where it is.");
 }
 
-// Calls v(alternative with its defaults, what brings it about on the command line) for those that `make` starts from.
+// Calls v(alternative with defaults, how the command line selects it) for those that `make` supports.
 template <class V>
 void visit_starting_sources(V&& v) {
     v(PromptSource{}, std::string_view("a prompt alone"));
@@ -101,20 +101,20 @@ struct Overloaded : F... {
 template <class... F>
 Overloaded(F...) -> Overloaded<F...>;
 
-// Whether a room of which all is known stands behind the panorama.
+// Whether the panorama was rendered from a known room.
 inline bool has_room(const SceneSource& source) { return std::holds_alternative<PromptSource>(source); }
-// Empty where there is none.
+// Empty if there is none.
 std::string prompt_of(const SceneSource& source);
-void set_prompt(SceneSource& source, const std::string& prompt);  // photographs have none
+void set_prompt(SceneSource& source, const std::string& prompt);  // photographs have no prompt
 std::filesystem::path picture_of(const SceneSource& source);
 std::filesystem::path range_map_of(const SceneSource& source);
 std::filesystem::path more_of(const SceneSource& source);
-std::filesystem::path weights_of(const SceneSource& source);  // of Diffusion360
-// What makes its panorama: PanoramaParams::backend.
+std::filesystem::path weights_of(const SceneSource& source);  // for Diffusion360
+// The backend of its panorama: PanoramaParams::backend.
 std::string panorama_backend(const SceneSource& source);
-// For people: the prompt, or the picture's name.
+// For display: the prompt, or the picture's name.
 std::string title_of(const SceneSource& source);
-// What is behind the panorama, in messages: "the picture a.jpg".
+// The panorama's origin, in messages: "the picture a.jpg".
 std::string what_is_behind(const SceneSource& source);
 
 }  // namespace fastscene

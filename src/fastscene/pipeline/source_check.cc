@@ -49,7 +49,7 @@ void check_further(const MorePanorama& more, const DepthParams& params, SourceFi
     }
     const float down = more.world_from_pano.translation.y;
     const DepthParams depth = depth_of_further(params, more.world_from_pano.translation);
-    make_depth_estimator(depth);  // its weights may be missing, even where the first panorama needs none
+    make_depth_estimator(depth);  // its weights may be missing, even if the first panorama needs none
     if (params.camera_height_m - down < kLeastCameraHeight)
         run.warn(
             fmt::format("{}: expected a place over the floor, which lies {} m below the first camera, found {} m below "
@@ -66,7 +66,7 @@ void check_more(const PictureSource& source, const SceneParams& params, SourceFi
     for (const MorePanorama& more : read_more_panoramas(source.more)) check_further(more, params.depth, files, run);
 }
 
-// What the checks of all sources need.
+// Inputs shared by the checks of all sources.
 struct Checking {
     const SceneParams& params;
     const std::string& last_stage;
@@ -77,7 +77,7 @@ struct Checking {
 void check(const PromptSource& source, const Checking& with) {
     std::vector<std::string> complaints;
     tell_what_was_understood(read_prompt(source.prompt, with.params.panorama, &complaints), with.run);
-    // The pack is optional: that it is absent is news only to those who asked for it.
+    // The pack is optional: report its absence only if it was requested.
     for (const std::string& complaint : complaints)
         if (complaint.starts_with("no furniture pack") && with.params.panorama.assets != "all")
             with.run.note(complaint);
@@ -103,7 +103,7 @@ void check(const PictureSource& source, const Checking& with) {
         range_from_file(source.range_map, picture.size());
         return;
     }
-    make_depth_estimator(params.depth);  // its weights may be missing: better known now
+    make_depth_estimator(params.depth);  // its weights may be missing: better to fail now
     run.note(fmt::format("depth: no --range: estimated from the picture, the camera {} m above the floor",
                          params.depth.camera_height_m));
 }

@@ -1,4 +1,4 @@
-// Whether a source can be used: better known before minutes are spent on it.
+// Validates a source before minutes are spent on it.
 #pragma once
 
 #include <string>
@@ -10,8 +10,8 @@
 
 namespace fastscene {
 
-// Reads the source as far as needed to be sure that it can be used, and warns about what was not understood; nothing is
-// written. Throws UsageError or Error as make_scene does.
+// Reads the source as far as needed to validate it, and warns about prompt parts that were not understood; writes
+// nothing. Throws UsageError or Error as make_scene does.
 void check_source(const SceneSource& source, const SceneParams& params, const std::string& last_stage,
                   SourceFiles& files, const Run& run);
 

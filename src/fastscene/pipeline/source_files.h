@@ -1,4 +1,4 @@
-// The user's files behind a source, each read once and each picture decoded once in a run, however many steps ask.
+// The user's input files: each is read and each picture decoded once per run, however many steps use it.
 #pragma once
 
 #include <filesystem>
@@ -11,15 +11,15 @@ namespace fastscene {
 
 class SourceFiles {
   public:
-    // All bytes of a file. Throws Error when it cannot be read.
+    // The file's content. Throws Error if it cannot be read.
     const std::string& bytes(const std::filesystem::path& file);
-    // A panorama from those bytes. Throws Error as panorama_from_image does.
+    // The decoded panorama. Throws Error as panorama_from_image does.
     const PictureFile& picture(const std::filesystem::path& file);
-    // What is known of a picture's size without decoding it again.
+    // The picture's size; does not decode again.
     EquirectSize size(const std::filesystem::path& file);
-    // The bytes are not asked for again: a run goes on for long.
+    // Frees the bytes, which are not needed for the rest of the run.
     void drop_bytes() { bytes_.clear(); }
-    // The same, and it is not kept: who asks last.
+    // The same without caching, for the last user.
     PictureFile take(const std::filesystem::path& file);
     void drop_pictures() { pictures_.clear(); }
 

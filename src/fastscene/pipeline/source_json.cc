@@ -12,7 +12,7 @@ namespace {
 
 std::string whole_path(const fs::path& file) { return file.empty() ? "" : fs::absolute(file).string(); }
 
-// prompt always, files that there are.
+// Always writes the prompt; file names only if set.
 struct WriteFields {
     Json& out;
     void operator()(std::string_view name, const std::string& text, const SourceFlag&, std::string_view) const {
@@ -38,7 +38,7 @@ Source read_fields(const Json& run) {
     return source;
 }
 
-// Calls v(name, file) for each file of a picture that counts: its network does by Stream (pipeline.cc).
+// Calls v(name, file) for each file that identifies a picture source; weights are handled by Stream (pipeline.cc).
 template <class V>
 void visit_files(PictureSource source, V&& v) {
     v("picture", source.picture), v("range_map", source.range_map), v("more", source.more);
@@ -67,7 +67,7 @@ void add_identity(const PaintingSource& source, SourceFiles& files, Hash& hash) 
     hash.add("diffusion360").add(source.prompt).add(diffusion360_identity(source.weights, !source.photo.empty()));
     add_file(source.photo, files, hash);
 }
-// Photographs are told by their cameras (capture_run.cc).
+// Captures are identified by their cameras (capture_run.cc).
 void add_identity(const CaptureSource& source, SourceFiles&, Hash& hash) {
     hash.add("capture").add(whole_path(source.source));
 }
@@ -94,7 +94,7 @@ std::string content(const Json& run, const std::string& name) {
     return run.value("contents", Json::object()).value(name, "");
 }
 
-// The file of a list that is gone, if one is.
+// The first missing file of a list, if any.
 fs::path gone_of_list(const fs::path& list) {
     for (const MorePanorama& more : read_more_panoramas(list))
         for (const fs::path& file : {more.color, more.range})
@@ -172,7 +172,7 @@ std::optional<GoneSource> gone_source(const RunFolder& folder, const SceneSource
         fs::path missing;
         if (!fs::exists(file)) missing = file;
         else if (std::string_view(name) == "more") missing = gone_of_list(file);
-        else same = content_of(file, files) == content(gone.record, name);  // there, but another
+        else same = content_of(file, files) == content(gone.record, name);  // exists, but has changed
         if (gone.file.empty()) gone.file = missing;
     });
     return same && !gone.file.empty() ? std::optional(std::move(gone)) : std::nullopt;

@@ -1,4 +1,4 @@
-// What a scene is made from: read back from run.json as it was written, and each file of the user's opened once a run.
+// Sources: read back from run.json as written, and each input file opened once per run.
 #include "fastscene/pipeline/source.h"
 
 #include <fcntl.h>
@@ -17,7 +17,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// How often a file is opened while this lives, as the kernel tells.
+// Counts how often a file is opened (inotify).
 class OpenCount {
   public:
     explicit OpenCount(const fs::path& file) : descriptor_(::inotify_init1(IN_NONBLOCK)) {
@@ -69,7 +69,7 @@ TEST(Source, APictureIsReadOnceInARun) {
     ASSERT_EQ(opened.count(), 1) << "the kernel tells what is opened";
     make_scene(request, {folder / "run"}, {});
     EXPECT_EQ(opened.count(), 2);
-    make_scene(request, {folder / "run"}, {});  // and once to know that nothing has changed
+    make_scene(request, {folder / "run"}, {});  // plus once to verify that nothing has changed
     EXPECT_EQ(opened.count(), 3);
 }
 
@@ -84,7 +84,7 @@ TEST(Source, IsWhatItWasAfterRunJson) {
     }
 }
 
-// Runs of programs before sources had kinds of their own: a kind is told by the files that are named.
+// Records of earlier versions without an explicit kind: the kind follows from the files present.
 TEST(Source, RecordsOfEarlierProgramsAreRead) {
     const auto read = [](const char* text) { return source_from_json(Json::parse(text)); };
     EXPECT_EQ(prompt_of(read(R"({"prompt": "a loft"})")), "a loft");

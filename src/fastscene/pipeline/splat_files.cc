@@ -16,14 +16,14 @@ namespace {
 
 bool is_sog(const fs::path& path) { return path.extension() == ".sog" || path.extension() == ".SOG"; }
 
-// A program with the arguments that come before ours.
+// A program with its leading arguments.
 struct Command {
     fs::path program;
     std::vector<std::string> first;
 };
 Command splat_transform() {
     if (const auto found = find_program("splat-transform")) return {*found, {}};
-    const auto script = find_data("splat-transform/bin/cli.mjs");  // a build tree has it, an installed one does not
+    const auto script = find_data("splat-transform/bin/cli.mjs");  // exists in a build tree, but not in an installation
     const auto node = find_program("node");
     if (node && script) return {*node, {script->string()}};
     throw Error(
@@ -32,7 +32,7 @@ Command splat_transform() {
         "or `npm ci --ignore-scripts` in the folder web/ of the sources; or use .spz, .glb or .compressed.ply");
 }
 
-// A folder that goes with the object.
+// A temporary folder, deleted with the object.
 class ScratchFolder {
   public:
     ScratchFolder() : path_((fs::temp_directory_path() / "fastscene-XXXXXX").string()) {
@@ -50,7 +50,7 @@ class ScratchFolder {
     std::string path_;
 };
 
-// The line that says why, without the places in somebody else's program.
+// The line with the reason, without positions in the other program's source.
 std::string reason_in(const std::string& said) {
     std::string last;
     for (std::size_t at = 0; at < said.size();) {
@@ -63,7 +63,7 @@ std::string reason_in(const std::string& said) {
     return last;
 }
 
-// A bundle is a ZIP archive, whose list of contents comes last.
+// A bundle is a ZIP archive, which has its directory at the end.
 void check_bundle(const fs::path& file) {
     const std::string bytes = read_file(file);
     if (!bytes.starts_with("PK\x03\x04"))
@@ -75,7 +75,7 @@ void check_bundle(const fs::path& file) {
                     bytes.size());
 }
 
-// Without a graphics card: `-g cpu`.
+// `-g cpu`: works without a GPU.
 void translate(const fs::path& from, const fs::path& to, const fs::path& named, const ScratchFolder& scratch,
                const Run& run) {
     const Command command = splat_transform();

@@ -1,4 +1,4 @@
-// The trainer's settings with "automatic" resolved by what the scene is made from.
+// Resolves the trainer's "automatic" settings by the scene's source.
 #pragma once
 
 #include "fastscene/depth/depth.h"
@@ -8,8 +8,8 @@
 
 namespace fastscene {
 
-// Reflections are worth harmonics where views of a known room show them as they are; what was warped or painted knows
-// nothing of them.
+// View-dependent color pays off for rendered views of a known room; warped and inpainted views do not contain
+// reflections.
 SplatParams splat_of(const SceneSource& source, const DepthParams& depth, const WalkParams& walk, SplatParams params);
 
 }  // namespace fastscene

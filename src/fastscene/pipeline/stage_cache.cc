@@ -25,7 +25,7 @@ double cpu_seconds_so_far() {
     return seconds(usage.ru_utime) + seconds(usage.ru_stime);
 }
 
-// Linux keeps the greatest resident size of the process; writing 5 to clear_refs starts it anew.
+// Linux records the peak resident size of the process; writing 5 to clear_refs resets it.
 void reset_peak_memory() { std::ofstream("/proc/self/clear_refs") << "5"; }
 
 std::int64_t peak_memory_bytes() {
@@ -39,7 +39,7 @@ std::int64_t peak_memory_bytes() {
     return 0;
 }
 
-// All files below a directory by name, with size and content hash; stage.json is not one of them.
+// All files in a directory by name, with size and content hash, except stage.json.
 Json list_files(const fs::path& directory) {
     std::vector<fs::path> paths;
     for (const auto& entry : fs::recursive_directory_iterator(directory))
@@ -77,7 +77,7 @@ std::optional<Stored> read_stored(const fs::path& root, std::string_view name) {
         stored.record.cost = {json.at("seconds"), json.at("cpu_seconds"), json.at("peak_memory_bytes")};
         return stored;
     } catch (const Json::exception&) {
-        return {};  // somebody else's file, or an older form: the stage is made again
+        return {};  // foreign or outdated: the stage is made again
     } catch (const Error&) {
         return {};
     }
@@ -143,7 +143,7 @@ StageRecord run_stage(const fs::path& root, std::string_view name, const std::st
                   {"cpu_seconds", record.cost.cpu_seconds},
                   {"peak_memory_bytes", record.cost.peak_memory_bytes},
                   {"files", files}};
-        // What a stage has to say about how it was made: what stood in for what, what was clipped.
+        // A stage's notes about how it was made: fallbacks, clipped settings.
         if (fs::exists(unfinished / "about.json")) json["about"] = read_json(unfinished / "about.json");
         write_json(unfinished / "stage.json", json);
         replace_directory(unfinished, directory);

@@ -20,7 +20,7 @@ class StageCache : public ::testing::Test {
         make_directories(root_);
     }
     void TearDown() override { fs::remove_all(root_); }
-    // Runs a stage that writes `text`; counts how often it really ran.
+    // Runs a stage that writes `text`; counts actual executions.
     StageRecord make(const std::string& key, const std::string& text) {
         return run_stage(root_, "walk", key, run_, [&](const fs::path& out) {
             ++made_;

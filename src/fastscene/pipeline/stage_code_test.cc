@@ -1,4 +1,4 @@
-// No edit leaves a stale stage: what a stage's sources reach by includes is held against what its key counts.
+// No edit may leave a stale stage: everything that a stage's sources include must be covered by its key.
 #include "fastscene/pipeline/stage_code.h"
 
 #include <gtest/gtest.h>
@@ -17,7 +17,7 @@ namespace {
 namespace fs = std::filesystem;
 const fs::path kSources = fs::path(FASTSCENE_SOURCE_DIR) / "src/fastscene";
 
-// The headers of the project that a file includes: "walk/walk.h".
+// Project headers included by a file: "walk/walk.h".
 std::vector<std::string> includes_of(const fs::path& file) {
     static const std::regex form(R"re(^\s*#\s*include\s*"fastscene/([a-z0-9_]+/[^"]+)".*)re");
     std::vector<std::string> found;
@@ -28,8 +28,8 @@ std::vector<std::string> includes_of(const fs::path& file) {
     return found;
 }
 
-// All modules whose code runs behind a source: the modules of all headers that it reaches, and of those headers' own
-// sources, file by file.
+// All modules whose code a source may run: those of all headers it reaches, and of those headers' own sources, file by
+// file.
 std::set<std::string> modules_behind(const std::string& source) {
     std::set<std::string> seen{source}, modules;
     std::vector<std::string> todo{source};
@@ -51,7 +51,7 @@ const std::vector<std::pair<std::string, std::string>> kStarts{
     {"metrics", "pipeline/truth.cc"},           {"scores", "evaluate/scores.cc"},
     {"measures", "evaluate/measures.cc"}};
 
-// The stages whose version changes when a module is edited.
+// The stages whose version changes if a module is edited.
 std::set<std::string> stages_behind(const std::string& module) {
     StageCode edited = built_stage_code();
     edited.modules.at(module).stamp += "'";
@@ -75,7 +75,7 @@ TEST(StageCode, AnEditOfAModuleReachesEveryStageThatRunsIt) {
     for (const auto& [stage, source] : kStarts)
         for (const std::string& module : modules_behind(source)) run_by[module].insert(stage);
     for (const auto& [module, code] : built_stage_code().modules) {
-        if (module == "pipeline" || module == "evaluate") continue;  // counted by file, below
+        if (module == "pipeline" || module == "evaluate") continue;  // counted per file, below
         const std::set<std::string> changed = stages_behind(module);
         EXPECT_FALSE(changed.empty()) << module;
         for (const std::string& stage : run_by[module])

@@ -18,7 +18,7 @@ namespace fastscene {
 namespace fs = std::filesystem;
 namespace {
 
-// For people: near is blue, far is red, what has no range is black. A window's far view does not stretch the colors.
+// Visualization: near is blue, far is red, no range is black. The view through a window does not stretch the scale.
 ImageRgb8 picture_of_range(const ImageF& range) {
     std::vector<float> known;
     for (const float r : range.pixels)
@@ -29,7 +29,7 @@ ImageRgb8 picture_of_range(const ImageF& range) {
     return colored(reduced_range(range, 1024), 0.f, *at);
 }
 
-// Passes on what is said of one of several pictures, with its file's name before it.
+// Forwards events about one of several pictures, prefixed with its file name.
 class SaidOfPicture : public EventSink {
   public:
     SaidOfPicture(const fs::path& picture, EventSink* sink) : picture_(picture.string()), sink_(sink) {}
@@ -46,8 +46,8 @@ class SaidOfPicture : public EventSink {
     EventSink* sink_;
 };
 
-// The range of each further panorama: its own map, or estimated and scaled until it agrees with the first's. What was
-// assumed and found, each.
+// Range of each further panorama: from its own map, or estimated and scaled to agree with the first's. Returns
+// assumptions and findings for each.
 Json save_more_ranges(const fs::path& list, const DepthParams& params, SourceFiles& files, const RunFolder& folder,
                       const ImageF& first_range, const fs::path& out, const Run& run) {
     make_directories(out);
@@ -89,7 +89,7 @@ void make_depth(const SceneSource& source, const PanoramaParams& panorama, const
     const std::string backend = depth_backend(source, params);
     EstimatedRange found{{}, {{"backend", backend}}};
     if (backend == "exact") {
-        // The room is laid out again rather than kept: that is quick, and it is what a resumed run would do.
+        // The room is laid out again instead of being kept: it is fast, and what a resumed run would do.
         PromptSpec prompt = read_prompt(prompt_of(source), panorama);
         const TracedRoom room(make_room(prompt, run));
         found.range = exact_range(room, size, run);

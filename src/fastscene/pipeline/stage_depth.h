@@ -1,4 +1,4 @@
-// Range as it meets the disk: of panorama 0, and of those of --more.
+// The depth stage: range of panorama 0, and of those of --more.
 #pragma once
 
 #include <filesystem>

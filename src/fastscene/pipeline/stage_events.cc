@@ -5,12 +5,12 @@
 namespace fastscene {
 namespace {
 
-// Shares of the time, between those of a draft and of a standard run, and how many works a stage reports. Measured;
-// only the time left hangs on them.
+// Shares of the run time, between those of a draft and of a standard run, and the number of progress tasks per stage.
+// Measured; used only for the estimated remaining time.
 struct Plan {
     std::string_view stage;
     double share;
-    double first_work;  // share of the stage's time that its first work takes
+    double first_work;  // share of the stage's time spent in its first task
 };
 constexpr Plan kPlan[] = {
     {"panorama", 0.35, 0.75}, {"depth", 0.01, 1}, {"walk", 0.11, 1}, {"views", 0.07, 1}, {"splat", 0.46, 1}};
@@ -38,7 +38,7 @@ double StageEvents::overall(const ProgressEvent& event) {
     double first = 1;
     for (const Plan& plan : kPlan)
         if (plan.stage == stage_) first = plan.first_work;
-    // Each work takes that share of what the works before it have left over; so the whole never goes back.
+    // Each task takes that share of what the previous ones left, so progress never goes back.
     const double left_over = std::pow(1 - first, works_before_);
     const double done = static_cast<double>(event.done) / static_cast<double>(event.total);
     const bool last_work = works_before_ > 0;

@@ -1,4 +1,4 @@
-// Passes on what a stage says, with the stage's name before it and with how far the whole run is.
+// Forwards a stage's events, prefixed with its name and with the progress of the whole run.
 #pragma once
 
 #include <mutex>
@@ -21,9 +21,9 @@ class StageEvents : public EventSink {
     std::string stage_;
     EventSink* sink_;
     std::mutex mutex_;
-    std::string work_;              // the one going on
-    int works_before_ = -1;         // finished works of this stage
-    double begin_ = 0, share_ = 0;  // of the whole run
+    std::string work_;              // the current task
+    int works_before_ = -1;         // finished tasks of this stage
+    double begin_ = 0, share_ = 0;  // within the whole run
 };
 
 }  // namespace fastscene

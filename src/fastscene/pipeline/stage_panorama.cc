@@ -30,7 +30,7 @@ void save_more_panoramas(const fs::path& list, EquirectSize size, SourceFiles& f
     save_viewpoints(out / "poses.json", viewpoints);
 }
 
-// What a source's panorama comes with.
+// A source's panorama with its accompanying data.
 struct Made {
     ImageColor color;
     Json prompt, room = {{"objects", Json::array()}};
@@ -51,7 +51,7 @@ Made made_from(const PromptSource& source, const Making& with) {
 }
 
 Made made_from(const PaintingSource& source, const Making& with) {
-    const fs::path look = with.run_folder / "painting.png";  // people may look while it is painted
+    const fs::path look = with.run_folder / "painting.png";  // preview during generation
     const auto shown = [&](const ImageRgb8& preview) {
         if (!fs::exists(look)) with.run.note(fmt::format("a first look: {}", look.string()));
         save_png(look, preview);

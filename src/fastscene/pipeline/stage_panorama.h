@@ -1,5 +1,5 @@
-// The panorama as it meets the disk. A stage always starts from files, even right after they were made: a color that
-// went through 8 bits is not the color before it, and a resumed run must end in the same bytes.
+// The panorama stage. Stages always start from files, even right after they were written: quantization to 8 bits
+// changes colors, and a resumed run must give the same bytes.
 #pragma once
 
 #include <filesystem>
@@ -13,8 +13,8 @@
 
 namespace fastscene {
 
-// Writes the files of the stage into `out` (run_folder.h has their names), as every stage does. Returns the room that
-// was traced, lit, for a walk that wants to look into it; null where there is none.
+// Writes the stage's files into `out` (names in run_folder.h). Returns the traced and lit room, for a walk that renders
+// it again; null if there is none.
 std::shared_ptr<const TracedRoom> make_panorama(const SceneSource& source, const PanoramaParams& params,
                                                 SourceFiles& files, const std::filesystem::path& out, const Run& run);
 

@@ -26,9 +26,10 @@ void make_splat(const RunFolder& folder, const SplatParams& params, const fs::pa
 
 FittedSplats fit_and_keep_place(const ViewSet& views, SplatParams params, const RunFolder& folder, const Run& run) {
     if (!params.checkpoint.empty()) return fit_splats(views, params, run);
-    const fs::path place = folder.splat_place();  // a folder, so that what a kill leaves half written goes with it
+    // a folder, so that temporary files of a killed process are deleted with it
+    const fs::path place = folder.splat_place();
     params.checkpoint = (place / "checkpoint").string();
-    if (!is_checkpoint_of(params.checkpoint, views, params, run.seed)) fs::remove_all(place);  // of other settings
+    if (!is_checkpoint_of(params.checkpoint, views, params, run.seed)) fs::remove_all(place);  // from other settings
     make_directories(place);
     return fit_splats(views, params, run);
 }

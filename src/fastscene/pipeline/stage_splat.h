@@ -1,4 +1,4 @@
-// The splats as they meet the disk.
+// The splat stage.
 #pragma once
 
 #include <filesystem>
@@ -9,12 +9,12 @@
 namespace fastscene {
 
 void make_splat(const RunFolder& folder, const SplatParams& params, const std::filesystem::path& out, const Run& run);
-// As fit_splats, but where the user named no checkpoint a stopped training goes on from one in the run's folder: until
-// its splats are saved, which a full disk may prevent, and the place is forgotten.
+// Like fit_splats, but if the user named no checkpoint, an interrupted training resumes from one in the run's folder,
+// which is deleted once the splats are saved.
 FittedSplats fit_and_keep_place(const ViewSet& views, SplatParams params, const RunFolder& folder, const Run& run);
 void forget_place(const RunFolder& folder);
 
-// scene.ply, scene.compressed.ply and curve.json.
+// Writes scene.ply, scene.compressed.ply and curve.json.
 void save_fit(const FittedSplats& fitted, const std::filesystem::path& out);
 
 }  // namespace fastscene

@@ -13,7 +13,7 @@ void make_views(const RunFolder& folder, const ViewsParams& params, const fs::pa
     const ViewSet known = project_views(load_walk(folder), params, run, &outside);
     save_views(out, known);
     if (params.sfm == "known") return;
-    // The model that the splats are trained from is COLMAP's; the known one stays beside it.
+    // The splats are trained from COLMAP's model; the known one is stored next to it.
     const SfmResult found = structure_from_motion(out, known, params.sfm, run);
     make_directories(out / "known");
     fs::rename(out / "sparse", out / "known" / "sparse");

@@ -1,4 +1,4 @@
-// The views as they meet the disk.
+// The views stage.
 #pragma once
 
 #include <filesystem>

@@ -25,7 +25,7 @@ ImageMask mask_from_known(const Image<Known>& known, int width, int height) {
     return mask;
 }
 
-// Nothing where nobody can look out.
+// Writes nothing if the outside is not visible from anywhere.
 void save_outside(const fs::path& walk, const Outside& outside) {
     if (outside.color.empty()) return;
     make_directories(walk / kOutsideName);
@@ -47,14 +47,14 @@ void make_walk(const SceneSource& source, const PanoramaParams& panorama, const 
     }
     WalkAdvice advice;
     if (const std::string backend = depth_backend(source, depth); backend != "exact" && backend != "image") {
-        DepthParams published = depth;  // after each of 48 steps: one look, as published
-        if (published.looks == 0) published.looks = 1;
+        DepthParams published = depth;  // after each of 48 steps: a single evaluation, as published
+        if (published.tta == 0) published.tta = 1;
         advice.range = [estimator = std::shared_ptr<DepthEstimator>(make_depth_estimator(published))](
                            const ImageColor& color, const Run& r) { return estimator->estimate(color, r).range; };
     }
     if (params.inpainter == kLookIntoRoom) {
         advice.room = [&room, &panorama](const Rigid& world_from_pano, const ImageMask& mask, const Run& r) {
-            ShotParts parts = panorama_parts(panorama.trace);  // as panorama 0 was shot
+            ShotParts parts = panorama_parts(panorama.trace);  // as for panorama 0
             parts.range = parts.object = false;
             parts.mirrored_range = true;
             parts.only = &mask;

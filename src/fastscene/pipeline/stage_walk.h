@@ -1,4 +1,4 @@
-// The walk as it meets the disk.
+// The walk stage.
 #pragma once
 
 #include <filesystem>
@@ -13,8 +13,8 @@
 
 namespace fastscene {
 
-// The published walks estimate range anew after each step where the depth stage estimated it; `depth` says how. `room`:
-// what make_panorama returned; null: it is made and lit again where it is needed, and is the same.
+// The published walks estimate range anew after each step if the depth stage estimated it; `depth` has the settings.
+// `room`: from make_panorama; null: recreated identically if needed.
 void make_walk(const SceneSource& source, const PanoramaParams& panorama, const DepthParams& depth,
                const RunFolder& folder, const WalkParams& params, std::shared_ptr<const TracedRoom> room,
                const std::filesystem::path& out, const Run& run);

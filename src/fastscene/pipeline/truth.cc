@@ -20,7 +20,7 @@ Json previous_report(const std::filesystem::path& path) {
     try {
         return read_json(path);
     } catch (const Error&) {
-        return Json::object();  // a broken report is written anew
+        return Json::object();  // an invalid report is replaced
     }
 }
 
@@ -35,7 +35,7 @@ struct RunTruth::Impl {
     std::shared_ptr<const TracedRoom> room;
     int lit_samples = 0;
 
-    // The same room under the same light as the panorama; a truth that asks for more samples gets them.
+    // The room, lit as for the panorama; with more samples if the ground truth asks for them.
     const TracedRoom& lit_room(int samples) {
         if (!room || lit_samples != samples) {
             room = room_of_run(folder, recorded, samples, run);
@@ -45,11 +45,11 @@ struct RunTruth::Impl {
     }
 
     TruthSet truth_set(const TruthParams& params) {
-        // The panorama's own key stands for the program that traced it.
+        // The panorama's key stands for the program version that rendered it.
         const std::string result = finished_stage(folder.root, "panorama").value_or(StageRecord{}).result;
         TruthParams asked = params;
         asked.bounds = false;
-        if (asked.where == "room") asked.radius_m = TruthParams{}.radius_m;  // does not count
+        if (asked.where == "room") asked.radius_m = TruthParams{}.radius_m;  // ignored
         const Json what{
             {"truth", fields_json(asked)}, {"prompt", prompt_of(recorded.request.source)}, {"room", recorded.seed}};
         const std::string key = stage_key("metrics", what, {result}, run.seed);

@@ -1,4 +1,4 @@
-// An axis-aligned box of triangles, the simplest solid; its pattern is evaluated at its place in the world.
+// An axis-aligned box mesh; its pattern is evaluated at world positions.
 #pragma once
 
 #include <array>
@@ -8,7 +8,7 @@
 
 namespace fastscene {
 
-// Closed, with outward normals; `inward` turns it into the inside of an empty room.
+// Closed, with outward normals; `inward` flips them, for the inside of an empty room.
 inline Mesh box_mesh(Vec3f low, Vec3f high, int material, int object = -1, bool inward = false) {
     Mesh mesh;
     mesh.material = material;

@@ -1,5 +1,5 @@
-// Capture: photographs of a place with their cameras, as reconstruction programs leave them. Nothing is loaded yet:
-// pictures are named, lenses may be bent, units and axes of the world are those of the program.
+// Capture: photographs of a place with their cameras, as exported by reconstruction programs. Pictures are not loaded
+// yet, lenses may have distortion, and the world's units and axes are the program's.
 #pragma once
 
 #include <filesystem>
@@ -12,11 +12,11 @@
 namespace fastscene {
 
 struct Photo {
-    std::string name;            // as the model has it, with its folders
+    std::string name;            // as in the model, including folders
     std::filesystem::path file;  // the picture
-    std::filesystem::path mask;  // gray, white = counts; empty: none
+    std::filesystem::path mask;  // gray, white = use; empty: none
     Lens lens;
-    Rigidd world_from_camera;  // double: such worlds may lie far from their origin
+    Rigidd world_from_camera;  // double: such worlds may be far from their origin
 };
 struct CapturePoint {
     Vec3d position;
@@ -26,8 +26,8 @@ struct Capture {
     std::string source;         // for messages
     std::vector<Photo> photos;  // sorted by name
     std::vector<CapturePoint> points;
-    std::filesystem::path missing_points;  // a file that should have held them and is not there
-    std::string warning;                   // what its user should hear; empty: nothing
+    std::filesystem::path missing_points;  // a points file that should exist but does not
+    std::string warning;                   // to be shown to the user; empty: none
 };
 
 }  // namespace fastscene

@@ -1,15 +1,15 @@
-// Outside: what lies beyond the windows of a room that is known.
+// Outside: the view through the windows of a known room.
 #pragma once
 
 #include "fastscene/image/image.h"
 
 namespace fastscene {
 
-// So far away that its color depends on the direction alone. Equirectangular pictures of one size, in panorama 0's
-// orientation, linear light.
+// So distant that its color depends on direction alone. Equirectangular pictures of equal size, in panorama 0's
+// orientation, linear radiance.
 struct Outside {
     ImageColor color;
-    ImageMask seen;  // nonzero: somebody in the room can look there
+    ImageMask seen;  // nonzero: visible from somewhere in the room
 };
 
 }  // namespace fastscene

@@ -1,4 +1,4 @@
-// A pose in JSON: the 4 x 4 matrix of a Rigid, row by row, last row 0 0 0 1.
+// Poses in JSON: the 4 x 4 matrix of a Rigid, row by row, with last row 0 0 0 1.
 #pragma once
 
 #include "fastscene/base/json.h"
@@ -10,7 +10,7 @@ namespace fastscene {
 enum class Decimals { shortest, exact };
 
 Json json_from_pose(const Rigid& pose, Decimals decimals = Decimals::shortest);
-// The same floats again. Throws Json::exception where rows or numbers are missing; the last row is not read.
+// Restores the same floats. Throws Json::exception if rows or numbers are missing; the last row is not read.
 Rigid pose_from_json(const Json& rows);
 
 }  // namespace fastscene

@@ -6,15 +6,15 @@
 namespace fastscene {
 namespace {
 
-// Gauss-Legendre nodes and weights of 4 heights and 8 turns integrate polynomials up to degree 7 on the sphere exactly;
-// a product of two functions of degree 3 has 6.
+// Gauss-Legendre quadrature with 4 heights and 8 azimuths is exact for polynomials up to degree 7 on the sphere; the
+// product of two functions of degree 3 has degree 6.
 constexpr std::array<double, 4> kHeights{-0.8611363115940526, -0.3399810435848563, 0.3399810435848563,
                                          0.8611363115940526};
 constexpr std::array<double, 4> kWeights{0.3478548451374538, 0.6521451548625461, 0.6521451548625461,
                                          0.3478548451374538};
 constexpr int kTurns = 8;
 
-// Turns about the axes give whole numbers: the noise of the sum must not change a coefficient's last bit.
+// Rotations about the axes give integers: removes rounding noise.
 double snapped(double v) {
     const double whole = std::round(v);
     return std::fabs(v - whole) < 1e-12 ? whole : v;
@@ -27,8 +27,8 @@ bool same_band(std::size_t i, std::size_t j) {
 
 }  // namespace
 
-// The functions are orthonormal: coefficient i of the turned color is the integral of basis_i(d) * color(old_from_new
-// d).
+// Projection onto the orthonormal basis: coefficient i of the rotated color is the integral of basis_i(d) *
+// color(old_from_new d).
 ShTurn sh_turn(const Mat3d& new_from_old) {
     const Mat3d old_from_new = transpose(new_from_old);
     ShTurn turn{};

@@ -1,5 +1,5 @@
-// Real spherical harmonics as 3DGS files use them (Kerbl et al. 2023): band l has 2l+1 functions, m = -l..l, with the
-// signs of that paper's code. Color of a splat seen along d (unit, from the camera to the splat): 0.5 + sum of
+// Real spherical harmonics in the convention of 3DGS files (Kerbl et al. 2023): degree l has 2l+1 functions, m = -l..l,
+// with the signs of that paper's code. Color of a splat seen along d (unit, from the camera to the splat): 0.5 + sum of
 // coefficient * basis(d).
 #pragma once
 
@@ -13,7 +13,7 @@ namespace fastscene {
 inline constexpr int kHighestShDegree = 3;
 inline constexpr int kShFunctions = 16;  // of degrees 0 to 3
 
-// All 16 functions at a unit direction: the first (degree + 1)^2 are those up to that degree.
+// The (degree + 1)^2 basis functions up to `degree`, of 16, at a unit direction.
 template <class F>
 std::array<F, kShFunctions> sh_basis(Vec3<F> d) {
     const F x = d.x, y = d.y, z = d.z, xx = x * x, yy = y * y, zz = z * z;
@@ -35,8 +35,8 @@ std::array<F, kShFunctions> sh_basis(Vec3<F> d) {
             F(-0.5900435899266435) * x * (xx - F(3) * yy)};
 }
 
-// What an orthogonal change of axes (a rotation, or one with a mirror) does to the coefficients of degrees 1 to 3: row
-// i, column j, in the order of f_rest. Blocks of 3, 5 and 7; zero outside them.
+// Transformation of the coefficients of degrees 1 to 3 under an orthogonal change of axes (rotation or reflection): row
+// i, column j, in the order of f_rest. Blocks of 3, 5 and 7; zero elsewhere.
 using ShTurn = std::array<std::array<double, kShFunctions - 1>, kShFunctions - 1>;
 ShTurn sh_turn(const Mat3d& new_from_old);
 

@@ -18,11 +18,11 @@ Mat3d negated(const Mat3d& m) { return {-m.row0, -m.row1, -m.row2}; }
 Vec3f to_float(Vec3d v) { return {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)}; }
 Vec3d to_double(Vec3f v) { return {v.x, v.y, v.z}; }
 
-// Limits of what is drawn: beyond them exp() and squares leave the range of a float.
+// Limits of drawable values: beyond them exp() and squares overflow float.
 constexpr float kFarthest_m = 1e9f, kLargestLogScale = 20.f, kSmallestLogScale = -30.f, kLargestLogit = 30.f,
                 kLargestSh = 1e4f;
 
-bool within(float v, float limit) { return v >= -limit && v <= limit; }  // NaN is not
+bool within(float v, float limit) { return v >= -limit && v <= limit; }  // false for NaN
 bool within(Vec3f v, float limit) { return within(v.x, limit) && within(v.y, limit) && within(v.z, limit); }
 
 }  // namespace
@@ -40,9 +40,9 @@ Similarity compose(const Similarity& c_from_b, const Similarity& b_from_a) {
 void transform(Splats& splats, const Similarity& s) {
     FASTSCENE_CHECK(s.scale > 0);
     const Mat3d& m = s.new_from_old;
-    // What is not moved keeps every bit, the signs of zeros included.
+    // An identity transform preserves every bit, including signs of zeros.
     if (m == Mat3d{} && s.scale == 1 && s.translation == Vec3d{}) return;
-    // A Gaussian is its own mirror image through its middle, so -m turns it as m does; one of the two is a rotation.
+    // A Gaussian is point-symmetric, so -m acts on it like m; one of the two is a rotation.
     const Quatd turn = quaternion_of(determinant(m) < 0 ? negated(m) : m);
     const Quatf q{static_cast<float>(turn.w), static_cast<float>(turn.x), static_cast<float>(turn.y),
                   static_cast<float>(turn.z)};
@@ -104,7 +104,7 @@ Splats strongest(const Splats& splats, std::size_t count) {
     std::vector<std::uint32_t> order(splats.size());
     std::iota(order.begin(), order.end(), 0u);
     if (count >= order.size()) return splats;
-    std::vector<float> cover(splats.size());  // logarithm: sizes span many powers of ten
+    std::vector<float> cover(splats.size());  // logarithmic: sizes span many orders of magnitude
     for (std::size_t i = 0; i < splats.size(); ++i) {
         const Vec3f s = splats.log_scale[i];
         // ln of the sigmoid without overflow; the area is that of the two longest axes.
@@ -125,7 +125,7 @@ void reduce_sh(Splats& splats, int degree) {
     const auto had = static_cast<std::size_t>(splats.rest_coefficients());
     splats.sh_degree = degree;
     const auto has = static_cast<std::size_t>(splats.rest_coefficients());
-    for (std::size_t row = 0; row < splats.size() * 3; ++row)  // to the front, in place
+    for (std::size_t row = 0; row < splats.size() * 3; ++row)  // compacted in place
         std::copy_n(splats.sh_rest.begin() + static_cast<std::ptrdiff_t>(row * had), has,
                     splats.sh_rest.begin() + static_cast<std::ptrdiff_t>(row * has));
     splats.sh_rest.resize(splats.size() * 3 * has);
@@ -134,7 +134,7 @@ void reduce_sh(Splats& splats, int degree) {
 
 void trim_sh(Splats& splats) {
     const auto k = static_cast<std::size_t>(splats.rest_coefficients());
-    std::size_t used = 0;  // coefficients of a channel up to the last that is not zero
+    std::size_t used = 0;  // index after the last nonzero coefficient of any channel
     for (std::size_t row = 0; row < splats.size() * 3 && used < k; ++row)
         for (std::size_t a = k; a > used; --a)
             if (splats.sh_rest[row * k + a - 1] != 0.f) used = a;

@@ -47,7 +47,7 @@ double color(const Splats& s, std::size_t i, std::size_t channel, Vec3d d) {
 }
 
 TEST(Sh, BasisIsOrthonormal) {
-    // Mean over many directions of a product is the identity over 4 pi.
+    // The mean of products over random directions is the identity over 4 pi.
     Random random(3, "directions");
     constexpr int kDirections = 200000;
     std::array<std::array<double, kShFunctions>, kShFunctions> sum{};
@@ -61,7 +61,7 @@ TEST(Sh, BasisIsOrthonormal) {
         for (std::size_t j = 0; j < kShFunctions; ++j) EXPECT_NEAR(sum[i][j], i == j, 0.03) << i << ' ' << j;
 }
 
-// The tables that other programs use for the two half turns between formats.
+// Sign tables used by other programs for the two half turns between formats.
 TEST(Sh, HalfTurnsAreSignsAsOtherProgramsHaveThem) {
     const std::array<double, 15> about_x{-1, -1, 1, -1, 1, 1, -1, 1, -1, 1, -1, -1, 1, -1, 1};
     const std::array<double, 15> about_z{-1, 1, -1, 1, -1, 1, -1, 1, -1, 1, -1, 1, -1, 1, -1};
@@ -73,7 +73,7 @@ TEST(Sh, HalfTurnsAreSignsAsOtherProgramsHaveThem) {
         }
 }
 
-// Moved, turned, scaled, mirrored: each splat's shape and its color from every side come along.
+// Translation, rotation, scaling and reflection apply to each splat's shape and to its color from every side.
 TEST(SplatEdit, TransformCarriesShapeAndColor) {
     Random random(2, "turns");
     for (const bool mirrored : {false, true}) {
@@ -122,7 +122,7 @@ TEST(SplatEdit, CropThinAndBands) {
     EXPECT_EQ(padded.sh_degree, 2);
 }
 
-// Every number of a splat, made unfit in turn.
+// Makes each number of a splat invalid in turn.
 TEST(SplatEdit, CleaningLeavesOnlyWhatCanBeDrawn) {
     const float inf = std::numeric_limits<float>::infinity(), nan = std::numeric_limits<float>::quiet_NaN(),
                 tiny = 1e-42f;

@@ -1,4 +1,4 @@
-// Splats: a cloud of 3D Gaussians (Kerbl et al. 2023), in the training parametrization.
+// Splats: 3D Gaussians (Kerbl et al. 2023), in the training parametrization.
 #pragma once
 
 #include <cstddef>
@@ -15,13 +15,14 @@ inline constexpr float kSh0 = 0.28209479177387814f;
 struct Splats {
     std::vector<Vec3f> mean_m;         // world
     std::vector<Vec3f> log_scale;      // natural log of the standard deviations in metres, along the local axes
-    std::vector<Quatf> rotation;       // world_from_local, w first, not necessarily of length 1
+    std::vector<Quatf> rotation;       // world_from_local, w first, not necessarily normalized
     std::vector<float> opacity_logit;  // opacity = 1 / (1 + exp(-x))
     std::vector<Vec3f> sh0;            // degree-0 coefficients per channel, for sRGB-encoded color
     int sh_degree = 0;                 // 0..3
     std::vector<float>
-        sh_rest;             // per splat 3 * K floats, channel-major (K reds, K greens, K blues), K = (degree+1)^2 - 1
-    bool antialias = false;  // made for drawing that dims splats smaller than a pixel (Mip-Splatting's 2D filter)
+        sh_rest;  // per splat 3 * K floats, channel-major (K reds, K greens, K blues), K = (degree+1)^2 - 1
+    // trained with antialiasing, which dims splats smaller than a pixel (Mip-Splatting's 2D filter)
+    bool antialias = false;
 
     std::size_t size() const { return mean_m.size(); }
     int rest_coefficients() const { return (sh_degree + 1) * (sh_degree + 1) - 1; }

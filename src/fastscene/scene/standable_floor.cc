@@ -17,10 +17,10 @@ struct Corner {
     friend auto operator<=>(const Corner&, const Corner&) = default;
     friend bool operator==(const Corner&, const Corner&) = default;
 };
-// Unit steps along the grid; each next one is a turn to the left as seen with x to the right and z up.
+// Unit steps along the grid, each rotated left from the previous one, with x to the right and z up.
 constexpr std::array<Corner, 4> kSteps{Corner{1, 0}, Corner{0, 1}, Corner{-1, 0}, Corner{0, -1}};
 
-// The directions in which boundary edges leave each corner, a bit each. Edges have the standable cell on their left.
+// Bit mask per corner of the directions in which boundary edges leave it. Edges have the standable cell on their left.
 std::map<Corner, unsigned> boundary_edges(const StandableFloor& floor) {
     std::map<Corner, unsigned> edges;
     for (const auto& [i, j] : standable_cells(floor)) {
@@ -59,7 +59,7 @@ std::vector<std::vector<Vec2f>> outlines(const StandableFloor& floor) {
         unsigned before = 4;  // none
         do {
             const auto leaving = edges.find(at);
-            // Where two cells touch at a corner, turning left stays with the same cell.
+            // Where two cells touch only at a corner, turning left stays with the same cell.
             if (before < 4)
                 for (const unsigned turn : {1u, 0u, 3u})
                     if (leaving->second >> ((before + turn) % 4) & 1u) {

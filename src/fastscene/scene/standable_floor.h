@@ -1,5 +1,4 @@
-// Standable floor: where in a room a person can stand, as a grid over the floor. World frame (x right, y down, z
-// forward, metres).
+// Standable floor: a grid of where a person can stand in a room. World frame (x right, y down, z forward, metres).
 #pragma once
 
 #include <cstdint>
@@ -15,7 +14,7 @@ struct StandableFloor {
     int columns = 0;                      // along x
     int rows = 0;                         // along z
     float floor_y = 0;                    // of the floor; y points down
-    std::vector<std::uint8_t> standable;  // rows x columns; nonzero: one can stand at the center of the cell
+    std::vector<std::uint8_t> standable;  // rows x columns; nonzero: one can stand at the cell's center
 
     bool at(int column, int row) const {
         return column >= 0 && row >= 0 && column < columns && row < rows &&
@@ -37,10 +36,9 @@ std::vector<FloorCell> standable_cells(const StandableFloor& floor);
 // Square metres.
 double standable_area_m2(const StandableFloor& floor);
 
-// The outline of the standable cells: closed polygons (x, z) along the edges of cells, without repeated or collinear
-// corners, largest first. Outer rings and the holes in them (furniture that one walks around) have opposite
-// orientations; a point lies on standable floor when a ray from it crosses the rings an odd number of times. Cells that
-// touch at a corner only belong to different rings.
+// Outlines of the standable cells: closed polygons (x, z) along cell edges, without repeated or collinear vertices,
+// largest first. Outer rings and holes (furniture that one walks around) have opposite orientations; the even-odd rule
+// gives the standable area. Cells that touch only at a corner belong to different rings.
 std::vector<std::vector<Vec2f>> outlines(const StandableFloor& floor);
 
 }  // namespace fastscene

@@ -14,7 +14,7 @@ StandableFloor floor_of(int columns, int rows) {
     return floor;
 }
 
-// Whatever the floor, its rings hold exactly the centers of its standable cells.
+// For any floor, the rings contain exactly the centers of its standable cells.
 TEST(StandableFloor, OutlinesHoldItsCellsAndNothingElse) {
     for (std::uint64_t seed = 0; seed < 30; ++seed) {
         StandableFloor floor = floor_of(12, 9);
@@ -25,7 +25,7 @@ TEST(StandableFloor, OutlinesHoldItsCellsAndNothingElse) {
         for (const auto& ring : area.rings_m) {
             EXPECT_GE(ring.size(), 4u);
             signed_sum += signed_area(ring);
-            for (std::size_t i = 0; i < ring.size(); ++i) {  // corners turn: no collinear ones
+            for (std::size_t i = 0; i < ring.size(); ++i) {  // no collinear vertices
                 const Vec2f a = ring[i], b = ring[(i + 1) % ring.size()], c = ring[(i + 2) % ring.size()];
                 EXPECT_NE((b.x - a.x) * (c.y - b.y) - (b.y - a.y) * (c.x - b.x), 0.f);
             }

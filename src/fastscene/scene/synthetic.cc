@@ -9,7 +9,7 @@
 namespace fastscene {
 namespace {
 
-// A pattern over the plane, a factor about 1.
+// A pattern on the plane, as a factor around 1.
 float pattern(SyntheticPaint paint, float u, float v) {
     const auto cell = [](float x) { return static_cast<int>(std::floor(x)); };
     switch (paint) {
@@ -27,7 +27,7 @@ float pattern(SyntheticPaint paint, float u, float v) {
     return 1.f;
 }
 
-// Color of a box's face at p; faces are shaded by their axis, so that edges show.
+// Color of a box's face at p; faces are shaded by their axis, so that edges are visible.
 Vec3f face_color(const SyntheticBox& box, SyntheticPaint paint, std::size_t axis, bool high, Vec3f p) {
     const std::size_t a = (axis + 1) % 3, b = (axis + 2) % 3;
     const float shade = axis == 1 ? (high ? 0.75f : 1.f) : axis == 0 ? (high ? 0.82f : 0.88f) : (high ? 0.92f : 0.78f);

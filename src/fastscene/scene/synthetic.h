@@ -1,4 +1,4 @@
-// Synthetic worlds with known truth: a box room with boxes in it, seen exactly from any pose.
+// Synthetic worlds with exact ground truth: a box room with boxes, rendered from any pose.
 #pragma once
 
 #include <vector>
@@ -19,7 +19,7 @@ struct SyntheticWorld {
     std::vector<SyntheticBox> boxes;  // seen from outside
     SyntheticPaint floor = SyntheticPaint::plain;
 
-    // A room of 5 x 2.7 x 6 m about the origin, with a table, a cupboard and a sofa of boxes.
+    // A room of 5 x 2.7 x 6 m centered at the origin, with a table, a cupboard and a sofa made of boxes.
     static SyntheticWorld furnished(SyntheticPaint walls, SyntheticPaint floor);
 };
 
@@ -27,9 +27,9 @@ struct SyntheticHit {
     float range = 0;
     Vec3f color;
 };
-// What the ray from `origin` along the unit vector `direction` meets. `origin` must lie in the room.
+// The hit of a ray from `origin`, which must be inside the room, along the unit vector `direction`.
 SyntheticHit trace_synthetic(const SyntheticWorld& world, Vec3f origin, Vec3f direction);
-// `samples` x `samples` rays a pixel for the color; the range is the middle ray's.
+// `samples` x `samples` rays per pixel for color; range is that of the center ray.
 Panorama render_synthetic(const SyntheticWorld& world, Vec3f position, EquirectSize size, int samples = 2);
 
 }  // namespace fastscene

@@ -1,4 +1,4 @@
-// Views: perspective pictures with exactly known cameras, and the points the splats start from.
+// Views: perspective pictures with exactly known cameras, and the initial points of the splats.
 #pragma once
 
 #include <string>
@@ -10,8 +10,8 @@
 
 namespace fastscene {
 
-// What a picture's pixels mean: `pinhole` is geometry/pinhole.h; `equirectangular` (geometry/sphere.h) needs of
-// `camera` only width and height.
+// The projection of a view: `pinhole` (geometry/pinhole.h), or `equirectangular` (geometry/sphere.h), which uses only
+// width and height of `camera`.
 enum class CameraModel { pinhole, equirectangular };
 
 struct View {
@@ -19,14 +19,14 @@ struct View {
     Pinhole camera;
     Rigid world_from_camera;
     ImageRgb8 color;   // sRGB, as in the file
-    ImageMask weight;  // how much each pixel counts in training, 255 = fully; empty = all fully
+    ImageMask weight;  // training weight of each pixel, 255 = full; empty = all full
     CameraModel model = CameraModel::pinhole;
 };
 
-// One surface sample. `radius_m` is the spacing to its neighbours on the surface.
+// A surface sample. `radius_m` is its spacing to neighbouring samples.
 struct SurfacePoint {
     Vec3f position_m;  // world
-    Vec3f normal;      // world, unit, towards the viewpoint that saw it; zero = unknown
+    Vec3f normal;      // world, unit, facing the viewpoint that saw it; zero = unknown
     Rgb8 color;
     float radius_m = 0;
 };

@@ -10,7 +10,8 @@
 namespace fastscene {
 namespace {
 
-constexpr double kOffBoundary_m = 1e-3;  // what is brought inside does not lie on the boundary, where rounding decides
+// margin in metres that keeps projected points off the boundary, where rounding decides
+constexpr double kOffBoundary_m = 1e-3;
 
 Vec2d as_double(Vec2f p) { return {p.x, p.y}; }
 
@@ -39,14 +40,14 @@ bool contains(const WalkableArea& area, Vec2f point) {
     return inside;
 }
 
-bool contains(const WalkableArea& area, Vec3f eyes) {
-    return eyes.y >= area.low_y && eyes.y <= area.high_y && contains(area, Vec2f{eyes.x, eyes.z});
+bool contains(const WalkableArea& area, Vec3f position) {
+    return position.y >= area.low_y && position.y <= area.high_y && contains(area, Vec2f{position.x, position.z});
 }
 
 Vec2f nearest_inside(const WalkableArea& area, Vec2f point) {
     if (contains(area, point)) return point;
-    // Places beside each edge, on either side, of which the area contains one; in a sharp corner only those further
-    // from its tip.
+    // Positions on either side of each edge, one of which the area contains; in a sharp corner only those farther from
+    // its tip.
     std::vector<std::pair<double, Vec2f>> places;
     const Vec2d p = as_double(point);
     each_edge(area, [&](Vec2d a, Vec2d b) {
@@ -70,9 +71,9 @@ Vec2f nearest_inside(const WalkableArea& area, Vec2f point) {
     return point;  // no floor at all
 }
 
-Vec3f nearest_inside(const WalkableArea& area, Vec3f eyes) {
-    const Vec2f place = nearest_inside(area, Vec2f{eyes.x, eyes.z});
-    return {place.x, std::clamp(eyes.y, area.low_y, area.high_y), place.y};
+Vec3f nearest_inside(const WalkableArea& area, Vec3f position) {
+    const Vec2f place = nearest_inside(area, Vec2f{position.x, position.z});
+    return {place.x, std::clamp(position.y, area.low_y, area.high_y), place.y};
 }
 
 std::size_t largest_ring(const WalkableArea& area) {

@@ -1,4 +1,4 @@
-// Where a visitor's eyes may be: a floor with holes, and a range of heights over it.
+// Where a visitor's eyes may be: a floor polygon with holes, and a range of heights above it.
 #pragma once
 
 #include <vector>
@@ -7,23 +7,23 @@
 
 namespace fastscene {
 
-// World frame, metres. A point on the floor is a Vec2f whose x and y are the world's x and z. The world's y points
-// down, so low_y is how far up the eyes may go and high_y how far down.
+// World frame, metres. A point on the floor is a Vec2f with the world's x and z. The world's y points down, so low_y is
+// the upper and high_y the lower limit of the eyes.
 struct WalkableArea {
-    // Closed polygons, the last vertex joined to the first; outlines and holes (furniture) alike, even-odd rule.
+    // Closed polygons, the last vertex connected to the first; outlines and holes (furniture) alike, even-odd rule.
     std::vector<std::vector<Vec2f>> rings_m;
-    float low_y = 0, high_y = 0;  // the eyes stay within [low_y, high_y]
-    float floor_y = 0;            // eye heights count from here
+    float low_y = 0, high_y = 0;  // eyes stay within [low_y, high_y]
+    float floor_y = 0;            // reference of eye heights
 };
 
 bool contains(const WalkableArea& area, Vec2f point);
-bool contains(const WalkableArea& area, Vec3f eyes);
-// The point itself where the area contains it, else the nearest one that it contains, a millimetre off the boundary.
+bool contains(const WalkableArea& area, Vec3f position);
+// The point itself if the area contains it, else the nearest contained point, a millimetre off the boundary.
 Vec2f nearest_inside(const WalkableArea& area, Vec2f point);
-Vec3f nearest_inside(const WalkableArea& area, Vec3f eyes);
-// Square metres; its sign tells which way round the ring goes.
+Vec3f nearest_inside(const WalkableArea& area, Vec3f position);
+// Square metres; the sign gives the ring's orientation.
 double signed_area(const std::vector<Vec2f>& ring);
-// Index of the ring that encloses most floor.
+// Index of the ring with the largest area.
 std::size_t largest_ring(const WalkableArea& area);
 
 }  // namespace fastscene

@@ -7,7 +7,7 @@
 namespace fastscene {
 namespace {
 
-// Tenths of a millimetre: finer than any grid, and no float's tail of digits in the file.
+// Rounds to a tenth of a millimetre: finer than any grid, and short in the file.
 double rounded(double metres) { return std::round(metres * 1e4) / 1e4; }
 
 Json ring_json(const std::vector<Vec2f>& ring) {

@@ -1,8 +1,8 @@
-// A walkable area in JSON, as report.json has it under `walkable`:
-//   polygon_m      [[x, z], …], the outline that encloses most floor: all that a reader needs who wants one polygon
-//   eye_heights_m  [low, high], above the floor
-//   floor_y_m      the floor in the world frame, whose y points down
-//   rings_m        all outlines and holes, even-odd rule; polygon_m is one of them
+// A walkable area in JSON, as in report.json under `walkable`:
+// polygon_m: [[x, z], …], the outline with the largest area, sufficient for readers that need a single polygon;
+// eye_heights_m: [low, high], above the floor;
+// floor_y_m: the floor in the world frame, whose y points down;
+// rings_m: all outlines and holes, even-odd rule; includes polygon_m.
 #pragma once
 
 #include <string>
@@ -13,7 +13,7 @@
 namespace fastscene {
 
 Json walkable_json(const WalkableArea& area);
-// `where` names the file in messages. Without rings_m the area is polygon_m.
+// `where` names the file in messages. Without rings_m, polygon_m is used.
 WalkableArea walkable_from_json(const Json& json, const std::string& where);
 
 }  // namespace fastscene

@@ -11,7 +11,7 @@ namespace {
 
 std::vector<Vec2f> square(float x0, float z0, float x1, float z1) { return {{x0, z0}, {x1, z0}, {x1, z1}, {x0, z1}}; }
 
-// A room of 4 m x 4 m with an island in it, and an alcove of its own.
+// A room of 4 m x 4 m with an island and a separate alcove.
 WalkableArea room() {
     return {{square(-1, 0, 1, 1), square(-2, -2, 2, 2), square(3, 0, 3.5f, 0.5f)}, -0.5f, 0.7f, 1.5f};
 }
@@ -45,7 +45,7 @@ TEST(Walkable, NearestInsideIsInsideAndNoNearerPlaceIs) {
         if (contains(area, p)) {
             ASSERT_EQ(p, q);
         }
-        // Any other place on the floor is as far, but for the millimetre that q keeps off the boundary.
+        // No other position on the floor is nearer, except for the millimetre that keeps q off the boundary.
         for (int i = 0; i < 50; ++i) {
             const Vec2f other{random.uniform(-2, 3.5f), random.uniform(-2, 2)};
             if (contains(area, other)) {

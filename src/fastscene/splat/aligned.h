@@ -1,4 +1,4 @@
-// Vectors on 64-byte lines, whose resize leaves plain numbers uninitialized unless a value is given.
+// Vectors aligned to 64-byte cache lines; resize() leaves trivial elements uninitialized unless a value is given.
 #pragma once
 
 #include <cstddef>

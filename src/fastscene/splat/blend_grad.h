@@ -23,13 +23,13 @@ struct BlendGrad {
     F weight;  // blending weight; dL/d(splat color) = weight * v
 };
 
-// What of blend_grad() takes long and hangs on nothing but the alpha shown.
+// The expensive part of blend_grad() that depends on alpha only.
 template <class F>
 [[gnu::always_inline]] inline F odds_of(F alpha) {
     return quotient(alpha, F(1) - alpha);
 }
 
-// The gradient for one splat that shows with `alpha`, whose odds_of() are `odds`. kHeld: alpha may have been clamped at
+// The gradient of one splat with the blended `alpha`, whose odds_of() are `odds`. kHeld: alpha may have been clamped at
 // kMaxAlpha.
 template <bool kDepth = false, bool kHeld = true, class F>
 [[gnu::always_inline]] inline BlendGrad<F> blend_grad(PixelGradState<F>& pixel, const Footprint<F>& s, F alpha,
@@ -40,7 +40,7 @@ template <bool kDepth = false, bool kHeld = true, class F>
     pixel.rest = pixel.rest - weight * vc;
     const F slope = weight * vc - pixel.rest * odds;
     pixel.transmittance = pixel.transmittance - weight;
-    if constexpr (kHeld)  // a clamped alpha does not move
+    if constexpr (kHeld)  // a clamped alpha has no gradient
         return {select(alpha < F(kMaxAlpha), slope, F(0)), weight};
     else return {slope, weight};
 }

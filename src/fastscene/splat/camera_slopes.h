@@ -18,7 +18,7 @@ template <class F>
 CameraSlopes<F> equirect_slopes(Vec3<F> p, F kx, F ky) {
     using std::sqrt;
     CameraSlopes<F> s;
-    // At the poles the longitude has no slope: a millionth of a square metre keeps it finite there.
+    // At the poles the longitude's derivative diverges; the added 1e-6 m2 keeps it finite.
     const F h2 = p.x * p.x + p.z * p.z + F(1e-6), r2 = h2 + p.y * p.y;
     s.h = sqrt(h2), s.range = sqrt(r2);
     s.inv_h2 = F(1) / h2, s.inv_r2 = F(1) / r2;

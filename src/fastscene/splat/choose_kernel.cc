@@ -8,7 +8,7 @@
 namespace fastscene::splat {
 namespace {
 
-// By name, as the flag has it: the one for x86-64-v2 is compiled for any x86-64 processor.
+// By the flag's name for it; "baseline" (x86-64-v2) runs on every x86-64 processor.
 std::optional<Isa> isa_of(std::string_view kernel) {
     if (kernel == "avx512") return Isa::avx512;
     if (kernel == "avx2") return Isa::avx2;

@@ -8,8 +8,8 @@
 namespace fastscene::splat {
 namespace {
 
-constexpr float kGone = -30.f;        // logit of a dead splat: drawn nowhere
-constexpr float kSplitShrink = 1.6f;  // as published
+constexpr float kGone = -30.f;        // logit of a removed splat: never drawn
+constexpr float kSplitShrink = 1.6f;  // Kerbl et al.'s value
 
 float median(std::vector<float> v) {
     if (v.empty()) return 0;
@@ -29,7 +29,7 @@ void copy_splat(Cloud& c, std::int64_t from, std::int64_t to) {
     for (int k = 0; k < 3 * rest_functions(c.degree); ++k) c.rest[c.rest_at(to, k)] = c.rest[c.rest_at(from, k)];
     clear_moments(c, to);
 }
-// Somewhere within the splat, as likely as it is dense there.
+// Moves splat i to a random position drawn from the Gaussian `shape`.
 void move_within(Cloud& c, std::int64_t i, const Cloud& shape, std::int64_t as, Random& random) {
     const auto get = [&](int p) { return shape.parameters[shape.at(as, p)]; };
     const Mat3f turn = matrix_of(Quatf{get(6), get(7), get(8), get(9)});

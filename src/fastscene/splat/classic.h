@@ -1,6 +1,6 @@
-// Adaptive density control as published (Kerbl et al. 2023, section 5): splats whose place on screen is pulled about
-// are cloned where small and split where large, faint ones go, opacities are reset now and then. The slots of the dead
-// are used again and the number never exceeds the cloud's capacity.
+// Adaptive density control as published (Kerbl et al. 2023, section 5): splats with large screen-space gradients are
+// cloned if small and split if large, faint ones are removed, and opacities are reset from time to time. Slots of
+// removed splats are reused; the number never exceeds the cloud's capacity.
 #pragma once
 
 #include <cstdint>
@@ -11,26 +11,26 @@
 namespace fastscene::splat {
 
 struct Classic {
-    float move = 2e-4f;    // mean length of dL/d(position on screen, half pictures)
-    float large = 0.01f;   // of the extent: larger ones are split
-    float faint = 0.005f;  // opacity
+    float move = 2e-4f;    // threshold on the mean length of dL/d(screen position), in half picture widths
+    float large = 0.01f;   // larger ones are split; relative to the scene's extent
+    float faint = 0.005f;  // splats below this opacity are removed
     int every = 100, reset_every = 3000;
-    float from = 0.03f, until = 0.5f;  // of the run
+    float from = 0.03f, until = 0.5f;  // active range, as a share of the run
 };
 
-// Size of the scene, metres. Cameras that stand around a scene span it; ours stand in its middle and look outward,
-// where the published measure (the cameras' spread) is a few decimetres: then the distance from them to the points
-// counts. Medians: one stray camera or point does not matter.
+// Size of the scene, metres. The published measure, the spread of the cameras, assumes that they surround the scene.
+// Ours stand in its middle and look outward, so their spread is only decimetres: here the distance from the cameras to
+// the points counts. Medians make it robust against a stray camera or point.
 struct SceneExtent {
-    Vec3f middle;  // of the cameras
+    Vec3f middle;  // median camera position
     float radius_m;
 };
 SceneExtent scene_extent(const ViewSet& set);
 
-// After the given step. Returns how many splats are new.
+// Call after the given step. Returns the number of new splats.
 std::int64_t densify(Cloud& cloud, const Classic& how, float extent_m, std::uint64_t seed, int step);
 void reset_opacities(Cloud& cloud);
-// Without the dead ones.
+// Copy without the removed splats.
 Splats alive(const Splats& splats, float faint);
 
 }  // namespace fastscene::splat

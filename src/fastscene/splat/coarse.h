@@ -1,13 +1,12 @@
-// Views of half the size: what the first steps look at. They cost a quarter, and what is far from right is as wrong in
-// them.
+// Half-size views for the first training steps: a quarter of the cost, and large errors show just as well.
 #pragma once
 
 #include "fastscene/scene/view.h"
 
 namespace fastscene::splat {
 
-// Each pixel the mean of four, weighted as they are. A last odd column or row is left out; a view too small to be
-// halved, and an equirectangular one of odd size, whose camera could not be, comes back as it is.
+// Averages 2 x 2 pixels, weighted by their mask weights. An odd last column or row is dropped. Views too small to be
+// halved, and equirectangular ones of odd size, are returned unchanged.
 View half_view(const View& view);
 
 }  // namespace fastscene::splat

@@ -1,14 +1,13 @@
-// The optional regularizer of depth: the depth a pixel shows is held to that of a target.
+// Optional depth regularizer: pulls each pixel's rendered depth towards a target depth.
 #pragma once
 
 #include <cmath>
 
 namespace fastscene::splat {
 
-// Of one pixel, with sum = sum_i w_i z_i over its splats and T what they let through. The target lies behind them, so
-// that only where light is stopped counts, not how much of it:
-//   loss = |sum + T depth - depth| / depth = |sum_i w_i (z_i - depth)| / depth.
-// A target of 0 or less is unknown.
+// For one pixel, with sum = sum_i w_i z_i over its splats and T the remaining transmittance. The target is placed
+// behind them as a background, so that opacity is neither rewarded nor penalized: loss = |sum + T depth - depth| /
+// depth = |sum_i w_i (z_i - depth)| / depth. Targets <= 0 are unknown.
 template <class F>
 struct DepthLoss {
     F total{};  // sum + T depth

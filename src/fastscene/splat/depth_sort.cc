@@ -9,7 +9,7 @@
 namespace fastscene::splat {
 namespace {
 
-constexpr int kMostDigit = 11;  // bits: counters of a piece stay in the first-level cache
+constexpr int kMostDigit = 11;  // bits: a piece's counters fit into the L1 cache
 
 std::uint32_t depth_bits(std::uint64_t key) { return static_cast<std::uint32_t>(key >> 32); }
 
@@ -21,7 +21,7 @@ void sort_by_depth(std::vector<std::uint64_t>& keys, std::vector<std::uint64_t>&
     if (keys.size() < 2) return;
     const auto [least, most] = std::minmax_element(keys.begin(), keys.end());
     const std::uint32_t base = depth_bits(*least);
-    // Depths of a room differ in some 26 of their 32 bits.
+    // Depths within a room differ in about 26 of their 32 bits.
     const int bits = std::bit_width(depth_bits(*most) - base), passes = (bits + kMostDigit - 1) / kMostDigit;
     const int digit = passes ? (bits + passes - 1) / passes : 0, pieces = depth_pieces(keys.size());
     const std::size_t values = std::size_t{1} << digit;

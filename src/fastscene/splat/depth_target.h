@@ -1,4 +1,4 @@
-// The depth that views should have, as far as the points know it that the splats start from.
+// Target depths for views, rendered from the surface points that training starts from.
 #pragma once
 
 #include "fastscene/base/run.h"
@@ -8,10 +8,10 @@ namespace fastscene::splat {
 
 class DepthTarget {
   public:
-    // Of `count` of the points.
+    // Uses `count` of the points.
     DepthTarget(const ViewSet& set, int count, const Run& run);
-    // Metres along the optical axis (equirectangular: along the ray); 0 where the points do not cover a pixel. Valid
-    // until the next call.
+    // Metres along the optical axis (equirectangular: along the ray); 0 where no points cover the pixel. Valid until
+    // the next call.
     const ImageF& of(const View& view);
 
   private:

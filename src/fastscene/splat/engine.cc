@@ -15,7 +15,7 @@
 namespace fastscene::splat {
 namespace {
 
-// Adds the CPU time of all threads until its end to `sum`.
+// Adds the CPU time of all threads during its lifetime to `sum`.
 class Stopwatch {
   public:
     explicit Stopwatch(double& sum_ms) : sum_ms_(sum_ms), start_(std::clock()) {}
@@ -26,7 +26,7 @@ class Stopwatch {
     std::clock_t start_;
 };
 
-// Each thread keeps one scratch area; its content never outlives a piece.
+// Per-thread scratch memory; valid within one piece of work.
 float* scratch(std::ptrdiff_t floats) {
     thread_local AlignedFloats memory;
     if (static_cast<std::ptrdiff_t>(memory.size()) < floats) memory.resize(static_cast<std::size_t>(floats));
@@ -36,7 +36,7 @@ float* scratch(std::ptrdiff_t floats) {
 template <class T>
 void grow(T& v, std::size_t size) {
     if (v.size() < size) {
-        v.clear();  // nothing of the old content is wanted: spare the copy
+        v.clear();  // avoids copying old contents that are not needed
         v.resize(size + size / 4);
     }
 }
@@ -48,7 +48,7 @@ Lens<float> lens_of(const Pinhole& camera, const Rigid& world_from_camera, Camer
     const auto w = static_cast<float>(camera.width), h = static_cast<float>(camera.height);
     if (model == CameraModel::equirectangular)
         return {c.rotation, c.translation, w / (2 * kPi), h / kPi, w / 2, h / 2, 0, 0, 0, 0, model, antialias};
-    // 15 % of the picture beyond its border, as in Kerbl et al.'s implementation.
+    // margin of 15 % around the picture, as in Kerbl et al.'s implementation
     return {c.rotation,
             c.translation,
             camera.fx,
@@ -117,7 +117,7 @@ void Engine::set_size(int width, int height) {
     FASTSCENE_CHECK(width > 0 && height > 0 && width < 65536 && height < 65536);
     width_ = width, height_ = height;
     tiles_x_ = (width + kTile - 1) / kTile, tiles_y_ = (height + kTile - 1) / kTile;
-    // One vector more than the tiles need: with a power of two, rows would fall on the same cache sets.
+    // One vector of padding: with a power-of-two stride, all rows would map to the same cache sets.
     stride_ = static_cast<std::ptrdiff_t>(tiles_x_) * kTile + 16;
     const std::size_t size = static_cast<std::size_t>(stride_) * static_cast<std::size_t>(tiles_y_ * kTile);
     transmittance_.assign(size, 0.f);
@@ -173,7 +173,7 @@ void Engine::project(const Cloud& cloud) {
     slots_used_ = static_cast<std::int64_t>(slots);
 }
 
-// Front to back by depth; equal depths keep the order of the splats.
+// Front to back; equal depths stay in splat order.
 void Engine::sort() {
     const Stopwatch watch(times.sort);
     keys_.clear();
@@ -185,7 +185,7 @@ void Engine::sort() {
     sort_by_depth(keys_, keys_other_);
 }
 
-// A list per tile. Each piece holds some splats that follow each other in depth.
+// Builds a list of splats per tile. Each piece holds splats that are consecutive in depth.
 void Engine::bin() {
     const Stopwatch watch(times.bin);
     const int pieces = depth_pieces(keys_.size());
@@ -200,8 +200,8 @@ void Engine::bin() {
                  piece_begin(keys_.size(), p + 1, pieces));
         });
     };
-    // How many of a piece's boxes hold each tile: a step up or down at their corners, summed along the rows and down
-    // the columns.
+    // Counts a piece's boxes per tile as a 2D difference array: +1 and -1 at the corners, then prefix sums along rows
+    // and columns.
     each_piece([&](std::uint32_t* count, std::size_t begin, std::size_t end) {
         const std::size_t width = columns + 1;
         std::vector<std::uint32_t> steps(width * (rows + 1));
@@ -233,7 +233,7 @@ void Engine::bin() {
             const TileBox box = boxes_[i];
             const auto record = static_cast<std::uint32_t>(keys_[i]);
             std::uint32_t* row = next + box.y * columns + box.x;
-            // One loop over the box, not two: how long it runs is what the processor cannot foresee.
+            // A single loop over the box instead of two nested ones avoids branch mispredictions.
             for (std::uint32_t x = 0, left = std::uint32_t{box.wide} * box.high; left; --left) {
                 list_[row[x]++] = record;
                 const bool last = ++x == box.wide;
@@ -280,7 +280,8 @@ LossSums Engine::differentiate(const View& view, float lambda, bool judge) {
     const std::ptrdiff_t floats = kernel_.loss_scratch(stride_);
     std::vector<LossSums> sums(static_cast<std::size_t>(3 * height_));
     for (int c = 0; c < 3; ++c) job.row_sums[c] = sums.data() + c * height_;
-    // Every thread gets a band of each channel. Sums are kept by row, so bands may depend on the number of threads.
+    // Each thread handles a band of rows of each channel. Sums are kept per row, so the result does not depend on the
+    // bands.
     const int bands = std::clamp(height_ / kLossRows, 1, thread_count());
     parallel_for(3 * bands, 1, [&](std::int64_t piece, std::int64_t) {
         const int band = static_cast<int>(piece) % bands;
@@ -395,7 +396,7 @@ void Engine::step(Cloud& cloud, const StepRates& r) {
     job.inv_sqrt_bias2 = static_cast<float>(1 / std::sqrt(bias(0.999, r.adam_step)));
     job.rest_rate = static_cast<float>(r.rest_rate / bias(0.9, r.rest_adam_step));
     job.rest_inv_sqrt_bias2 = static_cast<float>(1 / std::sqrt(bias(0.999, r.rest_adam_step)));
-    job.opacity_pull = r.opacity_pull, job.scale_pull = r.scale_pull;
+    job.opacity_reg = r.opacity_reg, job.scale_reg = r.scale_reg;
     job.middle = r.middle, job.reach_m = r.reach_m;
     update(cloud, job);
 }

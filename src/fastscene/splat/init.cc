@@ -1,4 +1,4 @@
-// Starting Gaussians from surface samples.
+// Initial Gaussians from surface points.
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -11,14 +11,14 @@
 namespace fastscene {
 namespace {
 
-constexpr float kThickness = 0.08f;  // of the disc's radius: surfaces are sharp from aside
+constexpr float kThickness = 0.08f;  // relative to the disc's radius: thin, so that surfaces stay sharp from the side
 
 bool usable(const SurfacePoint& p) {
     const float reach = std::fabs(p.position_m.x) + std::fabs(p.position_m.y) + std::fabs(p.position_m.z);
     return reach < 1e6f && p.radius_m > 0.f && p.radius_m < 1e3f && dot(p.normal, p.normal) < 4.f;
 }
 
-// `count` of the usable points, each as likely as any other, in their old order.
+// `count` of the usable points, uniformly at random, in their original order.
 std::vector<std::size_t> draw(const std::vector<SurfacePoint>& points, std::size_t count, const Run& run) {
     std::vector<std::size_t> chosen;
     for (std::size_t i = 0; i < points.size(); ++i)
@@ -35,7 +35,8 @@ std::vector<std::size_t> draw(const std::vector<SurfacePoint>& points, std::size
     return chosen;
 }
 
-// Neighbours in space become neighbours in memory, so that the splats of one vector are seen or unseen together.
+// Neighbours in space become neighbours in memory (Morton order), so that the splats of one vector tend to be visible
+// together.
 std::uint64_t morton(Vec3f p, Vec3f low, float cell) {
     const auto step = [&](float v) { return static_cast<std::uint64_t>(std::clamp(v / cell, 0.f, 2097151.f)); };
     return morton_code(step(p.x - low.x), step(p.y - low.y), step(p.z - low.z));
@@ -59,9 +60,9 @@ void order_in_space(const std::vector<SurfacePoint>& points, std::vector<std::si
 
 int count_for(const std::vector<SurfacePoint>& points, const SplatParams& params) {
     if (!(params.per_m2 > 0)) return params.count;
-    constexpr float kOutside_m = 100.f;  // no room is so large
-    constexpr double kLeast = 20'000;    // a closet has edges, too
-    double area = 0;                     // the squared spacings together are the surface
+    constexpr float kOutside_m = 100.f;  // larger than any room: farther points are scenery
+    constexpr double kLeast = 20'000;    // minimum count: even a closet has edges
+    double area = 0;                     // surface area as the sum of squared point spacings
     for (const SurfacePoint& p : points)
         if (length(p.position_m) < kOutside_m)
             area += static_cast<double>(p.radius_m) * static_cast<double>(p.radius_m);
@@ -74,7 +75,7 @@ Splats initial_splats(const std::vector<SurfacePoint>& points, const SplatParams
     order_in_space(points, chosen);
     std::size_t all = 0;
     for (const SurfacePoint& p : points) all += usable(p);
-    // Fewer discs must each cover more: the spacing grows with the root of the thinning.
+    // Fewer discs must each cover more: the spacing grows with the square root of the thinning.
     const float thinning = chosen.empty() ? 1.f
                                           : std::sqrt(static_cast<float>(all) / static_cast<float>(chosen.size()));
 

@@ -1,4 +1,4 @@
-// How opaque a splat is at the pixels of a tile, 16 at a time: a 4x4 block.
+// Alpha of a splat at the pixels of a tile, 16 at a time (a 4x4 block).
 #pragma once
 
 #include "fastscene/splat/blend.h"
@@ -22,7 +22,7 @@ inline BlockPixels block_pixels() {
 
 #if FASTSCENE_WIDE
 
-// One exponential a pixel: a single register holds the block.
+// One exponential per pixel, for a single register per block.
 struct TileAlpha {
     TileAlpha() = default;
     TileAlpha(const Record&, float, float) {}
@@ -33,14 +33,14 @@ struct TileAlpha {
 
 #else
 
-// Half as many exponentials. About the middle m of a block, with (i, j) the pixel's place from there, the exponent is
-//   e(m) + de/dx i + de/dy j + (a i^2 + b i j + c j^2),
-// so alpha is a product of three: one factor for the column, one for the row, and one that is the same in every block
-// of the splat. The eight columns and rows of a block fill one vector. Where alpha counts, no factor leaves the range
-// of exp2_near(): a, b and c are bounded by the low-pass on screen (kDilationPx2).
+// Needs half as many exponentials. About the center m of a block, with (i, j) the pixel's offset from it, the exponent
+// is e(m) + de/dx i + de/dy j + (a i^2 + b i j + c j^2), so alpha is a product of three factors: one per column, one
+// per row, and one that is the same in all blocks of the splat. The eight columns and rows of a block fill one vector.
+// Wherever alpha matters, all factors stay in the range of exp2_near(): a, b and c are bounded by the screen-space
+// low-pass (kDilationPx2).
 struct TileAlpha {
     Half curve_lo, curve_hi;                   // 2^(a i^2 + b i j + c j^2)
-    float slope_x[16], slope_y[16], half[16];  // per block: de/dx, de/dy and e / 2 in its middle
+    float slope_x[16], slope_y[16], half[16];  // per block: de/dx, de/dy and e / 2 at its center
 
     TileAlpha() = default;
     [[gnu::always_inline]] TileAlpha(const Record& s, float tile_x, float tile_y) {
@@ -48,15 +48,14 @@ struct TileAlpha {
                        ij = {2.25f, 0.75f, -0.75f, -2.25f, 0.75f, 0.25f, -0.25f, -0.75f};
         constexpr Half jj = {2.25f, 2.25f, 2.25f, 2.25f, 0.25f, 0.25f, 0.25f, 0.25f};
         curve_lo = exp2_near(s.a * ii + s.b * ij + s.c * jj);
-        curve_hi = __builtin_shuffle(curve_lo,
-                                     HalfBits{7, 6, 5, 4, 3, 2, 1, 0});  // the same on the other side of the middle
+        curve_hi = __builtin_shuffle(curve_lo, HalfBits{7, 6, 5, 4, 3, 2, 1, 0});  // mirrored at the center
         constexpr Half columns = {2, 6, 10, 14, 2, 6, 10, 14}, rows = {2, 2, 2, 2, 6, 6, 6, 6};
         const Half x = columns + eight(tile_x - s.x), two_a_x = (2 * s.a) * x, b_x = s.b * x;
         for (int i = 0; i < 2; ++i) {
             const Half y = rows + eight(tile_y + static_cast<float>(8 * i) - s.y), dx = two_a_x + s.b * y,
                        dy = b_x + (2 * s.c) * y;
             Half middle = (dx * x + dy * y) * 0.25f + eight(0.5f * s.log2_opacity);
-            // Splats that reach far beyond the picture lose digits here: not out of range for that.
+            // Splats that extend far beyond the picture lose precision here, but must stay in range.
             constexpr float kFaintest = -60;
             middle = min(max(middle, eight(kFaintest)), eight(0));
             __builtin_memcpy(slope_x + 8 * i, &dx, sizeof dx);
@@ -65,7 +64,7 @@ struct TileAlpha {
         }
     }
     [[gnu::always_inline]] Lanes raw(std::size_t block, const Footprint<Lanes>&, const Vec2<Lanes>&) const {
-        // Rows 0 and 2, columns 0 and 1; rows 1 and 3, columns 2 and 3: the order that takes the fewest shuffles.
+        // Rows 0 and 2, columns 0 and 1; rows 1 and 3, columns 2 and 3: the layout with the fewest shuffles.
         constexpr Half place = {-1.5f, 0.5f, -1.5f, -0.5f, -0.5f, 1.5f, 0.5f, 1.5f};
         const Half slope = alternate_pairs(eight(slope_y[block]), eight(slope_x[block]));
         const Half factor = exp2_near(slope * place + eight(half[block]));

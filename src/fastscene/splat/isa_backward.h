@@ -1,6 +1,6 @@
-// The gradient of one tile, splat after splat, front to back once more. A vector is a 4x4 block of pixels; what a
-// splat's blocks say is summed up in registers, lane by lane, and over the lanes once, when the splat's last block is
-// done.
+// Backward pass of one tile: splat after splat, front to back again. A vector is a 4x4 block of pixels. The
+// contributions of a splat's blocks are accumulated per lane in registers and reduced over the lanes once, after its
+// last block.
 #pragma once
 
 #include "fastscene/splat/blend_grad.h"
@@ -8,11 +8,11 @@
 
 namespace fastscene::splat::FASTSCENE_ISA {
 
-// A block on its way to the back, and what its pixels ask for.
-struct alignas(512) BlockGrad {  // a power of two: cheap to find
+// The state of a block during the pass, and its pixels' incoming gradients.
+struct alignas(512) BlockGrad {  // a power of two, so that addressing is a shift
     PixelGradState<Lanes> pixel;
     Lanes error;
-    Lanes open;  // 1 where the outside shows, else 0; set when the first splat of the outside comes
+    Lanes open;  // 1 where the outside is visible, else 0; set at the first splat of the outside
 };
 
 inline void start(BlockGrad& b, const Frame& f, std::ptrdiff_t at) {
@@ -29,7 +29,7 @@ inline void start(BlockGrad& b, const Frame& f, std::ptrdiff_t at) {
     if (f.error[0]) b.error = block(f.error[0]) + block(f.error[1]) + block(f.error[2]);
 }
 
-// A slot whose pixels are not yet added up: moments of g = dL/d(ln alpha) about the splat's center, color, weight,
+// A gradient slot before its lanes are summed: moments of g = dL/d(ln alpha) about the splat's center, color, weight,
 // error, depth.
 struct SlotSums {
     Summand all[kSlotFloats]{};
@@ -62,7 +62,7 @@ struct SlotSums {
 #endif
     }
 };
-// One block. kOutside: of a splat of the outside, which learns only where it shows.
+// One block. kOutside: of a splat of the outside, which is trained only where it is visible.
 template <bool kDepth, bool kJudge, bool kHeld, bool kOutside>
 [[gnu::always_inline]] inline void blend_back(BlockGrad& b, const Footprint<Lanes>& splat, const Vec2<Lanes>& d,
                                               Lanes alpha, Lanes odds, SlotSums& sums) {
@@ -87,8 +87,8 @@ template <bool kDepth, bool kJudge, bool kHeld, bool kOutside>
     };
     const TileAlpha alphas(s, tile_x, tile_y);
     SlotSums sums;
-    // First how much the splat covers everywhere, then the gradient, which waits for itself: the processor sees only
-    // some hundred operations ahead, and one block after the other would leave half of its units idle.
+    // First all alphas, then the gradient, which has a serial dependency: the processor reorders only a few hundred
+    // instructions, and going block by block would leave half of its units idle.
     alignas(64) float shown[16][2 * kLanes];
     int count = 0;
     for (std::uint32_t bits = touched; bits; bits &= bits - 1, ++count) {
@@ -122,8 +122,7 @@ inline void backward_tile(const Frame& f, int tile) {
             if constexpr (kJudge) fetch_tile<0>(f.error[c] + corner, f.stride);
         }
     }
-    // Records, and then the slots they point at, fetched before their turn: they lie in the splats' order, not in this
-    // one.
+    // Prefetches records, then the slots they refer to: they are stored in splat order, not in this order.
     constexpr std::uint32_t kRecordAhead = 8, kSlotAhead = 2;
     const std::uint32_t end = f.tile_begin[tile + 1];
     const auto slot_of = [&](std::uint32_t record) {
@@ -143,7 +142,7 @@ inline void backward_tile(const Frame& f, int tile) {
         if (!outside && s.depth_z > f.outside_m) {
             outside = true;
             for (BlockGrad& b : blocks)
-                b.open = select(b.pixel.transmittance > Lanes(kOutsideShows), Lanes(1.f), Lanes(0.f));
+                b.open = select(b.pixel.transmittance > Lanes(kOutsideVisible), Lanes(1.f), Lanes(0.f));
         }
         const auto gradient = [&]<bool kHeld, bool kOutside>() __attribute__((always_inline)) {
             return tile_gradient<kDepth, kJudge, kHeld, kOutside>(s, f.masks[i], static_cast<float>(column * kTile),

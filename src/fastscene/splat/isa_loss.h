@@ -13,9 +13,9 @@ namespace fastscene::splat::FASTSCENE_ISA {
 
 inline constexpr int kReach = 5;
 inline constexpr int kTaps = 2 * kReach + 1;
-inline constexpr int kMargin = 16;  // zeros to the left and right of a scratch row
-inline constexpr int kGroup = 4;    // rows blurred at a time: each source row is loaded once for all of them
-inline constexpr int kRing = 16;    // rows alive: kGroup + 2 kReach, rounded up
+inline constexpr int kMargin = 16;  // zero padding on both sides of a scratch row
+inline constexpr int kGroup = 4;    // rows blurred at once: each source row is loaded once for all of them
+inline constexpr int kRing = 16;    // ring buffer size: kGroup + 2 kReach, rounded up
 // exp(-k^2 / (2 1.5^2)), normalized.
 inline constexpr float kWindow[kTaps] = {0.00102838f, 0.00759876f, 0.03600077f, 0.10936069f, 0.21300554f, 0.26601172f,
                                          0.21300554f, 0.10936069f, 0.03600077f, 0.00759876f, 0.00102838f};
@@ -26,8 +26,8 @@ alignas(64) inline constexpr float kColumns[kLanes] = {0, 1, 2, 3, 4, 5, 6, 7, 8
 
 inline std::ptrdiff_t scratch_row(std::ptrdiff_t stride) { return stride + 2 * kMargin; }
 
-// The scratch memory of one band: rings of rows, the rows blurred down, a row of weights, and one to write what nobody
-// wants.
+// The scratch memory of one band: ring buffers of rows, the vertically blurred rows, a row of weights, and a sink for
+// discarded output.
 struct LossScratch {
     float* memory;
     std::ptrdiff_t row_floats;
@@ -42,7 +42,7 @@ inline std::ptrdiff_t loss_scratch(std::ptrdiff_t stride) {
     return scratch_row(stride) * (kLossMaps * kRing + 4 * kGroup + 2);
 }
 
-// blurred(out, i) = the rows around y + i of `map`, blurred down the columns; i < kGroup.
+// blurred(out, i) = rows around y + i of `map`, blurred vertically; i < kGroup.
 inline void blur_down(const LossScratch& s, int map, int out, int y, int width) {
     const float* rows[kGroup + 2 * kReach];
     for (int k = 0; k < kGroup + 2 * kReach; ++k) rows[k] = s.ring(map, y - kReach + k);
@@ -61,8 +61,8 @@ inline void blur_down(const LossScratch& s, int map, int out, int y, int width) 
         for (int i = 0; i < kGroup; ++i) sum[i].store(to[i] + x);
     }
 #else
-    // Rows equally far from the middle are added first: additions have units of their own. Twelve rows fill the
-    // registers; two rows come of them.
+    // Rows at equal distance from the center are added before multiplying, since additions have units of their own.
+    // Twelve rows fill the registers; two rows result.
     for (int x = 0; x < width; x += kLanes / 2)
 #pragma GCC unroll 2
         for (int first = 0; first < kGroup; first += 2) {
@@ -79,8 +79,8 @@ inline void blur_down(const LossScratch& s, int map, int out, int y, int width) 
         }
 #endif
 }
-// `at` is aligned: three loads and shifts cost less than eleven loads across cache lines. What lies equally far on both
-// sides is added first: additions have units of their own.
+// `at` is aligned: three loads and shifts are cheaper than eleven loads across cache lines. Symmetric taps are added
+// before multiplying, as above.
 [[gnu::always_inline]] inline Lanes blur_along(const float* at) {
     const Neighbours n{at};
     const auto pair = [&]<int k>() { return (n.shifted<-k>() + n.shifted<k>()) * Lanes(kWindow[kReach + k]); };
@@ -98,7 +98,7 @@ inline void target_row(const LossJob& job, int channel, int y, float* out) {
     const __m128i pick0 = _mm_setr_epi8(0, 3, 6, 9, 12, 15, -1, -1, -1, -1, -1, -1, -1, -1, -1, -1);
     const __m128i pick1 = _mm_setr_epi8(-1, -1, -1, -1, -1, -1, 2, 5, 8, 11, 14, -1, -1, -1, -1, -1);
     const __m128i pick2 = _mm_setr_epi8(-1, -1, -1, -1, -1, -1, -1, -1, -1, -1, -1, 1, 4, 7, 10, 13);
-    // The last vector would read up to two bytes beyond the row: left to the loop below.
+    // The last vector would read up to two bytes past the row, so the loop below handles it.
     for (; x + kLanes < job.width; x += kLanes) {
         const auto third = [&](int i) {
             return _mm_loadu_si128(reinterpret_cast<const __m128i*>(in + 3 * x + 16 * i));
@@ -127,7 +127,7 @@ inline double sum_of(Lanes a) {
     return sum;
 }
 
-// Row y of the four maps to be blurred, zeros outside the picture.
+// Row y of the four maps to blur; zeros outside the picture.
 inline void source_row(const LossJob& job, const LossScratch& s, int channel, int y) {
     float *x1 = s.ring(kX, y), *y1 = s.ring(kY, y), *squares = s.ring(kSquares, y), *product = s.ring(kProduct, y);
     if (y < 0 || y >= job.height) {
@@ -136,7 +136,7 @@ inline void source_row(const LossJob& job, const LossScratch& s, int channel, in
         return;
     }
     __builtin_memcpy(x1, job.color[channel] + y * job.stride, static_cast<std::size_t>(job.width) * sizeof(float));
-    // The margin on the right, into which the last vector's blur reaches.
+    // Zeroes the right margin, which the last vector's blur reads.
     Lanes(0.f).store(x1 + job.width), Lanes(0.f).store(y1 + job.width);
     target_row(job, channel, y, y1);
     for (int i = 0; i < job.width; i += kLanes) {
@@ -146,13 +146,14 @@ inline void source_row(const LossJob& job, const LossScratch& s, int channel, in
     }
 }
 
-// Sums over a row, lane by lane: weight * |difference|, weight * (1 - SSIM), weight * difference^2.
+// Sums over a row, per lane: weight * |difference|, weight * (1 - SSIM), weight * difference^2.
 struct RowSums {
     Lanes size, dissimilarity, squared;
 };
 
-// From the maps blurred down: SSIM of row y, and p, q, r (times -lambda * weight / values) into their rings.
-// A band's neighbours go the same way as its own rows, so that they round alike: `error` may be s.unused().
+// From the vertically blurred maps: SSIM of row y, and p, q, r (times -lambda * weight / values) into their ring
+// buffers. Rows next to a band are computed by the same code, so that they round identically; `error` may be
+// s.unused().
 inline RowSums statistics_row(const LossJob& job, const LossScratch& s, int y, int i, float* error) {
     const float *x1 = s.ring(kX, y), *y1 = s.ring(kY, y), *weights = s.weights();
     float *p_out = s.ring(kP, y), *q_out = s.ring(kQ, y), *r_out = s.ring(kR, y);
@@ -161,7 +162,7 @@ inline RowSums statistics_row(const LossJob& job, const LossScratch& s, int y, i
     for (int x = 0; x < job.width; x += kLanes) {
         const Lanes mx = blur_along(s.blurred(0, i) + x), my = blur_along(s.blurred(1, i) + x);
         const Lanes ss = blur_along(s.blurred(2, i) + x), sp = blur_along(s.blurred(3, i) + x);
-        // SSIM = a1 a2 / (b1 b2), and its slopes with what they share taken out: one reciprocal serves all.
+        // SSIM = a1 a2 / (b1 b2), and its derivatives with the common factors extracted: one reciprocal for all.
         const Lanes mxmy = mx * my, mm = mx * mx + my * my;
         const Lanes a1 = mxmy * Lanes(2.f) + Lanes(kC1), a2 = (sp - mxmy) * Lanes(2.f) + Lanes(kC2);
         const Lanes b1 = mm + Lanes(kC1), b2 = ss - mm + Lanes(kC2);
@@ -179,7 +180,7 @@ inline RowSums statistics_row(const LossJob& job, const LossScratch& s, int y, i
     return sums;
 }
 
-// From p, q, r blurred down: dL/d color of row y.
+// From the vertically blurred p, q, r: dL/d color of row y.
 inline void gradient_row(const LossJob& job, const LossScratch& s, int channel, int y, int i) {
     const float *x1 = s.ring(kX, y), *y1 = s.ring(kY, y), *weights = s.weights();
     const Lanes scale((1.f - job.lambda) / (3.f * static_cast<float>(job.width) * static_cast<float>(job.height)));
@@ -191,14 +192,14 @@ inline void gradient_row(const LossJob& job, const LossScratch& s, int channel, 
             .store(out + x);
     }
     const std::ptrdiff_t end = (job.width + kLanes - 1) / kLanes *
-                               kLanes;  // what the last vector wrote beyond the picture is no gradient
+                               kLanes;  // the last vector wrote past the picture: reset
     __builtin_memset(out + job.width, 0, static_cast<std::size_t>(end - job.width) * sizeof(float));
 }
 
 inline void loss_band(const LossJob& job, int channel, int row_begin, int row_end, float* scratch) {
     const FlushDenormals flush;
     const LossScratch s{scratch, scratch_row(job.stride)};
-    // Zeros beside the rows; what lies between is written before it is read.
+    // Zeros beside the rows; everything else is written before it is read.
     const std::ptrdiff_t inside = job.width / kLanes * kLanes;
     for (float* row = scratch; row != scratch + loss_scratch(job.stride); row += s.row_floats) {
         __builtin_memset(row, 0, kMargin * sizeof(float));
@@ -206,11 +207,11 @@ inline void loss_band(const LossJob& job, int channel, int row_begin, int row_en
                          static_cast<std::size_t>(s.row_floats - kMargin - inside) * sizeof(float));
     }
     const bool weighted = job.weight || job.row_weight;
-    if (!weighted)  // ones over the picture's columns, zeros beyond
+    if (!weighted)  // ones within the picture's columns, zeros beyond
         for (int x = 0; x < job.width; ++x) s.weights()[x] = 1.f;
     const double lambda = static_cast<double>(job.lambda);
     const float scale = 1.f / (3.f * static_cast<float>(job.width) * static_cast<float>(job.height));
-    // So that the rows finished in each turn, y - kReach and the following, start at row_begin.
+    // Aligned so that the rows finished in each iteration, from y - kReach on, start at row_begin.
     const int first = row_begin + kReach - 3 * kGroup;
     for (int row = first - kReach; row < first + kReach; ++row) source_row(job, s, channel, row);
     for (int y = first; y - kReach < row_end; y += kGroup) {

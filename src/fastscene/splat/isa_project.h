@@ -28,7 +28,7 @@ inline Lens<Lanes> spread(const Lens<float>& l) {
             l.antialias};
 }
 
-// What the higher bands add to the color of the block that starts at splat `first`.
+// Contribution of SH degrees >= 1 to the color of the block starting at splat `first`.
 inline Vec3<Lanes> more_color_of(const float* rest, int degree, std::int64_t first, const Vec3<Lanes>& mean,
                                  const Lens<Lanes>& lens) {
     if (!rest) return {};
@@ -37,7 +37,8 @@ inline Vec3<Lanes> more_color_of(const float* rest, int degree, std::int64_t fir
                       [&](int i) { return Lanes::load(block + i * kBlock); });
 }
 
-// The other half of a splat that the seam cuts. One that reaches around more than the whole picture is cut there.
+// The copy of a splat on the other side of an equirectangular picture's seam. Splats wider than the whole picture are
+// clipped.
 inline Record across_seam(Record r, bool to_right, const Lanes& half_x, int lane, const ProjectJob& job) {
     alignas(64) float half[kBlock];
     half_x.store(half);
@@ -67,12 +68,12 @@ inline PieceCount project_piece(const ProjectJob& job, std::int64_t begin, std::
     };
     for (std::int64_t first = begin; first < end; first += kBlock) {
         const Gaussian<Lanes> g = load_gaussians(job.parameters + first * kParameters);
-        // Most splats lie behind the camera: skip the rest of the work when a whole block does.
+        // Most splats are behind the camera: skip whole blocks early.
         const Lanes z = dot(lens.rotation.row2, g.mean) + lens.translation.z;
         if (!equirect && !(z > Lanes(kNearM)).bits()) continue;
         const Projection<Lanes> p = project(g, lens, more_color_of(job.rest, job.degree, first, g.mean, lens));
         const Footprint<Lanes> f = footprint_of(p, lens);
-        // Half sizes of the box around the ellipse on which alpha is kMinAlpha.
+        // Half sizes of the bounding box of the ellipse on which alpha is kMinAlpha.
         const Lanes reach2 = max(reach2_of(p), Lanes(0.f));
         const Lanes half_x = sqrt(reach2 * p.cov_xx), half_y = sqrt(reach2 * p.cov_yy);
         const Lanes left = f.x - half_x - Lanes(0.5f), right = f.x + half_x - Lanes(0.5f);
@@ -83,13 +84,13 @@ inline PieceCount project_piece(const ProjectJob& job, std::int64_t begin, std::
         std::uint32_t bits = shown.bits();
         if (end - first < kBlock) bits &= (1u << (end - first)) - 1;
         if (!bits) continue;
-        std::uint32_t to_right = 0, to_left = 0;  // splats that also show a picture's width to the right, to the left
+        std::uint32_t to_right = 0, to_left = 0;  // splats with a copy one picture width to the right, to the left
         if (equirect) to_right = (left < Lanes(0.f)).bits(), to_left = (right > last_x).bits();
         static_assert(kTile == 16);
         const Lanes corner = sixteenths(max(left, Lanes(0.f)), max(top, Lanes(0.f))),
                     far_corner = sixteenths(min(right, last_x), min(bottom, last_y));
         const Lanes half_b = f.b * Lanes(-0.5f);
-        // The fields of Record, a row each; turned around, a record each.
+        // One field of Record per row; transposed, one record per row.
         Lanes rows[16] = {f.x,
                           f.y,
                           f.a,

@@ -1,5 +1,5 @@
-// One tile of the picture, front to back. A vector is a 4x4 block of pixels; of each splat only the
-// blocks that its ellipse really touches are visited.
+// Forward pass of one tile, front to back. A vector is a 4x4 block of pixels; of each splat only the blocks that its
+// ellipse actually touches are visited.
 #pragma once
 
 #include "fastscene/splat/isa_alpha.h"
@@ -17,7 +17,7 @@ inline Lanes load_block(const float* p, std::ptrdiff_t stride) {
     typedef float Row __attribute__((vector_size(16)));
     Row row[4];
     for (int i = 0; i < 4; ++i) __builtin_memcpy(row + i, p + i * stride, sizeof(Row));
-    // Put together in registers: two stores that one load reads wait for the cache.
+    // Assembled in registers: a load that spans two recent stores stalls.
     const auto both = [](Row a, Row b) { return __builtin_shufflevector(a, b, 0, 1, 2, 3, 4, 5, 6, 7); };
     return {both(row[0], row[1]), both(row[2], row[3])};
 #endif
@@ -28,16 +28,14 @@ inline void store_block(Lanes x, float* p, std::ptrdiff_t stride) {
     for (int i = 0; i < 4; ++i) __builtin_memcpy(p + i * stride, rows + 4 * i, 16);
 }
 
-// Asks for a tile's rows of a plane (a line each) before they are needed: rows lie far apart, so the processor does not
-// foresee them.
+// Prefetches a tile's rows of a plane (one cache line each): they are too far apart for the hardware prefetcher.
 template <int kWrite>
 inline void fetch_tile(const float* corner, std::ptrdiff_t stride) {
     for (int y = 0; y < kTile; ++y) __builtin_prefetch(corner + y * stride, kWrite);
 }
 
-// Which of the tile's 16 blocks hold a pixel center with alpha >= kMinAlpha (or nearly). The exponent is
-// concave: its largest value on the rectangle of pixel centers lies on the column or the row of that
-// rectangle nearest to the splat's center.
+// Which of the tile's 16 blocks contain a pixel center with alpha >= kMinAlpha (conservatively). The exponent is
+// concave, so its maximum over the rectangle of pixel centers lies on the column or row nearest to the splat's center.
 inline std::uint16_t touched_blocks(const Record& s, float tile_x, float tile_y, const BlockPixels& grid) {
     const Lanes left = Lanes(tile_x + 0.5f - s.x) + (grid.x - Lanes(0.5f)) * Lanes(4.f), right = left + Lanes(3.f);
     const Lanes top = Lanes(tile_y + 0.5f - s.y) + (grid.y - Lanes(0.5f)) * Lanes(4.f), bottom = top + Lanes(3.f);
@@ -48,7 +46,7 @@ inline std::uint16_t touched_blocks(const Record& s, float tile_x, float tile_y,
     const Lanes best_y = min(max(near_x * Lanes(s.dy_per_dx), top), bottom);
     const Lanes best_x = min(max(near_y * Lanes(s.dx_per_dy), left), right);
     const Lanes most = max(exponent(near_x, best_y), exponent(best_x, near_y));
-    constexpr float kLeast = static_cast<float>(-kLog2Of255) - 1e-3f;  // rounding must not lose a pixel
+    constexpr float kLeast = static_cast<float>(-kLog2Of255) - 1e-3f;  // margin: rounding must not lose a pixel
     return static_cast<std::uint16_t>((most >= Lanes(kLeast - s.log2_opacity)).bits());
 }
 
@@ -62,8 +60,8 @@ inline void transpose_masks(const std::uint16_t* masks, std::uint64_t* sets) {
                                                          << 32;
     }
 #elif defined(__AVX2__)
-    // A byte a splat, blocks 0..7 and 8..15; the topmost bits of all bytes come out together, then the next are shifted
-    // up.
+    // One byte per splat, for blocks 0..7 and 8..15; movemask extracts the top bits of all bytes, then the next bits
+    // are shifted up.
     const auto load = [&](int i) { return _mm256_load_si256(reinterpret_cast<const __m256i*>(masks) + i); };
     const auto bytes = [](__m256i a, __m256i b) { return _mm256_permute4x64_epi64(_mm256_packus_epi16(a, b), 0xd8); };
     const __m256i low_byte = _mm256_set1_epi16(0xff);
@@ -87,7 +85,7 @@ inline void transpose_masks(const std::uint16_t* masks, std::uint64_t* sets) {
 #endif
 }
 
-// One chunk of a tile's list, copied together so that the inner loops run in the first-level cache.
+// A chunk of a tile's list, copied so that the inner loops run in the L1 cache.
 struct Chunk {
     Record records[kChunk];
     TileAlpha alphas[kChunk];
@@ -109,14 +107,14 @@ inline void forward_tile(const Frame& f, int tile) {
     PixelState<Lanes> state[16];
     Lanes depth[16];
     for (auto& s : state) s.transmittance = Lanes(1.f);
-    std::uint32_t open = 0xffff;  // blocks that still let light through
+    std::uint32_t open = 0xffff;  // blocks that are not opaque yet
     Chunk chunk;
     const std::ptrdiff_t corner = tile_y * f.stride + tile_x;
     for (float* plane : {f.color[0], f.color[1], f.color[2], f.transmittance}) fetch_tile<1>(plane + corner, f.stride);
 
     const std::uint32_t end = f.tile_begin[tile + 1];
     for (std::uint32_t begin = f.tile_begin[tile]; begin < end; begin += kChunk) {
-        if (!open) {  // the backward pass reads the masks: nothing more is touched
+        if (!open) {  // the backward pass reads the masks: mark the rest as untouched
             __builtin_memset(f.masks + begin, 0, (end - begin) * sizeof(std::uint16_t));
             break;
         }

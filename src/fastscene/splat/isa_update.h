@@ -1,6 +1,6 @@
-// The last part of a step for 16 splats: sum their gradient slots, go back through the projection, and
-// let Adam (Kingma and Ba 2015) move the parameters. All splats move every step, seen or not: for short
-// runs the momentum of the unseen ones pays.
+// The last part of a step, for 16 splats: sums their gradient slots, backpropagates through the projection and applies
+// Adam (Kingma and Ba 2015). All splats are updated in every step, visible or not: in short runs the momentum of
+// invisible ones helps.
 #pragma once
 
 #include "fastscene/splat/isa_project.h"
@@ -10,7 +10,7 @@ namespace fastscene::splat::FASTSCENE_ISA {
 
 inline constexpr float kBeta1 = 0.9f, kBeta2 = 0.999f;
 
-// Adds the slots of the block's records to `sums` (one row a splat); returns which splats were seen.
+// Adds the slots of the block's records to `sums` (one row per splat); returns a mask of visible splats.
 inline std::uint32_t sum_slots(const UpdateJob& job, std::int64_t block_end, std::int64_t& record,
                                std::int64_t record_end, const float* piece_slots, Lanes* sums) {
     std::uint32_t seen = 0;
@@ -20,16 +20,16 @@ inline std::uint32_t sum_slots(const UpdateJob& job, std::int64_t block_end, std
         const int slots = r.tiles_wide * r.tiles_high;
         const float* in = piece_slots + static_cast<std::size_t>(r.first_slot) * kSlotFloats;
         Lanes sum;
-        // The four floats read past a slot belong to the next one (or to the padding at the end) and end in unused
-        // columns.
+        // The loads read four floats past a slot, from the next one (or padding); they end in unused columns.
         for (int i = 0; i < slots; ++i) sum += Lanes::load(in + i * kSlotFloats);
-        sums[lane] = seen >> lane & 1 ? sums[lane] + sum : sum;  // two records of one splat: both halves
+        // two records of one splat, one on each side of the seam
+        sums[lane] = seen >> lane & 1 ? sums[lane] + sum : sum;
         seen |= 1u << lane;
     }
     return seen;
 }
 
-// How much farther than those in reach the positions of a block step.
+// Step size factors for positions beyond the reach.
 inline Lanes stride(const UpdateJob& job, std::int64_t base) {
     const auto off = [&](int axis, float middle) {
         return Lanes::load(job.parameters + base + axis * kBlock) - Lanes(middle);
@@ -48,7 +48,7 @@ inline void adam(const UpdateJob& job, std::int64_t at, Lanes rate, Lanes gradie
     (Lanes::load(x) - rate * m1 * reciprocal(root)).store(x);
 }
 
-// The higher bands, of splats seen in this step only: their moments would cost more memory traffic than all the rest.
+// SH degrees >= 1, for splats visible in this step only: updating all moments would dominate memory traffic.
 inline void update_rest(const UpdateJob& job, std::int64_t first, const Lanes* gradient, Mask seen) {
     const int n = 3 * rest_functions(job.degree);
     const std::int64_t base = first * n;
@@ -70,13 +70,13 @@ inline void update_rest(const UpdateJob& job, std::int64_t first, const Lanes* g
     }
 }
 
-// What the regularizers add: opacities and sizes are drawn towards nothing, of all splats alike.
+// Gradient of the regularizers on opacity and size, the same for all splats.
 inline void pull(const UpdateJob& job, const Gaussian<Lanes>& g, Lanes* gradient) {
     const Lanes one(1.f), opacity = one / (one + exp(-g.logit)),
-                          slope = opacity * (one - opacity) * Lanes(job.opacity_pull);
+                          slope = opacity * (one - opacity) * Lanes(job.opacity_reg);
     const auto add = [&](int i, Lanes x) { gradient[i] += select(abs(x) < Lanes(1e15f), x, Lanes(0.f)); };
     add(10, slope);
-    for (int a = 0; a < 3; ++a) add(3 + a, exp(g.log_scale[static_cast<std::size_t>(a)]) * Lanes(job.scale_pull));
+    for (int a = 0; a < 3; ++a) add(3 + a, exp(g.log_scale[static_cast<std::size_t>(a)]) * Lanes(job.scale_reg));
 }
 
 inline void update_piece(const UpdateJob& job, std::int64_t begin, std::int64_t end, std::int64_t record,
@@ -87,7 +87,7 @@ inline void update_piece(const UpdateJob& job, std::int64_t begin, std::int64_t 
         Lanes sums[16];
         Lanes gradient[kParameters];
         const std::int64_t base = first * kParameters;
-        // Three streams that come from memory: asked for two blocks ahead.
+        // Prefetches the three memory streams two blocks ahead.
         if (constexpr std::int64_t kAhead = 2 * kBlock; !job.gradients && first + kAhead < end)
             for (std::int64_t i = base + kAhead * kParameters; i < base + (kAhead + kBlock) * kParameters; i += kBlock)
                 for (const float* stream : {job.parameters, job.first_moment, job.second_moment})
@@ -122,7 +122,7 @@ inline void update_piece(const UpdateJob& job, std::int64_t begin, std::int64_t 
                     .store(job.seen_move + first);
                 (Lanes::load(job.seen_steps + first) + was_seen).store(job.seen_steps + first);
             }
-            // Unseen lanes may hold anything, also NaN; so may splats at the edge of what floats can do.
+            // Lanes of invisible splats may hold anything, including NaN, and so may splats at the limits of float.
             for (int i = 0; i < kParameters; ++i)
                 gradient[i] = select((was_seen > Lanes(0.f)) & (abs(all[i]) < Lanes(1e15f)), all[i], Lanes(0.f));
             const auto note = [&](float* at, Lanes x) {
@@ -131,7 +131,7 @@ inline void update_piece(const UpdateJob& job, std::int64_t begin, std::int64_t 
             if (job.seen_weight) note(job.seen_weight + first, sums[9]);
             if (job.seen_error) note(job.seen_error + first, sums[10]);
         }
-        if (job.opacity_pull > 0 || job.scale_pull > 0) pull(job, load_gaussians(job.parameters + base), gradient);
+        if (job.opacity_reg > 0 || job.scale_reg > 0) pull(job, load_gaussians(job.parameters + base), gradient);
         const Lanes far = stride(job, base);
         for (int i = 0; i < kParameters; ++i) {
             if (job.gradients) gradient[i].store(job.gradients + base + i * kBlock);

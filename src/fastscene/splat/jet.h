@@ -1,5 +1,5 @@
-// Jet: a number with its derivative along one direction (forward differentiation). Used by the tests as
-// the ruler for the hand-written backward passes.
+// Jet: a number with its derivative in one direction (forward-mode automatic differentiation). The tests' reference for
+// the hand-written backward passes.
 #pragma once
 
 #include <cmath>

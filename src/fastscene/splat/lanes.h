@@ -1,6 +1,6 @@
-// Lanes: 16 floats that behave like one number. Included once per instruction set, each time in the
-// namespace FASTSCENE_ISA: one 64-byte register with AVX-512, else two 32-byte halves (a 64-byte vector
-// type compiled for AVX2 is several times slower than two halves).
+// Lanes: 16 floats that behave like one number. Included once per instruction set, each time in the namespace
+// FASTSCENE_ISA: one 64-byte register with AVX-512, otherwise two 32-byte halves (a 64-byte vector type compiled for
+// AVX2 is several times slower).
 #pragma once
 
 #ifndef FASTSCENE_ISA
@@ -74,14 +74,14 @@ inline Lanes signed_like(Lanes x, Lanes size) {
     return Lanes(
         _mm512_mask_sub_ps(positive, _mm512_cmp_ps_mask(x.r, _mm512_setzero_ps(), _CMP_LT_OQ), positive, size.r));
 }
-// 1 / a to about 1e-7: the estimate (14 bits) and one Newton step.
+// 1 / a to about 1e-7 relative: hardware estimate (14 bits) and one Newton step.
 inline Lanes reciprocal(Lanes a) {
     const Lanes r(_mm512_rcp14_ps(a.r));
     return r * (Lanes(2.f) - a * r);
 }
-// a / b to about 1e-7.
+// a / b to about 1e-7 relative.
 inline Lanes quotient(Lanes a, Lanes b) { return a * reciprocal(b); }
-// 2^x to 3e-06 relative (the polynomial through 2^f at the Chebyshev points of [-1/2, 1/2]); the blending loops.
+// 2^x to 3e-6 relative (interpolated at the Chebyshev points of [-1/2, 1/2]); for the blending loops.
 [[gnu::always_inline]] inline Lanes exp2_fast(Lanes x) {
     const Lanes n = round_near(x), f = x - n;
     Lanes p(0.00966636852f);
@@ -92,7 +92,7 @@ inline Lanes quotient(Lanes a, Lanes b) { return a * reciprocal(b); }
     return scale2(p, n);
 }
 
-// Integers that travel as the bits of lanes.
+// Integers stored as the bits of lanes.
 inline Lanes lane_numbers(std::int32_t first) {
     const __m512i lane = _mm512_setr_epi32(0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15);
     return Lanes(_mm512_castsi512_ps(_mm512_add_epi32(_mm512_set1_epi32(first), lane)));
@@ -104,7 +104,7 @@ inline Lanes sixteenths(Lanes x, Lanes y) {
     return Lanes(_mm512_castsi512_ps(
         _mm512_or_si512(low, _mm512_and_si512(high, _mm512_set1_epi32(static_cast<int>(0xffff0000u))))));
 }
-// How many there are from one pair to another, both counted.
+// The number of 16-bit values in each inclusive range `from` to `to`, both dimensions.
 inline Lanes spans(Lanes from, Lanes to) {
     const __m512i between = _mm512_sub_epi32(_mm512_castps_si512(to.r), _mm512_castps_si512(from.r));
     return Lanes(_mm512_castsi512_ps(_mm512_add_epi32(between, _mm512_set1_epi32(0x00010001))));
@@ -171,11 +171,11 @@ inline Half max(Half a, Half b) { return a > b ? a : b; }
 #endif
 inline Lanes min(Lanes a, Lanes b) { return {min(a.lo, b.lo), min(a.hi, b.hi)}; }
 inline Lanes max(Lanes a, Lanes b) { return {max(a.lo, b.lo), max(a.hi, b.hi)}; }
-// The same number in all of them (x + 0 would not do: it is more than a copy for -0).
+// Broadcast (x + 0 would not preserve -0).
 inline Half eight(float x) { return x - Half{}; }
 inline Half abs(Half a) { return (Half)((HalfBits)a & 0x7fffffff); }
 inline Lanes abs(Lanes a) { return {abs(a.lo), abs(a.hi)}; }
-// Adding 1.5 * 2^23 pushes the fraction out of the mantissa; |a| < 2^22.
+// Adding 1.5 * 2^23 shifts the fraction out of the mantissa; |a| < 2^22.
 inline Lanes round_near(Lanes a) {
     const Lanes magic(12582912.f);
     return (a + magic) - magic;
@@ -198,7 +198,8 @@ inline void split2(Lanes a, Lanes& mantissa, Lanes& exponent) {
     split2(a.hi, mantissa.hi, exponent.hi);
 }
 #if defined(__AVX2__)
-// 1 / a to 2e-7: the estimate (12 bits) and one Newton step. Dividing would keep one unit busy and the others idle.
+// 1 / a to 2e-7 relative: hardware estimate (12 bits) and one Newton step. Division would saturate a single execution
+// unit.
 inline Lanes reciprocal(Lanes a) {
     const Lanes r(_mm256_rcp_ps(a.lo), _mm256_rcp_ps(a.hi));
     return r * (Lanes(2.f) - a * r);
@@ -216,7 +217,7 @@ inline Lanes cut(Lanes x, Lanes low, Lanes high) {
 inline Half signed_like(Half x, Half size) { return where(x > 0.f, size) - where(x < 0.f, size); }
 inline Lanes signed_like(Lanes x, Lanes size) { return {signed_like(x.lo, size.lo), signed_like(x.hi, size.hi)}; }
 inline Lanes above(Lanes x, Lanes low) { return {where(x.lo >= low.lo, x.lo), where(x.hi >= low.hi, x.hi)}; }
-// Two from `a`, two from `b`, and so on. (Of equal numbers GCC makes other shuffles, and more of them.)
+// Two from `a`, two from `b`, and so on. (With identical arguments GCC generates more shuffles.)
 inline Half alternate_pairs(Half a, Half b) {
 #if defined(__AVX__)
     return _mm256_blend_ps(a, b, 0b11001100);
@@ -250,7 +251,7 @@ inline Lanes spans(Lanes from, Lanes to) { return {spans(from.lo, to.lo), spans(
 
 #endif
 
-// 2^x to float precision; the projection.
+// 2^x to float precision; for the projection.
 inline Lanes exp2(Lanes x) {
     x = min(max(x, Lanes(-200.f)), Lanes(200.f));
     const Lanes n = round_near(x), f = x - n;
@@ -264,7 +265,7 @@ inline Lanes exp2(Lanes x) {
     return scale2(p, n);
 }
 inline Lanes exp(Lanes x) { return exp2(x * Lanes(1.44269504f)); }
-// log2 of a > 0 through atanh: ln m = 2 (s + s^3/3 + …), s = (m - 1) / (m + 1), |s| <= 0.2.
+// log2 of a > 0 by the atanh series: ln m = 2 (s + s^3/3 + …), s = (m - 1) / (m + 1), |s| <= 0.2.
 inline Lanes log2(Lanes a) {
     Lanes m, e;
     split2(a, m, e);
@@ -277,7 +278,7 @@ inline Lanes log2(Lanes a) {
     return e + Lanes(2.88539008f) * s * p;
 }
 
-// Angle of (x, y), radians, to 3e-7: the series of atan on [0, tan(pi / 8)], octants by symmetry.
+// Angle of (x, y) in radians, to 3e-7: atan's series on [0, tan(pi / 8)], the octants by symmetry.
 inline Lanes atan2(Lanes y, Lanes x) {
     const Lanes ax = abs(x), ay = abs(y), one(1.f), zero(0.f);
     const Lanes ratio = min(ax, ay) / max(max(ax, ay), Lanes(1e-30f));
@@ -297,7 +298,7 @@ inline Lanes atan2(Lanes y, Lanes x) {
     return select(y < zero, -angle, angle);
 }
 
-// Rows become columns, in place: after it, r[i] lane j is what r[j] lane i was.
+// Transposes a 16 x 16 matrix in place.
 inline void transpose16(Lanes* r) {
 #if FASTSCENE_WIDE
     __m512 a[16], b[16];
@@ -350,17 +351,17 @@ inline void transpose16(Lanes* r) {
 #endif
 }
 
-// What sums12() adds up: vectors into which a splat's 16 pixels are summed lane by lane.
+// Input of sums12(): per-lane partial sums over a splat's 16 pixels.
 #if FASTSCENE_WIDE
 using Summand = Lanes;
 #else
 using Summand = Half;
 #endif
-// Lane i = the sum over all lanes of r[i], i < 12; zero beyond. Halves are folded and two sums put into one vector at
-// each level, so 12 sums cost some 26 shuffles and not 48.
+// Horizontal sums: lane i = the sum over all lanes of r[i], i < 12; zero beyond. Each level folds halves and packs two
+// sums into one vector: 26 shuffles instead of 48 for 12 sums.
 inline Lanes sums12(const Summand* r) {
 #if FASTSCENE_WIDE
-    // Quarters of the result: a, b = r[i], r[4 + i]; c = r[8 + i]; each of them still in four parts.
+    // Quarters of the result: a, b = r[i], r[4 + i]; c = r[8 + i]; each still in four parts.
     const auto quarters = [&](int i) {
         const __m512 a = r[i].r, b = r[4 + i].r, c = r[8 + i].r;
         const __m512 ab = _mm512_shuffle_f32x4(a, b, 0x44) + _mm512_shuffle_f32x4(a, b, 0xee);
@@ -380,7 +381,7 @@ inline Lanes sums12(const Summand* r) {
     };
     const auto woven = [&](Half a, Half b) { return __builtin_shuffle(a, b, even) + __builtin_shuffle(a, b, odd); };
     const Half p = woven(pair(0, 4), pair(1, 5)), q = woven(pair(2, 6), pair(3, 7));
-    // The last four: in each half two sums, each still in two parts.
+    // The last four: two sums in each half, each still in two parts.
     const Half two = woven(pair(8, 10), pair(9, 11));
     const Half four = two + __builtin_shuffle(two, HalfBits{2, 3, 0, 1, 6, 7, 4, 5});
     return {__builtin_shuffle(p, q, left) + __builtin_shuffle(p, q, right),
@@ -397,8 +398,7 @@ inline void store12(Lanes a, float* p) {
 #endif
 }
 
-// The 16 floats at an aligned place with those before and after: shifted<k>() is what stands k floats further on, |k|
-// < 16.
+// The 16 floats at an aligned address with their neighbours: shifted<k>() is the vector k floats further on, |k| < 16.
 struct Neighbours {
     const float* at;
 #if FASTSCENE_WIDE
@@ -416,8 +416,7 @@ struct Neighbours {
         else return joined(after, here);
     }
 #elif defined(__AVX2__)
-    // Half of the loads would touch two cache lines, which costs as much as two loads: those halves are shifted
-    // together in registers.
+    // Half of the unaligned loads would cross a cache line, at twice the cost: those halves are assembled in registers.
     __m256 before, lo, hi, after, before_lo, hi_after;
     explicit Neighbours(const float* p)
         : at(p),
@@ -458,7 +457,8 @@ struct Neighbours {
 #endif
 };
 
-// Denormals off while alive: Adam's moments of unseen splats decay into them, and each costs a hundred cycles.
+// Flushes denormals to zero during its lifetime: Adam's moments of invisible splats decay into denormals, at a hundred
+// cycles each.
 class FlushDenormals {
   public:
 #if defined(__x86_64__)

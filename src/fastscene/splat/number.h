@@ -1,5 +1,5 @@
-// The few functions that the splat mathematics needs from a number type besides + - * /. Here for plain
-// floats; Jet (jet.h) and Lanes (lanes.h) bring their own, found by argument-dependent lookup.
+// The functions that the splat mathematics needs from a number type, besides + - * /, for plain floats. Jet (jet.h) and
+// Lanes (lanes.h) provide their own, found by argument-dependent lookup.
 #pragma once
 
 #include <cmath>
@@ -16,12 +16,12 @@ F exp2_fast(F x) {
     return std::exp2(x);
 }
 
-// 0 below `low`, `high` above it, x between; NaN becomes 0.
+// Clamps to [low, high]; NaN becomes 0.
 template <std::floating_point F>
 F cut(F x, F low, F high) {
     return x >= low ? x < high ? x : high : F(0);
 }
-// 0 below `low`.
+// 0 below `low`, else x.
 template <std::floating_point F>
 F above(F x, F low) {
     return x >= low ? x : F(0);

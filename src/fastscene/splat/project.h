@@ -1,5 +1,5 @@
-// Projection of one Gaussian (Zwicker et al. 2001, EWA splatting; Kerbl et al. 2023, section 4), written
-// once over the number type F: double and Jet for tests, Lanes (16 Gaussians at a time) for work.
+// Projection of a Gaussian (Zwicker et al. 2001, EWA splatting; Kerbl et al. 2023, section 4), written once as a
+// template over the number type F: double and Jet in tests, Lanes (16 Gaussians at a time) in production.
 #pragma once
 
 #include "fastscene/geometry/pinhole.h"
@@ -11,11 +11,11 @@
 
 namespace fastscene::splat {
 
-inline constexpr float kNearM = 0.1f;          // nearer splats are dropped: the linearization breaks down there
-inline constexpr double kDilationPx2 = 0.3;    // low-pass added to the variance on screen, as every 3DGS viewer does
-inline constexpr double kLeastArea2 = 1e-12;   // px^4: keeps the logarithm of a vanishing splat finite
-inline constexpr float kMinAlpha = 1.f / 255;  // weaker contributions are invisible in 8 bit
-inline constexpr float kMaxAlpha = 0.99f;      // keeps 1 / (1 - alpha) in the backward pass tame
+inline constexpr float kNearM = 0.1f;          // near plane: closer splats are culled, as the linearization breaks down
+inline constexpr double kDilationPx2 = 0.3;    // screen-space low-pass added to the variance, as in every 3DGS viewer
+inline constexpr double kLeastArea2 = 1e-12;   // px^4: keeps the logarithm finite for vanishing splats
+inline constexpr float kMinAlpha = 1.f / 255;  // weaker contributions are invisible in 8 bits
+inline constexpr float kMaxAlpha = 0.99f;      // bounds 1 / (1 - alpha) in the backward pass
 inline constexpr double kLog2E = 1.4426950408889634;
 inline constexpr double kLog2Of255 = 7.9943534368588579;
 
@@ -27,11 +27,11 @@ struct Gaussian {
     Vec3<F> sh0;
 };
 inline constexpr int kParameters = 14;
-inline constexpr int kLogit = 10;  // the place of the opacity among them
+inline constexpr int kLogit = 10;  // index of the opacity among them
 
-// camera_from_world and the lens. Pinhole: the slope x/z used in the linearization is held within [min_u, max_u]:
-// far outside the picture the tangent plane is no likeness of the perspective. Equirectangular: fx and fy are
-// pixels per radian of longitude and latitude, (cx, cy) the picture's middle.
+// camera_from_world and the intrinsics. Pinhole: the slopes x/z used in the linearization are clamped to [min_u,
+// max_u], because far outside the picture the tangent plane is a poor approximation. Equirectangular: fx and fy are
+// pixels per radian of longitude and latitude, (cx, cy) the picture's center.
 template <class F>
 struct Lens {
     Mat3<F> rotation;
@@ -39,8 +39,8 @@ struct Lens {
     F fx, fy, cx, cy;
     F min_u, max_u, min_v, max_v;
     CameraModel model = CameraModel::pinhole;
-    // Opacity falls as the low-pass on screen widens a splat (Mip-Splatting's 2D filter, Yu et al. 2024): what is
-    // smaller than a pixel does not grow brighter when seen from afar.
+    // Compensates the opacity for the low-pass dilation (Mip-Splatting's 2D filter, Yu et al. 2024): splats smaller
+    // than a pixel do not get brighter with distance.
     bool antialias = false;
 
     bool equirect() const { return model == CameraModel::equirectangular; }
@@ -54,26 +54,26 @@ struct Footprint {
     F a, b, c;
     F log2_opacity;
     Vec3<F> color;
-    F depth_z;  // for equirectangular pictures the range
+    F depth_z;  // for equirectangular pictures the range along the ray
 };
 
-// The projection with the intermediates that its gradient uses again.
+// The projection with its intermediates, which the gradient reuses.
 template <class F>
 struct Projection {
     Vec3<F> p_camera;
     F inv_z, u, v, u_held, v_held;  // pinhole
-    CameraSlopes<F> slopes;         // rows of J: d(px, py) / d(p_camera)
-    F depth;                        // what splats are sorted by: depth_z, or range for equirectangular pictures
+    CameraSlopes<F> slopes;         // rows of J = d(px, py) / d(p_camera)
+    F depth;                        // sort key: depth_z, or range for equirectangular pictures
     F x, y;                         // pixels
     Mat3<F> camera_from_local;
     Vec3<F> scale;
     Vec3<F> n0, n1;               // rows of J * camera_from_local
-    Vec3<F> m0, m1;               // the same times scale: covariance = m m^T + dilation
+    Vec3<F> m0, m1;               // the same scaled: covariance = m m^T + dilation
     F cov_xx, cov_xy, cov_yy;     // pixels^2
     F conic_a, conic_b, conic_c;  // its inverse
     Vec3<F> area;                 // m0 x m1
-    F opacity, log2_opacity;      // the latter with what antialiasing takes
-    Vec3<F> color_raw, color;     // before and after the clamp at 0
+    F opacity, log2_opacity;      // the latter includes the antialiasing compensation
+    Vec3<F> color_raw, color;     // before and after clamping at 0
 };
 
 template <class F>
@@ -112,7 +112,7 @@ void project_equirect(Projection<F>& o, const Lens<F>& lens) {
 
 }  // namespace detail
 
-// `more_color` is what the higher bands of the spherical harmonics add (sh_color.h).
+// `more_color` is the contribution of SH degrees >= 1 (sh_color.h).
 template <class F>
 Projection<F> project(const Gaussian<F>& g, const Lens<F>& lens, Vec3<F> more_color = {}) {
     using std::exp;
@@ -129,7 +129,7 @@ Projection<F> project(const Gaussian<F>& g, const Lens<F>& lens, Vec3<F> more_co
     o.cov_xy = dot(o.m0, o.m1);
     o.cov_yy = dot(o.m1, o.m1) + F(kDilationPx2);
 
-    // det(m m^T) as a squared cross product stays exact for needles, where xx yy - xy^2 cancels.
+    // det(m m^T) as a squared cross product is exact even for needles, where xx yy - xy^2 cancels.
     o.area = cross(o.m0, o.m1);
     const F trace = o.cov_xx + o.cov_yy - F(2 * kDilationPx2);
     const F area2 = dot(o.area, o.area);
@@ -162,13 +162,14 @@ Footprint<F> footprint_of(const Projection<F>& p, const Lens<F>& lens) {
             p.depth};
 }
 
-// Squared Mahalanobis radius at which alpha falls to kMinAlpha; not positive for splats too faint to show.
+// Squared Mahalanobis radius at which alpha falls to kMinAlpha; not positive for splats that are too faint to be
+// visible.
 template <class F>
 F reach2_of(const Projection<F>& p) {
     return F(2 / kLog2E) * (p.log2_opacity + F(kLog2Of255));
 }
 
-// Whether the splat can be drawn at all. Phrased so that NaN, infinity and degenerate rotations fail.
+// Whether the splat can be drawn. Written so that NaN, infinity and degenerate rotations fail.
 template <class F>
 auto is_drawable(const Gaussian<F>& g, const Projection<F>& p) {
     const Quat<F>& q = g.rotation;

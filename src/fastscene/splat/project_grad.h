@@ -5,8 +5,8 @@
 
 namespace fastscene::splat {
 
-// Sums over the pixels of one splat, the raw material of its gradient. With g = dL/d(ln alpha) at a pixel,
-// (dx, dy) = pixel center - splat center:
+// Sums over a splat's pixels, the input of its gradient. With g = dL/d(ln alpha) at a pixel and (dx, dy) = pixel center
+// - splat center:
 template <class F>
 struct PixelSums {
     F g{}, g_dx{}, g_dy{}, g_dxdx{}, g_dxdy{}, g_dydy{};
@@ -28,12 +28,12 @@ Quat<F> quaternion_grad(const Quat<F>& q, const Mat3<F>& g) {
     const F gx = F(2) * (w * a + y * d + z * e - F(2) * x * (g.row1.y + g.row2.z));
     const F gy = F(2) * (w * b + x * d + z * f - F(2) * y * (g.row0.x + g.row2.z));
     const F gz = F(2) * (w * c + x * e + y * f - F(2) * z * (g.row0.x + g.row1.y));
-    // Only the part across q turns anything; the part along q changes its length.
+    // Only the component orthogonal to q rotates; the parallel one changes q's length.
     const F along = gw * w + gx * x + gy * y + gz * z;
     return {(gw - along * w) * inv, (gx - along * x) * inv, (gy - along * y) * inv, (gz - along * z) * inv};
 }
 
-// n to the rotation (by way of g_camera_from_local) and to the point.
+// From n to the rotation (through g_camera_from_local) and to the point.
 template <class F>
 Vec3<F> pinhole_grad(const Lens<F>& lens, const Projection<F>& p, Vec2<F> screen, Vec3<F> gn0, Vec3<F> gn1,
                      Mat3<F>& g_camera_from_local) {

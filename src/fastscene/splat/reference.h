@@ -1,5 +1,5 @@
-// The ruler: the same mathematics, one splat and one pixel at a time, over any number type. Slow, no tiles,
-// no early stop, no approximation. The kernel's results and gradients are measured against it.
+// The reference implementation: the same mathematics, one splat and one pixel at a time, over any number type. Slow,
+// without tiles, early termination or approximations. The kernels' results and gradients are tested against it.
 #pragma once
 
 #include <algorithm>
@@ -21,7 +21,7 @@ struct ReferencePicture {
     std::vector<F> depth_sum;
 };
 
-// Coefficients of the higher bands, 3 * rest_functions(degree) a splat, in the order of Splats::sh_rest.
+// SH coefficients of degrees >= 1, 3 * rest_functions(degree) per splat, in the order of Splats::sh_rest.
 template <class F>
 struct RestBands {
     int degree = 0;
@@ -46,7 +46,7 @@ template <class F>
 double plain(F x) {
     return x.value;
 }
-// Drawable splats, front to back; equal depths in order.
+// Drawable splats, front to back, stable.
 template <class F>
 std::vector<Drawn<F>> draw_order(const std::vector<Gaussian<F>>& splats, const Lens<F>& lens,
                                  const RestBands<F>& rest) {
@@ -63,7 +63,7 @@ std::vector<Drawn<F>> draw_order(const std::vector<Gaussian<F>>& splats, const L
                      [](const auto& a, const auto& b) { return a.footprint.depth_z < b.footprint.depth_z; });
     return out;
 }
-// Calls visit(pixel number, dx, dy) for every pixel the splat may show at; `aside` pixels to the right of where it is.
+// Calls visit(pixel index, dx, dy) for every pixel in the splat's box, shifted right by `aside` pixels.
 template <class F, class Visit>
 void each_pixel_aside(const Drawn<F>& d, int width, int height, double aside, Visit&& visit) {
     const double x = plain(d.footprint.x) + aside, y = plain(d.footprint.y);
@@ -99,8 +99,8 @@ ReferencePicture<F> render_reference(const std::vector<Gaussian<F>>& splats, con
     return out;
 }
 
-// dL/d(parameters) from v = dL/d(pixel color) and, if there are any, v_depth = dL/d(depth sum), v_transmittance =
-// dL/d(transmittance left). Splats of a larger depth than `outside_m` learn only where kOutsideShows.
+// dL/d(parameters) from v = dL/d(pixel color) and, if not empty, v_depth = dL/d(depth sum) and v_transmittance =
+// dL/d(remaining transmittance). Splats deeper than `outside_m` get gradients only where the outside is visible.
 template <class F>
 std::vector<Gaussian<F>> gradients_reference(const std::vector<Gaussian<F>>& splats, const Lens<F>& lens,
                                              const ReferencePicture<F>& picture, const std::vector<Vec3<F>>& v,
@@ -121,7 +121,7 @@ std::vector<Gaussian<F>> gradients_reference(const std::vector<Gaussian<F>>& spl
     std::vector<F> shows;  // 1 or 0 a pixel, from the first splat of the outside on
     for (const auto& d : detail::draw_order(splats, lens, rest)) {
         if (shows.empty() && d.footprint.depth_z > outside_m)
-            for (const auto& pixel : state) shows.push_back(pixel.transmittance > F(kOutsideShows) ? F(1) : F(0));
+            for (const auto& pixel : state) shows.push_back(pixel.transmittance > F(kOutsideVisible) ? F(1) : F(0));
         PixelSums<F> sums;
         detail::each_pixel(d, picture.width, picture.height, lens.equirect(), [&](std::size_t i, F dx, F dy) {
             const F alpha = shown_alpha(raw_alpha(d.footprint, dx, dy));
@@ -185,12 +185,12 @@ struct ReferenceLoss {
     double loss = 0, squared_error = 0;  // means over pixels and channels
     std::vector<Vec3d> v;                // dL/d(pixel color)
 };
-// (1 - lambda) L1 + lambda (1 - SSIM), windows summed directly: O(121) a pixel.
+// (1 - lambda) L1 + lambda (1 - SSIM), windows summed directly: O(121) per pixel.
 ReferenceLoss loss_reference(const std::vector<Vec3d>& picture, const View& view, double lambda);
-// The regularizer of depth (depth_loss.h); puts the target behind the picture's depth sums. v_depth = dL/d(depth sum).
+// The depth regularizer (depth_loss.h); places the target behind the picture's depth sums. v_depth = dL/d(depth sum).
 double depth_loss_reference(ReferencePicture<double>& picture, const View& view, const ImageF& depth, double strength,
                             std::vector<double>& v_depth);
-// `strength` times the mean transmittance left.
+// `strength` times the mean remaining transmittance.
 double transmittance_loss_reference(const ReferencePicture<double>& picture, const View& view, double strength,
                                     std::vector<double>& v_transmittance);
 

@@ -8,12 +8,12 @@
 namespace fastscene::splat {
 namespace {
 
-constexpr float kDeadOpacity = 0.005f;  // nowhere above 1/255 for long
+constexpr float kDeadOpacity = 0.005f;  // hardly above 1/255 anywhere
 
-// Two halves of one splat along its longest axis: sizes and places chosen so that together they look much
-// like it did (the sum of the two, 0.75 sigma wide and 1.2 sigma apart, is within 4 % of one of 1 sigma).
+// Splits a splat in two along its longest axis, with sizes and offsets such that the pair looks much like the original
+// (the sum, 0.75 sigma wide and 1.2 sigma apart, is within 4 % of one Gaussian of 1 sigma).
 constexpr float kHalfOffset = 0.6f, kHalfSize = 0.75f;
-constexpr double kHalfDensity = 0.72;  // of -ln(1 - opacity)
+constexpr double kHalfDensity = 0.72;  // share of -ln(1 - opacity) that each half gets
 
 double opacity_of(const Cloud& c, std::int64_t i) {
     return 1 / (1 + std::exp(-static_cast<double>(c.parameters[c.at(i, kLogit)])));
@@ -25,7 +25,7 @@ bool is_finite_splat(const Cloud& cloud, std::int64_t i) {
     return sum < 1e9;
 }
 
-// The splats to move, in order.
+// Indices of the splats to move, ascending.
 std::vector<std::int64_t> useless_splats(const Cloud& cloud, double fraction) {
     std::vector<float> weights(cloud.seen_weight.begin(), cloud.seen_weight.begin() + cloud.count);
     const auto rank = static_cast<std::ptrdiff_t>(fraction * static_cast<double>(cloud.count));
@@ -42,11 +42,11 @@ std::vector<std::int64_t> useless_splats(const Cloud& cloud, double fraction) {
     return out;
 }
 
-// `count` different splats drawn with chances after their error, none of them in `excluded` (sorted).
+// `count` distinct splats, sampled with probability proportional to their error, none of them in `excluded` (sorted).
 std::vector<std::int64_t> splats_to_split(const Cloud& cloud, const std::vector<std::int64_t>& excluded,
                                           std::size_t count, Random random) {
     std::vector<std::int64_t> candidates;
-    std::vector<double> up_to;  // running sum of the errors
+    std::vector<double> up_to;  // cumulative sum of the errors
     double sum = 0;
     auto skip = excluded.begin();
     for (std::int64_t i = 0; i < cloud.count; ++i) {
@@ -112,7 +112,7 @@ std::int64_t grow(Cloud& cloud, std::int64_t wanted, std::uint64_t seed, int ste
 }
 
 void add_noise(Cloud& cloud, float size_m, std::uint64_t seed, int step) {
-    constexpr double kGate = 100, kGateOpacity = 0.005;  // as published
+    constexpr double kGate = 100, kGateOpacity = 0.005;  // values of the published implementation
     for (std::int64_t i = 0; i < cloud.count; ++i) {
         const double gate = 1 / (1 + std::exp(kGate * (opacity_of(cloud, i) - kGateOpacity)));
         if (!(gate > 1e-6)) continue;

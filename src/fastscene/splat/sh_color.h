@@ -1,5 +1,5 @@
-// The color of a splat that depends on where it is seen from: what spherical harmonics of degrees 1 to 3 add
-// (scene/sh.h has the functions), and its gradient. Coefficients come through at(i), i in the order of Splats::sh_rest.
+// View-dependent color of a splat: spherical harmonics of degrees 1 to 3 (basis in scene/sh.h), and the gradient.
+// Coefficients are accessed as at(i), i in the order of Splats::sh_rest.
 #pragma once
 
 #include "fastscene/scene/sh.h"
@@ -10,7 +10,7 @@ namespace fastscene::splat {
 inline constexpr int rest_functions(int degree) { return (degree + 1) * (degree + 1) - 1; }
 inline constexpr int kMostRest = 3 * (kShFunctions - 1);
 
-// Direction from the camera to the splat; `inv_distance` also goes into the gradient.
+// Direction from the camera to the splat; `inv_distance` is needed for the gradient.
 template <class F>
 struct Sight {
     Vec3<F> direction;
@@ -37,7 +37,7 @@ Vec3<F> more_color(int degree, const Sight<F>& sight, At&& at) {
     return sum;
 }
 
-// Slope along the direction of sum over k of w[k] * basis[k + 1].
+// Gradient with respect to the direction of sum over k of w[k] * basis[k + 1].
 template <class F>
 Vec3<F> sh_slope(int degree, Vec3<F> d, const F* w) {
     const F x = d.x, y = d.y, z = d.z, xx = x * x, yy = y * y, zz = z * z;
@@ -63,7 +63,7 @@ Vec3<F> sh_slope(int degree, Vec3<F> d, const F* w) {
     return g;
 }
 
-// From dL/d(color before the clamp): dL/d(coefficients) into out[0 .. 3 n), and what it adds to dL/d(mean).
+// From dL/d(color before clamping): dL/d(coefficients) into out[0 .. 3 n); returns the contribution to dL/d(mean).
 template <class F, class At>
 Vec3<F> more_color_grad(int degree, const Sight<F>& sight, Vec3<F> g_color, At&& at, F* out) {
     const auto basis = sh_basis(sight.direction);
@@ -75,7 +75,7 @@ Vec3<F> more_color_grad(int degree, const Sight<F>& sight, Vec3<F> g_color, At&&
         w[k] = g_color.x * at(k) + g_color.y * at(n + k) + g_color.z * at(2 * n + k);
     }
     const Vec3<F> slope = sh_slope(degree, sight.direction, w);
-    // Only the part across the line of sight turns it.
+    // Only the component orthogonal to the line of sight changes the direction.
     return (slope - sight.direction * dot(slope, sight.direction)) * sight.inv_distance;
 }
 

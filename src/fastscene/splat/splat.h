@@ -20,21 +20,23 @@ inline constexpr int kAutomaticShDegree = -1;
 
 struct SplatParams {
     std::string backend = "cpu";
-    int count = 200000;  // Gaussians, at most; fixed: memory is known in advance
-    float per_m2 = 0;    // Gaussians a square metre of what the points lie on, where that makes fewer
+    int count = 200000;  // maximum number of Gaussians; fixed, so memory is known in advance
+    float per_m2 = 0;    // Gaussians per square metre of surface, if that gives fewer
     int steps = 3000;
-    float start_opacity = 0.6f;  // high enough to cover, low enough that the ones behind still get gradients
-    float start_overlap = 0.6f;  // standard deviations per spacing: neighbours close the surface
+    float start_opacity = 0.6f;  // high enough to cover, low enough that occluded splats still get gradients
+    float start_overlap = 0.6f;  // standard deviations per point spacing: neighbours close the surface
     float coarse = 0;            // share of the steps
     float lambda_dssim = 0.2f;
     float learning_rate_logit = 0.03f;
-    float learning_rate_mean_m = 1.5e-3f;  // metres a step at first, decaying; scene-sized, not camera-sized
-    std::string strategy = "mcmc";         // what becomes of splats that are of no use, and where new ones appear
-    int sh_degree = 0;  // color that depends on the direction of view; kAutomaticShDegree: fit_splats takes 0
-    float opacity_pull = 0, scale_pull = 0;
-    float depth = 0;      // of the regularizer of depth
-    float opaque = 0;     // of the loss of what is left transparent
-    float outside_m = 0;  // depth; 0: none
+    // metres per step at first, decaying; proportional to the scene, not to the camera baseline
+    float learning_rate_mean_m = 1.5e-3f;
+    std::string strategy = "mcmc";  // density control: where useless splats go and new ones appear
+    // SH degree of view-dependent color; kAutomaticShDegree must be resolved before, fit_splats takes it as 0
+    int sh_degree = 0;
+    float opacity_reg = 0, scale_reg = 0;
+    float depth = 0;      // weight of the depth regularizer
+    float opaque = 0;     // weight of the transmittance loss
+    float outside_m = 0;  // depth beyond which splats belong to the outside; 0: none do
     bool antialias = false;
     bool random_background = false;
     int eval_every = 0;
@@ -63,14 +65,15 @@ void visit_fields(SplatParams& p, V&& v) {
     v("sh-degree", p.sh_degree, Bounds{-1, 3},
       "Degree of the spherical harmonics: color that depends on the direction of view. -1: 2 where true views show a "
       "room's reflections, else 0.");
-    v("opacity-pull", p.opacity_pull, Bounds{0, 10}, "Weight of the mean opacity in the loss.");
-    v("scale-pull", p.scale_pull, Bounds{0, 10}, "Weight of the mean size, in metres, in the loss.");
+    v("opacity-reg", p.opacity_reg, Bounds{0, 10}, "Weight of the mean opacity in the loss.");
+    v("scale-reg", p.scale_reg, Bounds{0, 10}, "Weight of the mean size, in metres, in the loss.");
     v("depth", p.depth, Bounds{0, 10},
       "Weight in the loss of how far the depth shown is from that of the starting points, as a share of it.");
     v("opaque", p.opaque, Bounds{0, 10},
       "Weight in the loss of the mean transmittance that pictures are left with: for scenes closed all around.");
     v("outside", p.outside_m, Bounds{0, 1e6},
-      "Depth in metres beyond which a splat is of the outside: it learns only where nothing hides it. 0: none.");
+      "Depth in metres beyond which a splat belongs to the outside: it is trained only where nothing hides it. "
+      "0: none does.");
     v("antialias", p.antialias,
       "Splats smaller than a pixel are dimmed, not widened (Mip-Splatting's 2D filter); files keep the mark.");
     v("random-background", p.random_background,
@@ -88,7 +91,7 @@ void visit_fields(SplatParams& p, V&& v) {
 
 struct CurvePoint {
     int step;
-    float loss, psnr;  // mean over the last steps' training views
+    float loss, psnr;  // means over the training views since the last point
 };
 // Means over the held-out views.
 struct EvalPoint {
@@ -103,43 +106,40 @@ struct FittedSplats {
     Splats splats;
     std::vector<CurvePoint> curve;
     std::vector<EvalPoint> evals;            // empty without eval_every
-    std::vector<EvalPicture> eval_pictures;  // of the end
-    int steps = 0;                           // taken, those before a checkpoint included
+    std::vector<EvalPicture> eval_pictures;  // at the end
+    int steps = 0;                           // steps taken, including those before a resumed checkpoint
 };
 
-// Throws UsageError naming the flag of what is out of bounds or does not fit together.
+// Throws UsageError naming a flag that is out of bounds or contradicts another.
 void check_splat_params(const SplatParams& params);
 
-// Bytes that training takes besides its views, known in advance: `points` to start from.
+// Peak bytes of training besides its views, for `points` starting points.
 std::int64_t splat_memory(const SplatParams& params, std::size_t points);
-// The most Gaussians that there is memory for; params.count where nobody knows how much there is.
+// The largest number of Gaussians that fits in memory; params.count if the available memory is unknown.
 int most_that_fit(const SplatParams& params);
-// Throws Error where that is more than there is, `beside_bytes` taken for something else.
+// Throws Error if training needs more memory than available, with `beside_bytes` reserved for other uses.
 void check_splat_memory(const SplatParams& params, std::size_t points, std::int64_t beside_bytes = 0);
 
-// params.count, or fewer where params.per_m2 asks for fewer on the surface that the points lie on (the outside does not
-// count).
+// params.count, or less if params.per_m2 times the surface area of the points (without scenery outside) is less.
 int count_for(const std::vector<SurfacePoint>& points, const SplatParams& params);
 
-// Starting Gaussians: flat discs on the surfaces, params.count of them drawn from the points.
+// Initial Gaussians: flat discs on the surfaces, at params.count randomly chosen points.
 Splats initial_splats(const std::vector<SurfacePoint>& points, const SplatParams& params, const Run& run);
 inline Splats initial_splats(const std::vector<SurfacePoint>& points, int count, const Run& run) {
     SplatParams params;
     params.count = count;
     return initial_splats(points, params, run);
 }
-// Throws Error for views that do not fit together, for more Gaussians than there is memory for, for a checkpoint of
-// other settings, a damaged one or one that cannot be written (later on, with a full disk, it only warns); Stopped
-// (after writing the checkpoint, if there is to be one) when asked to stop. Going on from a checkpoint ends in the
-// bytes of a run that was never stopped.
+// Trains. Throws Error if the views are inconsistent, memory is insufficient, or a checkpoint is damaged, has other
+// settings or cannot be written (once training runs, a full disk only warns); throws Stopped when asked to stop, after
+// writing the checkpoint if one is configured. Resuming from a checkpoint gives the same bytes as an uninterrupted run.
 FittedSplats fit_splats(const ViewSet& views, const SplatParams& params, const Run& run);
-// Whether `file` is a checkpoint that fit_splats would go on from with these views, settings and seed. Not whether it
-// is whole.
+// Whether `file` is a checkpoint of these views, settings and seed. Reads its header only, so it may still be damaged.
 bool is_checkpoint_of(const std::string& file, const ViewSet& views, const SplatParams& params, std::uint64_t seed);
 
-// A picture of the splats: sRGB-encoded floats 0..1 on `background` (sRGB), and if asked the expected depth.
+// A rendering: sRGB-encoded floats 0..1 on `background` (sRGB), and the expected depth if requested.
 struct SplatPicture {
-    ImageColor color;  // sRGB-encoded (what 3DGS stores), NOT linear
+    ImageColor color;  // sRGB-encoded, as 3DGS stores color; NOT linear
     ImageF alpha;
     ImageF depth_z;  // alpha-weighted mean, metres along the optical axis (equirectangular: range along the ray); 0
                      // where alpha is 0
@@ -148,16 +148,16 @@ SplatPicture render_splats(const Splats& splats, const Pinhole& camera, const Ri
                            Vec3f background = {}, const std::string& backend = "cpu",
                            CameraModel model = CameraModel::pinhole);
 
-// A still: one picture to look at, through a flat camera or all around.
+// A still: one picture, perspective or panoramic.
 struct Still {
     ImageRgb8 color;
-    ImageMask alpha;  // 255 where the splats hide all that lies behind
+    ImageMask alpha;  // opacity, 0..255
     ImageF
-        distance;  // metres; flat: along the optical axis (depth_z), sphere: along the ray (range); 0 where nothing is
+        distance;  // metres; perspective: along the optical axis (depth_z), panorama: along the ray (range); 0 = empty
 };
 // On `background` (sRGB, 0..1).
 Still still_of(const Splats& splats, const Pinhole& camera, const Rigid& world_from_camera, Vec3f background = {});
-// Equirectangular, width = 2 height: six flat pictures put together.
+// Equirectangular, width = 2 height: resampled from six perspective pictures.
 Still sphere_of(const Splats& splats, int width, const Rigid& world_from_pano, Vec3f background = {});
 
 }  // namespace fastscene

@@ -1,5 +1,5 @@
-// What a splat's picture may depend on besides the 14 parameters seen by a pinhole: higher bands of color, the
-// equirectangular camera, antialiasing. Gradients against Jet, kernels against the reference.
+// Beyond 14 parameters and a pinhole: higher SH degrees, the equirectangular camera, antialiasing. Gradients are tested
+// against Jet, kernels against the reference.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -132,7 +132,7 @@ TEST_P(SplatCamera, KernelsAreTheReference) {
             Distance distance;
             for (std::int64_t i = 0; i < cloud.count; ++i)
                 distance.add(mine[cloud.at(i, p)], parameter(gradient[static_cast<std::size_t>(i)], p));
-            EXPECT_LT(distance.relative(), 6e-4) << name << ' ' << p;  // kernels are within 6e-5 of each other
+            EXPECT_LT(distance.relative(), 6e-4) << name << ' ' << p;  // kernels differ from each other by up to 6e-5
         }
         Distance distance;
         const int n = 3 * rest_functions(c.degree);
@@ -145,7 +145,7 @@ TEST_P(SplatCamera, KernelsAreTheReference) {
     }
 }
 
-// A small round splat lands where geometry/sphere.h says, and its two halves meet at the seam.
+// A small round splat appears where geometry/sphere.h says, and its two halves meet at the seam.
 TEST(SplatSphere, SplatsLandWhereTheSphereSays) {
     const EquirectSize size{128, 64};
     for (const Vec3f p : {Vec3f{0, 0, 2}, Vec3f{1, -0.5f, 1.5f}, Vec3f{-0.3f, 1.f, -2.f}, Vec3f{0.001f, 0, -2}}) {
@@ -158,7 +158,7 @@ TEST(SplatSphere, SplatsLandWhereTheSphereSays) {
         const SplatPicture picture = render_splats(s, {size.width, size.height, 0, 0, 0, 0}, {}, {}, "cpu",
                                                    CameraModel::equirectangular);
         const Vec2f at = pixel_of_direction(p, size);
-        // Mean of the picture's alpha, about the splat's place around the seam.
+        // Mean alpha around the splat's position at the seam.
         double sum = 0, x_sum = 0, y_sum = 0;
         for (int y = 0; y < size.height; ++y)
             for (int x = 0; x < size.width; ++x) {
@@ -173,7 +173,7 @@ TEST(SplatSphere, SplatsLandWhereTheSphereSays) {
     }
 }
 
-// Seen from ever farther away a splat smaller than a pixel fades as its area does.
+// With growing distance, a splat smaller than a pixel fades in proportion to its area.
 TEST(SplatAntialias, FarSplatsFade) {
     Splats s;
     s.resize(1);

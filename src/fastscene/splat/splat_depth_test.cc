@@ -1,4 +1,4 @@
-// The regularizer of depth: gradients against Jet, kernels against the reference, and what it is for.
+// The depth regularizer: gradients against Jet, kernels against the reference, and its effect on training.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -43,7 +43,7 @@ TEST_P(SplatDepth, GradientIsTheSlopeOfTheJet) {
     auto gradient = gradients_reference(g, lens_over<double>(lens_), picture, std::vector<Vec3d>(v_depth.size()), {},
                                         &no_bands, v_depth);
     auto jets = gaussians_of<Jet>(splats_);
-    for (int p = 0; p < kParameters - 3; ++p) {  // depth has no color
+    for (int p = 0; p < kParameters - 3; ++p) {  // color does not affect depth
         Distance distance;
         for (std::size_t i = 0; i < jets.size(); i += 4) {
             parameter(jets[i], p).slope = 1;
@@ -61,7 +61,7 @@ TEST_P(SplatDepth, GradientIsTheSlopeOfTheJet) {
     }
 }
 
-// What the transmittance left asks of every parameter, by derivatives carried through the renderer.
+// The transmittance loss: gradient of every parameter against forward differentiation through the renderer.
 TEST_P(SplatDepth, TransmittanceHasTheGradientOfItsJets) {
     const auto g = gaussians_of<double>(splats_);
     const auto picture = render_reference(g, lens_over<double>(lens_), camera_.width, camera_.height, Vec3d{});
@@ -70,7 +70,7 @@ TEST_P(SplatDepth, TransmittanceHasTheGradientOfItsJets) {
     auto gradient = gradients_reference(g, lens_over<double>(lens_), picture, std::vector<Vec3d>(v.size()), {},
                                         &no_bands, {}, v);
     auto jets = gaussians_of<Jet>(splats_);
-    for (int p = 0; p < kParameters - 3; ++p) {  // transmittance has no color
+    for (int p = 0; p < kParameters - 3; ++p) {  // color does not affect transmittance
         Distance distance;
         for (std::size_t i = 0; i < jets.size(); i += 4) {
             parameter(jets[i], p).slope = 1;
@@ -86,7 +86,7 @@ TEST_P(SplatDepth, TransmittanceHasTheGradientOfItsJets) {
     }
 }
 
-// Color, depth and transmittance together, as a training step has them.
+// Color, depth and transmittance together, as in a training step.
 TEST_P(SplatDepth, KernelsAreTheReference) {
     const auto g = gaussians_of<double>(splats_);
     const auto lens = lens_over<double>(lens_);
@@ -126,7 +126,7 @@ TEST_P(SplatDepth, KernelsAreTheReference) {
     }
 }
 
-// Where pictures say little about depth, it keeps to the points if it is asked to.
+// Where pictures constrain depth only weakly, the regularizer keeps splats near the starting points.
 TEST(SplatDepthTraining, DepthStaysNearerToThePoints) {
     ViewSet set = bench::room_set(48, 2, 3000, 0, 1).train;
     const auto error = [&](float strength) {

@@ -1,4 +1,4 @@
-// The fast renderer against the reference, for every instruction set this processor has.
+// The fast renderer against the reference, for every instruction set that this processor supports.
 #include <gtest/gtest.h>
 
 #include <cstring>
@@ -44,7 +44,7 @@ TEST_P(SplatKernel, PictureIsTheReference) {
             depth.add(engine.depth_sum(x, y), ruler.depth_sum[i]);
         }
     EXPECT_LT(color.relative(), 1e-4);
-    EXPECT_LT(transmittance.relative(), 1e-3);  // stops at kOpaque
+    EXPECT_LT(transmittance.relative(), 1e-3);  // blending stops at kOpaque
     EXPECT_LT(depth.relative(), 2e-4);
 }
 
@@ -94,7 +94,7 @@ TEST_P(SplatKernel, TheOutsideLearnsOnlyWhereItShows) {
     const auto picture = render_reference(g, lens, camera.width, camera.height, Vec3d{0.2f, 0.4f, 0.6f});
     std::vector<double> no_bands;
     auto ruler = gradients_reference(g, lens, picture, v, {}, &no_bands, {}, {}, outside_m),
-               all = gradients_reference(g, lens, picture, v);
+         all = gradients_reference(g, lens, picture, v);
     Distance distance, held_back;
     for (std::int64_t i = 0; i < cloud.count; ++i)
         for (int p = 0; p < kParameters; ++p) {
@@ -107,8 +107,8 @@ TEST_P(SplatKernel, TheOutsideLearnsOnlyWhereItShows) {
     EXPECT_GT(held_back.relative(), 0.05);
 }
 
-// Adam's first step is as long as its rate: what stands beyond the reach steps farther, in proportion, and only its
-// position does.
+// Adam's first step has the length of the learning rate; beyond the reach, position steps (only those) grow in
+// proportion to the distance.
 TEST_P(SplatKernel, FarSplatsStepFarther) {
     const Pinhole camera = test_camera(75, 58);
     const Splats s = random_splats(60, 11);
@@ -163,7 +163,7 @@ TEST_P(SplatKernel, LossAndItsGradientAreTheReference) {
         }
 }
 
-// Whatever a file or a run gone wrong may hold: the splat vanishes or shows, the others stay as they are.
+// Invalid splats (from a file or a diverged run) are drawn or skipped, but never affect the others.
 TEST_P(SplatKernel, PoisonStaysWhereItIs) {
     const Pinhole camera = test_camera(64, 48);
     const Splats clean = random_splats(40, 17);
@@ -237,11 +237,11 @@ TEST(Splat, MovingWorldAndCameraTogetherChangesNothing) {
     double worst = 0;
     for (std::size_t i = 0; i < a.color.size(); ++i)
         worst = std::max(worst, static_cast<double>(length(a.color.pixels[i] - b.color.pixels[i])));
-    EXPECT_LT(worst, 5e-3);  // an alpha near 1/255 may fall on the other side
+    EXPECT_LT(worst, 5e-3);  // an alpha near 1/255 may fall on either side
 }
 
 TEST_P(SplatKernel, NumberOfThreadsDoesNotChangeAByte) {
-    const Pinhole camera = test_camera(130, 3 * kLossRows + 5);  // high enough for as many bands as threads
+    const Pinhole camera = test_camera(130, 3 * kLossRows + 5);  // enough rows for several bands
     const int before = thread_count();
     std::vector<AlignedFloats> results;
     std::vector<double> losses;

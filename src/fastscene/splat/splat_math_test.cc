@@ -1,4 +1,4 @@
-// The hand-written gradients against central differences and against forward differentiation (Jet).
+// The hand-written gradients against central differences and forward differentiation (Jet).
 #include <gtest/gtest.h>
 
 #include "fastscene/splat/jet.h"
@@ -37,7 +37,7 @@ TEST(SplatMath, GradientIsTheCentralDifferenceForEveryKindOfParameter) {
             x = before - kStep;
             const double down = objective(g, lens, camera, v);
             x = before;
-            // A pixel whose alpha crosses a threshold within the step jumps: no derivative there.
+            // Where a pixel's alpha crosses a threshold within the step there is no derivative.
             const double slope = (up - down) / (2 * kStep), mine = parameter(gradient[i], p);
             if (std::abs(slope - mine) < 100 + std::abs(mine)) distance.add(mine, slope);
         }
@@ -100,7 +100,7 @@ TEST(SplatMath, LossOfThePictureItselfIsNothing) {
     EXPECT_GT(loss_reference(std::vector<Vec3d>(picture.size(), {0.5, 0.5, 0.5}), view, 0.2).loss, 0.1);
 }
 
-// One round Gaussian on the optical axis: variance on screen = (f s / z)^2 + dilation, alpha = o exp(-r^2 / 2 var).
+// One isotropic Gaussian on the optical axis: screen variance = (f s / z)^2 + dilation, alpha = o exp(-r^2 / 2 var).
 TEST(SplatMath, OneGaussianHasAClosedForm) {
     Splats s;
     s.resize(1);

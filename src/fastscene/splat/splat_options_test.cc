@@ -1,4 +1,4 @@
-// What training can be told: strategies, higher bands, held-out views, checkpoints, pictures of the whole sphere.
+// Training options: strategies, SH degrees, held-out views, checkpoints, equirectangular views.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -67,7 +67,7 @@ TEST_F(SplatOptions, EveryStrategyLearnsAndNoneExceedsTheCap) {
     }
 }
 
-// A pixel of the half view shows what its four showed, through a camera that sees the same.
+// A pixel of the half-size view shows the mean of its four pixels, through an equivalent camera.
 TEST_F(SplatOptions, HalfViewsSeeTheSame) {
     const View whole = room().train.views[3], half = splat::half_view(whole);
     ASSERT_EQ(half.camera.width, 24);
@@ -75,16 +75,17 @@ TEST_F(SplatOptions, HalfViewsSeeTheSame) {
     EXPECT_NEAR(length(a - b), 0, 1e-6);
     const Splats splats = initial_splats(room().train.points, 3000, fastscene::Run{});
     const auto fit = [&](const View& v) { return psnr_of(render_splats(splats, v.camera, v.world_from_camera), v); };
-    EXPECT_GT(fit(half), fit(whole) - 0.5);  // a camera half a pixel off would be worse; less detail is easier
+    EXPECT_GT(fit(half),
+              fit(whole) - 0.5);  // a camera off by half a pixel would be worse; less detail is easier to fit
     View masked = whole;
     masked.weight = ImageMask(48, 48);
     masked.weight.at(0, 0) = 200;
     EXPECT_EQ(splat::half_view(masked).color.at(0, 0), whole.color.at(0, 0));
     EXPECT_EQ(splat::half_view(masked).weight.at(0, 0), 50);
-    EXPECT_EQ(splat::half_view(half).camera.width, 24);  // smaller is of no use
+    EXPECT_EQ(splat::half_view(half).camera.width, 24);  // too small to be halved
 }
 
-// A coarse beginning costs less and loses little; a run stopped within it goes on to the same bytes.
+// A coarse start costs less and loses little; a run interrupted during it resumes to the same bytes.
 TEST_F(SplatOptions, CoarseBeginning) {
     SplatParams params = short_run(2000, 200), coarse = params;
     coarse.coarse = 0.4f;
@@ -97,7 +98,7 @@ TEST_F(SplatOptions, CoarseBeginning) {
     EXPECT_TRUE(fit_splats(room().train, coarse, fastscene::Run{}).splats == whole.splats);
 }
 
-// Stopped anywhere, training goes on to the same bytes; and beyond its end when asked.
+// Interrupted anywhere, training resumes to the same bytes; it can also be extended beyond its end.
 TEST_F(SplatOptions, CheckpointGoesOnToTheSameBytes) {
     for (const char* strategy : {"mcmc", "classic"}) {
         SplatParams params = short_run(1200, 130);
@@ -140,8 +141,8 @@ TEST_F(SplatOptions, CheckpointOfSomethingElseIsRefused) {
     EXPECT_THROW(fit_splats(room().train, params, fastscene::Run{}), Error);
 }
 
-// A disk that fills in the middle costs the checkpoint, not the training; one that cannot be written at all is said
-// before it.
+// A disk that fills up during training costs the checkpoint, not the training; a path that cannot be written is
+// reported before training starts.
 TEST_F(SplatOptions, TrainingOutlivesItsCheckpoint) {
     struct Listener : EventSink {
         std::vector<std::string> warnings;
@@ -201,7 +202,7 @@ TEST_F(SplatOptions, HeldOutViewsAreMeasuredAndStopTraining) {
     EXPECT_LE(all.evals.back().ssim, 1.f);
     ASSERT_EQ(all.eval_pictures.size(), 4u);
     EXPECT_EQ(all.eval_pictures[0].view, room().train.views[6].name);
-    params.steps = 5000;  // large steps for long: the held-out views get no better after a while
+    params.steps = 5000;  // large steps for long: after a while the held-out views stop improving
     params.patience = 3;
     params.learning_rate_mean_m = 0.02f;
     const FittedSplats stopped = fit_splats(room().train, params, fastscene::Run{});
@@ -210,7 +211,7 @@ TEST_F(SplatOptions, HeldOutViewsAreMeasuredAndStopTraining) {
     EXPECT_THROW(fit_splats(room().train, params, fastscene::Run{}), Error);
 }
 
-// Red that grows with the slant of the line of sight: degree 0 cannot show it, degree 1 can.
+// Red that varies with viewing angle: degree 0 cannot represent it, degree 1 can.
 TEST_F(SplatOptions, HigherBandsLearnWhatHangsOnTheDirection) {
     const bench::TexturedRoom world;
     const Pinhole camera = Pinhole::with_fov(48, 48, 90);
@@ -244,7 +245,7 @@ TEST_F(SplatOptions, BackendsAgreeWithHigherBandsAndRegularizers) {
     set.views.resize(2);
     SplatParams params = short_run(300, 8);
     params.sh_degree = 1;
-    params.opacity_pull = 0.1f, params.scale_pull = 1.f;
+    params.opacity_reg = 0.1f, params.scale_reg = 1.f;
     params.random_background = true;
     const FittedSplats fast = fit_splats(set, params, fastscene::Run{});
     params.backend = "reference";
@@ -268,13 +269,13 @@ TEST_F(SplatOptions, PullsLowerOpacitiesAndSizes) {
         return std::pair(opacity, scale);
     };
     const auto before = means();
-    params.opacity_pull = 1, params.scale_pull = 10;
+    params.opacity_reg = 1, params.scale_reg = 10;
     const auto after = means();
     EXPECT_LT(after.first, 0.9 * before.first);
     EXPECT_LT(after.second, 0.95 * before.second);
 }
 
-// Trained on whole-sphere pictures alone, measured in perspective ones at other poses.
+// Trained on equirectangular pictures only, measured on perspective ones at other poses.
 TEST_F(SplatOptions, EquirectangularPicturesTeachWithoutCuts) {
     const EquirectSize size{160, 80};
     const bench::TexturedRoom world;
@@ -308,7 +309,7 @@ TEST_F(SplatOptions, EquirectangularPicturesTeachWithoutCuts) {
 
 TEST(SplatExtent, CamerasThatLookOutwardAreMeasuredByWhatTheySee) {
     EXPECT_GT(splat::scene_extent(room().train).radius_m, 1.5f);
-    ViewSet around = room().train;  // the same with a stray camera far away
+    ViewSet around = room().train;  // the same with an outlier camera far away
     around.views[0].world_from_camera.translation = {1000, 0, 0};
     EXPECT_LT(splat::scene_extent(around).radius_m, 5.f);
 }

@@ -22,7 +22,7 @@ TEST(DepthSort, FrontToBackAndStable) {
     Random random(1, "test.depth_sort", 0);
     for (const int count : {0, 1, 2, 1000, 50000}) {
         std::vector<float> depths;
-        // Depths of a room, each of them some times, and a few from the ends of what a depth may be.
+        // Depths as in a room, with duplicates, plus extreme values.
         for (int i = 0; i < count; ++i) depths.push_back(std::round(random.uniform(0.1f, 9.f) * 512) / 512);
         if (count > 100) depths[7] = 1e6f, depths[70] = 0.1f, depths[71] = 1e-30f;
         std::vector<std::uint64_t> keys = keys_of(depths), other, wanted = keys;

@@ -1,4 +1,4 @@
-// Training on a small room made of formulas.
+// Training on a small analytic room.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -13,7 +13,7 @@
 namespace fastscene {
 namespace {
 
-using Context = Run;  // inside a test, Run is a function of GoogleTest
+using Context = Run;  // inside a test, Run is a member function of GoogleTest
 
 Context seeded(std::uint64_t seed) {
     Context run;
@@ -71,7 +71,7 @@ TEST(SplatTrain, SameSeedSameBytesForAnyNumberOfThreads) {
     EXPECT_FALSE(one == other);
 }
 
-// The first steps of both backends are the same up to rounding.
+// The first steps of both backends agree up to rounding.
 TEST(SplatTrain, BackendsTakeTheSameSteps) {
     ViewSet set = small_room().train;
     set.views.resize(2);
@@ -137,7 +137,7 @@ TEST(SplatInit, DiscsLieOnTheirSurface) {
     EXPECT_EQ(initial_splats(points, 1 << 20, Context{}).size(), points.size());
 }
 
-// A dead splat and the one with all the error become two neighbours along its longest axis.
+// A dead splat and the one with all the error become two neighbours along the latter's longest axis.
 TEST(SplatRelocate, TheDeadMoveToWhereTheErrorIs) {
     Splats s = initial_splats(small_room().train.points, 200, Context{});
     s.opacity_logit[3] = -9;
@@ -173,7 +173,7 @@ TEST(SplatRelocate, SplittingHardlyChangesThePicture) {
     EXPECT_GT(psnr(render_splats(cloud.splats(), view.camera, view.world_from_camera), before), 30);
 }
 
-// A hall needs more than a bathroom, within the bound; the outside is no surface of theirs.
+// A hall needs more splats than a bathroom, within the limit; scenery outside does not count.
 TEST(SplatCount, FollowsTheSurface) {
     SplatParams params;
     params.count = 500'000;

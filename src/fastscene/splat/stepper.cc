@@ -25,7 +25,7 @@ class CpuStepper : public Stepper {
     Engine engine_{choose_kernel()};
 };
 
-// Adam as in the paper, in double precision but for what is stored.
+// Adam as published, in double precision except for what is stored.
 struct AdamSlot {
     float &x, &first_moment, &second_moment;
 };
@@ -67,7 +67,7 @@ class ReferenceStepper : public Stepper {
             double all[kParameters] = {g.mean.x,      g.mean.y,     g.mean.z,     g.log_scale.x, g.log_scale.y,
                                        g.log_scale.z, g.rotation.w, g.rotation.x, g.rotation.y,  g.rotation.z,
                                        g.logit,       g.sh0.x,      g.sh0.y,      g.sh0.z};
-            add_pull(splats[static_cast<std::size_t>(i)], plan.rates, all);
+            add_regularizers(splats[static_cast<std::size_t>(i)], plan.rates, all);
             bool seen = false;
             for (const double x : all) seen |= x != 0;
             const Vec3d m = splats[static_cast<std::size_t>(i)].mean;
@@ -90,10 +90,10 @@ class ReferenceStepper : public Stepper {
     }
 
   private:
-    static void add_pull(const Gaussian<double>& g, const StepRates& rates, double* all) {
+    static void add_regularizers(const Gaussian<double>& g, const StepRates& rates, double* all) {
         const double opacity = 1 / (1 + std::exp(-g.logit));
-        all[10] += rates.opacity_pull * opacity * (1 - opacity);
-        for (std::size_t a = 0; a < 3; ++a) all[3 + a] += rates.scale_pull * std::exp(g.log_scale[a]);
+        all[10] += rates.opacity_reg * opacity * (1 - opacity);
+        for (std::size_t a = 0; a < 3; ++a) all[3 + a] += rates.scale_reg * std::exp(g.log_scale[a]);
     }
 };
 

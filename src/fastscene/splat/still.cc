@@ -26,18 +26,18 @@ Still still_of(const Splats& splats, const Pinhole& camera, const Rigid& world_f
 
 Still sphere_of(const Splats& splats, int width, const Rigid& world_from_pano, Vec3f background) {
     const EquirectSize size{width, width / 2};
-    // Two degrees over the cube's edges, so that no bilinear sample falls outside.
+    // 90 degrees plus a margin, so that no bilinear sample falls outside a cube face.
     constexpr float kFovDeg = 94.f;
-    // Every splat is drawn at least as wide as a pixel (0.3 of one is added to its variance). A sphere is mostly
-    // coarser than the views that taught the splats, so faces as fine as the sphere would blur it; they are twice as
-    // fine, and averaged.
-    constexpr int kWidestAveraged = 4096;  // beyond that the six faces would take gigabytes
+    // The low-pass (0.3 px2 of variance) draws every splat at least about a pixel wide. Panoramas are mostly coarser
+    // than the training views, so faces at the panorama's resolution would blur: they are rendered twice as fine, then
+    // averaged.
+    constexpr int kWidestAveraged = 4096;  // above that, six supersampled faces would take gigabytes
     const double finer = width <= kWidestAveraged ? 2 : 1;
     const double side = finer * width / std::numbers::pi *
                         std::tan(static_cast<double>(kFovDeg) * std::numbers::pi / 360);
     const Pinhole camera = Pinhole::with_fov(std::max(8, static_cast<int>(std::ceil(side))),
                                              std::max(8, static_cast<int>(std::ceil(side))), kFovDeg);
-    std::array<ImageColor, 6> colors, others;  // the others: alpha and range
+    std::array<ImageColor, 6> colors, others;  // others: alpha and range
     for (std::size_t f = 0; f < kCubeFaces.size(); ++f) {
         const Rigid world_from_face{world_from_pano.rotation * pano_from_face(kCubeFaces[f]),
                                     world_from_pano.translation};

@@ -11,8 +11,8 @@
 namespace fastscene {
 namespace {
 
-// A ball of small opaque splats of many colors about the camera, each about as wide as a pixel of a sphere of 256
-// columns.
+// A ball of small opaque splats of random colors around the camera, each about as wide as a pixel of a 256 column
+// panorama.
 Splats speckled_ball() {
     constexpr EquirectSize kGrid{256, 128};
     Splats out;
@@ -31,8 +31,8 @@ Splats speckled_ball() {
     return out;
 }
 
-// Splats are never drawn narrower than a pixel, so a coarse sphere must be drawn finer and averaged: it shows what the
-// mean of a sphere four times as wide shows.
+// Splats are never drawn narrower than a pixel, so a coarse panorama must be supersampled: it equals the downsampled
+// panorama of four times the width.
 TEST(Still, ACoarseSphereIsTheMeanOfAFineOne) {
     const Splats splats = speckled_ball();
     constexpr int kWidth = 192, kTimes = 4;

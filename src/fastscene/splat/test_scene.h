@@ -1,4 +1,4 @@
-// Small scenes for the tests of this room.
+// Small scenes for this module's tests.
 #pragma once
 
 #include <vector>
@@ -27,7 +27,7 @@ inline Splats random_splats(int count, std::uint64_t seed) {
     }
     return s;
 }
-// An uneven picture with its principal point aside: nothing may depend on it being in the middle.
+// A non-square picture with its principal point off center: nothing may assume symmetry.
 inline Pinhole test_camera(int width = 61, int height = 45) {
     return {width,
             height,
@@ -50,7 +50,7 @@ F& parameter(Gaussian<F>& g, int p) {
     if (p < 10) return p == 6 ? g.rotation.w : p == 7 ? g.rotation.x : p == 8 ? g.rotation.y : g.rotation.z;
     return p == 10 ? g.logit : g.sh0[static_cast<std::size_t>(p - 11)];
 }
-// |a - b| / |b| of two lists, as vectors.
+// |a - b| / |b| of two lists as vectors.
 struct Distance {
     double difference2 = 0, size2 = 0;
     void add(double a, double b) { difference2 += (a - b) * (a - b), size2 += b * b; }

@@ -21,7 +21,7 @@
 namespace fastscene::splat {
 namespace {
 
-// The view of each step (from 1): every view once, in random order, then again in another order.
+// The view of each step (from 1): all views in random order, reshuffled each epoch.
 class ViewOrder {
   public:
     ViewOrder(std::size_t count, std::uint64_t seed) : order_(count), seed_(seed) {}
@@ -62,14 +62,14 @@ void check_views(const ViewSet& set) {
     }
 }
 
-// Which of the views teach and which only measure.
+// Training views and held-out views.
 struct Split {
     std::vector<const View*> train, held_out;
 };
 Split split_views(const ViewSet& set, const SplatParams& params) {
     Split out;
     for (std::size_t i = 0; i < set.views.size(); ++i) {
-        // The first view is kept for training: with one view alone there is nothing to hold out.
+        // The first view is always trained on: with a single view there is nothing to hold out.
         const bool held = params.eval_every > 0 &&
                           i % static_cast<std::size_t>(params.holdout) == static_cast<std::size_t>(params.holdout) - 1;
         (held ? out.held_out : out.train).push_back(&set.views[i]);
@@ -80,7 +80,7 @@ Split split_views(const ViewSet& set, const SplatParams& params) {
     return out;
 }
 
-// All that a run's numbers depend on but how far it goes and what is measured on the way.
+// Everything that determines a run's numbers, except its length and evaluation settings.
 std::string key_of(const ViewSet& set, SplatParams params, std::uint64_t seed) {
     Hash hash;
     params.until = 0, params.checkpoint.clear(), params.checkpoint_every = 500, params.patience = 0;
@@ -98,8 +98,8 @@ std::string key_of(const ViewSet& set, SplatParams params, std::uint64_t seed) {
     return hash.hex();
 }
 
-// Parameters with two moments each, what density control remembers, a record with its key and tiles for the picture in
-// progress; and the splat at the end.
+// Per splat: parameters with two moments each, density control statistics, a record with its key and tiles, and the
+// final splat.
 std::int64_t memory_of_one(const SplatParams& params) {
     const auto rest = static_cast<std::int64_t>(3 * rest_functions(std::max(0, params.sh_degree)));
     return 4 * (3 * (kParameters + rest) + 2) + 4 * (kParameters + rest) +
@@ -113,7 +113,7 @@ EvalPoint evaluate(const TrainState& state, const std::vector<const View*>& view
     double psnr = 0, ssim = 0;
     for (const View* v : views) {
         engine.render(state.cloud, v->camera, v->world_from_camera, {}, false, v->model);
-        const LossSums sums = engine.differentiate(*v, 1.f);  // the loss is then all D-SSIM
+        const LossSums sums = engine.differentiate(*v, 1.f);  // loss = D-SSIM only
         psnr += psnr_of(sums.squared_error), ssim += 1 - sums.loss;
     }
     const double n = static_cast<double>(views.size());
@@ -131,14 +131,14 @@ std::vector<EvalPicture> eval_pictures(const Splats& splats, const std::vector<c
     return out;
 }
 
-// The first steps' smaller copies of the views.
+// Memory of the half-size views for the first steps.
 std::int64_t memory_of_half_views(const ViewSet& set, const SplatParams& params) {
     std::int64_t pixels = 0;
     for (const View& v : set.views) pixels += static_cast<std::int64_t>(3 * v.color.size() + v.weight.size()) / 4;
     return params.coarse > 0 ? pixels : 0;
 }
 
-// One run of training: the state and what does not change while it goes on.
+// A training run: its state and its constants.
 class Training {
   public:
     Training(const ViewSet& set, const SplatParams& params, const TrainTuning& tuning, const Run& run)
@@ -153,7 +153,7 @@ class Training {
         last_ = params.until > 0 ? params.until : params.steps;
         coarse_steps_ = static_cast<int>(params.coarse * static_cast<float>(params.steps));
         if (params.depth > 0) depth_.emplace(set, params.count, run);
-        // A splat is useless only if no view needs it: judge after every view has been seen.
+        // Whether a splat is useless is known only after every view has been seen.
         density_every_ = std::max(tuning.relocate_every, static_cast<int>(views_.train.size()));
     }
 
@@ -188,12 +188,12 @@ class Training {
             key_ = key_of(set, params_, run_.seed);
             if (std::filesystem::exists(params_.checkpoint)) {
                 TrainState found = load_checkpoint(params_.checkpoint, key_);
-                found.cloud.antialias = params_.antialias;  // settings stand in the key
+                found.cloud.antialias = params_.antialias;  // settings are covered by the key
                 run_.note(fmt::format("splat: going on from step {} of {}", found.step, params_.checkpoint));
                 return found;
             }
             write_file(params_.checkpoint,
-                       std::string_view());  // whether it can be written is better known now than hours later
+                       std::string_view());  // fail now rather than hours later if it cannot be written
             std::filesystem::remove(params_.checkpoint);
         }
         check_splat_memory(params_, set.points.size(), memory_of_half_views(set, params_));
@@ -214,11 +214,10 @@ class Training {
         plan.lambda_dssim = params_.lambda_dssim;
         plan.rates.rates = rates_at(done, params_, tuning_);
         plan.rates.adam_step = now;
-        constexpr float kReach = 4.f;  // of the scene's radius
+        constexpr float kReach = 4.f;  // times the scene's radius
         plan.rates.middle = extent_.middle, plan.rates.reach_m = kReach * extent_.radius_m;
         const auto count = static_cast<float>(state_.cloud.count);
-        plan.rates.opacity_pull = params_.opacity_pull / count,
-        plan.rates.scale_pull = params_.scale_pull / (3 * count);
+        plan.rates.opacity_reg = params_.opacity_reg / count, plan.rates.scale_reg = params_.scale_reg / (3 * count);
         if (params_.sh_degree > 0 && now % tuning_.rest_every == 0)
             plan.rates.rest_rate = tuning_.rest * std::pow(tuning_.other_end, done),
             plan.rates.rest_adam_step = now / tuning_.rest_every;
@@ -289,7 +288,7 @@ class Training {
         return since >= params_.patience;
     }
 
-    // The training is worth more than its checkpoint: a full disk must not end it.
+    // A full disk must not end the training, which is worth more than its checkpoint.
     void save() {
         if (params_.checkpoint.empty() || saved_ == state_.step) return;
         saved_ = state_.step;
@@ -343,7 +342,7 @@ std::int64_t splat_memory(const SplatParams& params, std::size_t points) {
 }
 
 int most_that_fit(const SplatParams& params) {
-    constexpr double kShare = 0.8;  // views and pictures want theirs
+    constexpr double kShare = 0.8;  // the rest is left for views and pictures
     const std::int64_t found = available_memory();
     if (found <= 0) return params.count;
     return static_cast<int>(

@@ -1,4 +1,4 @@
-// The knobs of training that no user needs, in one place so that experiments can turn them.
+// Training parameters that are not exposed to users, in one place for experiments.
 #pragma once
 
 #include "fastscene/splat/splat.h"
@@ -6,18 +6,18 @@
 namespace fastscene::splat {
 
 struct TrainTuning {
-    // Adam step sizes at the start; each falls exponentially to `end` times its start.
+    // Adam's initial learning rates; each decays exponentially to `end` times its start.
     float scale = 1.2e-2f, rotation = 3e-3f, sh0 = 1e-2f;
     float mean_end = 0.05f, other_end = 0.2f;
-    // Of the splats, each time. 0: only the dead move. Started from dense surface points there is nothing
-    // to densify: moving 3 % of the splats cost 0.1 dB at held-out poses.
+    // Share of the splats relocated each time. 0: only dead ones move. Starting from dense surface points there is
+    // nothing to densify: relocating 3 % cost 0.1 dB at held-out poses.
     float relocate_fraction = 0.f;
-    int relocate_every = 100;     // steps; at least one round of the views
-    float relocate_until = 0.7f;  // of the run
-    float growth = 0.05f;         // of the splats there are, each time, until there are `count`
-    float noise = 0.f;            // of the positions, in step sizes (mcmc): with dense starting points it only blurs
-    float rest = 1e-2f / 4;       // the higher bands; a twentieth of sh0's, as published, is for runs ten times as long
-    int rest_every = 2;           // steps between two of the higher bands: they are most of the memory traffic
+    int relocate_every = 100;     // steps; at least one epoch
+    float relocate_until = 0.7f;  // share of the run
+    float growth = 0.05f;         // share of the current count added each time, until there are `count`
+    float noise = 0.f;            // position noise in step sizes (mcmc): starting from dense points it only blurs
+    float rest = 1e-2f / 4;  // SH degrees >= 1; the published value, a twentieth of sh0's, suits runs ten times as long
+    int rest_every = 2;      // update SH degrees >= 1 every this many steps: they dominate memory traffic
 };
 
 FittedSplats fit(const ViewSet& views, const SplatParams& params, const TrainTuning& tuning, const Run& run);

@@ -15,8 +15,8 @@ namespace {
 constexpr std::string_view kMagic = "fastscene splat checkpoint 2\n";
 constexpr std::size_t kHashChars = 32;
 
-// One description for both directions: Out writes, In reads. Piece by piece: a second copy of the state may not fit in
-// memory. What went through is hashed; a checkpoint ends in the hash.
+// Serialization described once for both directions: Out writes, In reads. Streamed, since a second copy of the state
+// may not fit in memory. All bytes are hashed; a checkpoint ends with the hash.
 struct Out {
     std::ofstream file;
     Hash hash;

@@ -12,15 +12,16 @@ namespace fastscene {
 namespace {
 
 constexpr std::array<float, 5> kSpline{1.f / 16, 1.f / 4, 3.f / 8, 1.f / 4, 1.f / 16};
-constexpr float kDeviations = 2.2f;  // values that differ by less are the same light
+constexpr float kDeviations = 2.2f;  // range weight: differences beyond this many standard deviations are real edges
 constexpr float kExact = 0.004f;     // relative standard error below which nothing is left to do
-constexpr float kOffPlane = 0.12f;   // how far off a pixel's plane, by its distance, a neighbour may lie
+// how far off a pixel's plane a neighbour may lie, as a share of the pixel's distance
+constexpr float kOffPlane = 0.12f;
 
 bool is_surface(Vec3f normal) { return dot(normal, normal) > 0.25f; }
 
-// A pixel knows little of its own variance: where none of its rays met the lamp they seem to agree. Neighbours know
-// together how far a ray strays; and a pixel that is surer of its error than they are is believed, or one lucky ray
-// would stay a speck.
+// A pixel's own variance estimate is unreliable: if none of its rays hit the lamp, they all agree. So the variance per
+// ray is pooled over the neighbourhood, and a pixel counts as more certain than its neighbours only as far as its
+// larger ray count justifies. Otherwise a single lucky ray would survive as a speck.
 ImageF pooled_variance(const ImageF& variance, const Guides& guides) {
     constexpr int kReach = 2;
     ImageF out = variance;
@@ -44,13 +45,13 @@ ImageF pooled_variance(const ImageF& variance, const Guides& guides) {
     return out;
 }
 
-// One level: the spline's 5 x 5 taps, `step` pixels apart.
+// One level of the à-trous wavelet: the 5 x 5 B-spline taps, `step` pixels apart.
 struct Level {
     const NoisyLight& light;
     const Guides& guides;
     int step;
 
-    // How much of pixel q's light is that of p. The rest is p's own.
+    // Edge-stopping weight of pixel q for the pixel at `position`, in 0..1.
     float agreement(Vec3f position, Vec3f normal, float bright, float deviation2, int qx, int qy) const {
         const float same = same_surface(guides, qx, qy, position, normal);
         if (!(same > 0)) return 0;
@@ -78,7 +79,8 @@ struct Level {
                 const float spline = kSpline[static_cast<std::size_t>(i + 2)] *
                                      kSpline[static_cast<std::size_t>(j + 2)];
                 const float agrees = i == 0 && j == 0 ? 1.f : agreement(position, normal, bright, own, qx, qy);
-                const float w = spline * agrees * guides.rays_of(qx, qy);  // a mean of all rays, not of pixels
+                // weighted by rays, so that the result is the mean over rays rather than over pixels
+                const float w = spline * agrees * guides.rays_of(qx, qy);
                 sum += light.value.at(qx, qy) * w;
                 weights += w;
                 squares += w * w * light.variance.at(qx, qy);

@@ -1,31 +1,32 @@
-// Denoise: what chance left in a picture's light, averaged over neighbours on the same surface.
+// Denoiser: averages the Monte Carlo noise in a picture's light over neighbours on the same surface.
 //
-// The filter is an à-trous wavelet (Dammertz et al. 2010) guided by position, normal and the variance of each pixel's
-// own mean (Schied et al. 2017, without its history). It sees light alone: textures, outlines and whatever else is
-// known exactly are put back by the caller.
+// An à-trous wavelet filter (Dammertz et al. 2010) guided by position, normal and the variance of each pixel's mean
+// (the spatial part of SVGF, Schied et al. 2017). It filters light only: the caller multiplies textures back in, so
+// they stay sharp.
 #pragma once
 
 #include "fastscene/image/image.h"
 
 namespace fastscene {
 
-// Light by pixel, and the variance of the mean of its luminance.
+// Light per pixel, and the variance of the mean of its luminance.
 struct NoisyLight {
     ImageColor value;
     ImageF variance;
 };
 
 struct Guides {
-    ImageColor position, normal;  // of the first hit; a normal of zero: nothing, neither changed nor used
-    bool wraps = false;           // the last column is the first one's neighbour
-    ImageF rays = {};             // how many a pixel's light is the mean of; empty: all of equally many
+    // world space, at the first hit; a zero normal marks pixels that are neither filtered nor used (sky)
+    ImageColor position, normal;
+    bool wraps = false;  // a full panorama: the last column is next to the first
+    ImageF rays = {};    // ray count per pixel; empty: the same everywhere
     float rays_of(int x, int y) const { return rays.empty() ? 1.f : rays.at(x, y); }
 };
 
-// How much a pixel shows the surface at `position`: 1 = the same plane, 0 = another. `normal` of length 1.
+// Weight in 0..1 of the pixel (x, y) for a surface at `position` with the unit normal `normal`: 1 = same plane.
 float same_surface(const Guides& guides, int x, int y, Vec3f position, Vec3f normal);
 
-// `levels`: neighbours up to 2, 4, 8 … pixels away. The same bytes for any number of threads.
+// Filters in place with `levels` passes of doubling reach: 2, 4, 8 … pixels. Deterministic for any number of threads.
 void denoise(NoisyLight& light, const Guides& guides, int levels);
 
 }  // namespace fastscene

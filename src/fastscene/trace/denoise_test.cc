@@ -14,7 +14,7 @@ namespace {
 constexpr int kWidth = 64, kHeight = 32;
 constexpr float kNoise = 0.1f;
 
-// A wall that faces the viewer, lit evenly but for noise whose size is known.
+// A wall facing the camera, evenly lit, plus noise of known size.
 struct Wall {
     NoisyLight light{ImageColor(kWidth, kHeight), ImageF(kWidth, kHeight, kNoise* kNoise)};
     Guides guides{ImageColor(kWidth, kHeight), ImageColor(kWidth, kHeight, {0, 0, -1}), true};
@@ -45,13 +45,13 @@ TEST(Denoise, EvenLightBecomesEven) {
 TEST(Denoise, ASpeckThatKnowsItselfGoes) {
     Wall wall;
     wall.light.value.at(30, 12) = {9, 9, 9};
-    wall.light.variance.at(30, 12) = 64;  // one of sixteen rays was lucky
+    wall.light.variance.at(30, 12) = 64;  // one of sixteen rays hit the lamp
     denoise(wall.light, wall.guides, 4);
     EXPECT_LT(wall.light.value.at(30, 12).x, 1.6f);
 }
 
-// Four rays that missed the lamp agree with each other; the pixels around had a hundred rays and know how far one
-// strays.
+// Four rays that all missed the lamp agree with each other; the surrounding pixels, with a hundred rays each, know the
+// true variance.
 TEST(Denoise, AFewRaysThatAgreeAreNotBelieved) {
     Wall wall;
     wall.guides.rays = ImageF(kWidth, kHeight, 100.f);
@@ -73,8 +73,8 @@ TEST(Denoise, AShadowsEdgeStaysWhereItIs) {
 
 TEST(Denoise, NothingCrossesAnEdgeOfTheRoom) {
     Wall wall;
-    // The right half stands at a right angle to the left one and is dark: by so little that variance alone would let it
-    // through.
+    // The right half is perpendicular to the left one and darker, by so little that the variance test alone would blur
+    // across.
     for (int y = 0; y < kHeight; ++y)
         for (int x = kWidth / 2; x < kWidth; ++x) {
             wall.light.value.at(x, y) = {0.9f, 0.9f, 0.9f};
@@ -100,7 +100,7 @@ TEST(Denoise, WhatIsKnownExactlyAndWhatIsNoSurfaceStays) {
     EXPECT_EQ(window.light.value.at(10, 10), one);
 }
 
-// A panorama turned about its axis is the same picture.
+// Rotating a panorama about the vertical axis must not change the result.
 TEST(Denoise, TheSeamIsNoEdge) {
     Wall wall, turned;
     constexpr int kTurn = 20;

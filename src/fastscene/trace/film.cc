@@ -11,8 +11,8 @@ namespace fastscene {
 namespace {
 
 // The response of photoreceptors and film (Naka and Rushton 1966; Reinhard and Devlin 2005, "Dynamic range reduction
-// inspired by photoreceptor physiology"): middle gray stays, blacks close gently, and white is reached far above it, so
-// that lamps, flames and patches of sun keep their shape and color.
+// inspired by photoreceptor physiology"). Middle gray is preserved, blacks roll off smoothly and highlights compress
+// gradually, so that lamps, flames and patches of sun keep their shape and color.
 class FilmCurve {
   public:
     explicit FilmCurve(float contrast)
@@ -33,7 +33,7 @@ class FilmCurve {
 struct Weighted {
     float value, weight;
 };
-// The mean without the lowest and the highest tenth: they say little about a room.
+// Trimmed mean: the lowest and highest tenth are dropped as outliers.
 float middle_mean(std::vector<Weighted>& values) {
     std::stable_sort(values.begin(), values.end(),
                      [](const Weighted& a, const Weighted& b) { return a.value < b.value; });
@@ -48,8 +48,7 @@ float middle_mean(std::vector<Weighted>& values) {
     return used > 0 ? sum / used : 0.f;
 }
 
-// What is left of a light `times` as bright as it may be: each doubling still adds something, so that the brighter
-// stays brighter.
+// Compresses light that is `times` as bright as the limit: logarithmic above it, so that order is preserved.
 float restrained(float times, float doubling) { return times > 1 ? (1 + doubling * std::log2(times)) / times : 1.f; }
 
 }  // namespace
@@ -57,7 +56,7 @@ float restrained(float times, float doubling) { return times > 1 ? (1 + doubling
 Look automatic_look(const Look& wish, const Sky& sky, const ImageColor& panorama, const ImageColor& albedo) {
     if (!wish.automatic) return wish;
     constexpr float kLeast = 1e-5f,
-                    kLeastAlbedo = 0.02f;  // below it a surface tells nothing about the light: sky, lamps, mirrors
+                    kLeastAlbedo = 0.02f;  // darker surfaces say nothing about the illumination: sky, lamps, mirrors
     std::vector<Weighted> seen, arriving;  // log2 of luminance
     Vec3f hue{};
     for (int y = 0; y < panorama.height; ++y) {
@@ -71,24 +70,26 @@ Look automatic_look(const Look& wish, const Sky& sky, const ImageColor& panorama
                 c = {c.x / a.x, c.y / a.y, c.z / a.z};
                 arriving.push_back({std::log2(std::max(kLeast, luminance(c))), w});
             }
-            hue += c * (w / std::max(kLeast, luminance(c)));  // hue only: a bright window does not decide
+            // chromaticity only, so that a bright window does not dominate
+            hue += c * (w / std::max(kLeast, luminance(c)));
         }
     }
     Look look = wish;
     look.automatic = false;
-    // Night and dusk stay darker than day. As a photographer meters, more by the light that falls on things than by
-    // what they return.
+    // Night and dusk stay darker than day. Like an incident light meter, exposure follows the light that falls on
+    // things more than the light they reflect.
     const bool night = sky.time == Sky::Time::night, dusk = sky.time == Sky::Time::dusk;
     const float key = night ? 0.21f : dusk ? 0.3f : 0.44f;
     float ev = std::log2(key) - middle_mean(seen);
     constexpr float kUsualAlbedo = 0.46f, kByLight = 0.65f;
     if (!arriving.empty()) ev = std::lerp(ev, std::log2(key / kUsualAlbedo) - middle_mean(arriving), kByLight);
     look.exposure_ev = wish.exposure_ev + ev;
-    // White is pulled most of the way towards the light's color, along the line from candles to the blue sky. What lies
-    // off that line, a neon sign, walls that light each other pink, is no light that eyes get used to.
+    // White balance moves most of the way towards the illuminant, along the Planckian locus from candlelight to blue
+    // sky. A deviation from that locus (a neon sign, pink walls lighting each other) is not something that eyes adapt
+    // to, and stays.
     const float pull = night || dusk ? 0.6f : 0.65f;
     constexpr float kLineRed = 0.62f, kLineBlue = -0.785f,
-                    kOffLine = 0.25f;  // per octave over green, of thermal light about 4000 K
+                    kOffLine = 0.25f;  // log2(blue or red) per log2(green), for thermal light about 4000 K
     const auto octaves = [&](float c) {
         return std::clamp(std::log2(std::max(kLeast, c) / std::max(kLeast, hue.y)), -1.4f, 1.4f);
     };
@@ -97,21 +98,21 @@ Look automatic_look(const Look& wish, const Sky& sky, const ImageColor& panorama
                   std::exp2(pull * std::lerp(on_line * kLineBlue, blue, kOffLine)) / wish.white.z};
     const float l = luminance(look.white);
     look.white = look.white / l;
-    // Where the sun meets dim walls its patches are a hundred times as bright as the rest, and no curve keeps both:
-    // they would be white paper, whatever lies there. The same share everywhere in the room, so patches keep textures,
+    // Sun patches on dim walls can be a hundred times brighter than the rest; no tone curve holds both, and they would
+    // burn out to white. All direct sun is therefore scaled by one factor for the whole room, so patches keep textures,
     // hues and edges.
     if (sky.sun_limit > 0) {
         constexpr float kSunDoubling = 0.12f;
         look.sun_seen = restrained(luminance(sky.sun_irradiance) * std::exp2(look.exposure_ev) / (kPi * sky.sun_limit),
                                    kSunDoubling);
     }
-    // A bright room is exposed less, and the sunny garden before it would lie there as at dusk: all outside is lifted
-    // with its ground.
+    // A bright room gets a short exposure, which would leave the sunny garden outside as dark as dusk: the outside is
+    // lifted as a whole.
     constexpr float kMostLift = 4.f;
     look.outside_seen = std::clamp(
         sky.ground_least / std::max(1e-4f, luminance(sky.ground) * sky.seen * std::exp2(look.exposure_ev)), 1.f,
         kMostLift);
-    // A room of few lamps is exposed longer, and the night before its windows would be day.
+    // A room with few lamps gets a long exposure, which would turn the night outside into day: the outside is dimmed.
     constexpr float kNightMost = 0.09f, kDuskMost = 0.28f;  // of the sky at the horizon, 1 = white by the room's light
     if (night || dusk)
         look.outside_seen = std::min(
@@ -127,14 +128,14 @@ Vec3f outside_as_seen(const Sky& sky, const Look& look, Vec3f direction) {
 }
 
 Vec3f lamp_as_seen(const Look& look, Vec3f emission) {
-    constexpr float kDoubling = 0.15f;  // what each doubling of its light still adds, once it is brighter than white
+    constexpr float kDoubling = 0.15f;  // log compression above white: what each doubling adds
     return emission * restrained(luminance(emission) * std::exp2(look.exposure_ev), kDoubling);
 }
 
 Vec3f develop(const Look& look, Vec3f radiance) {
     const float gain = std::exp2(look.exposure_ev);
     Vec3f c{radiance.x * gain / look.white.x, radiance.y * gain / look.white.y, radiance.z * gain / look.white.z};
-    // Most of it per channel (bright colors wash out to white, as film does), the rest by luminance (hues stay).
+    // Mostly per channel, so that bright colors desaturate as on film; partly by luminance, which keeps hues.
     const FilmCurve curve(look.contrast);
     const float l = luminance(c);
     const Vec3f kept = l > 0 ? c * (curve(l) / l) : c;

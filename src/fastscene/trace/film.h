@@ -1,4 +1,5 @@
-// Film: radiance becomes a picture. One exposure, white and curve a room, so that all its views agree.
+// Film: tone mapping from radiance to display color. One exposure, white balance and curve per room, so that all views
+// agree.
 #pragma once
 
 #include "fastscene/image/image.h"
@@ -6,18 +7,18 @@
 
 namespace fastscene {
 
-// Exposure and white for a room from a small panorama of radiances as seen from its first viewpoint. With the albedo of
-// the same pixels (else empty) the light itself is measured, not only what surfaces return of it: a dark room stays
-// dark, a white one white, and what is neutral stays so beside warm walls. How much of the sun is seen follows from the
-// exposure (Sky::sun_limit).
+// Chooses exposure and white balance from a small radiance panorama seen from the room's first viewpoint. `albedo`, of
+// the same pixels or empty, lets the incident light be measured rather than the reflected light: a dark room stays
+// dark, a white one white, and neutral surfaces stay neutral beside warm walls. The exposure also determines how much
+// of the direct sun is shown (Sky::sun_limit).
 Look automatic_look(const Look& wish, const Sky& sky, const ImageColor& panorama, const ImageColor& albedo = {});
 
-// What the camera sees of the outside in a direction (world, unit); what that lights is lit by all of it
-// (sky_radiance).
+// The outside as the camera sees it in a direction (world frame, unit length). Illumination uses sky_radiance instead,
+// which is not adjusted.
 Vec3f outside_as_seen(const Sky& sky, const Look& look, Vec3f direction);
 
-// The radiance of a lamp or flame that the camera looks at: as behind a photographer's filter, so that its shape and
-// hue are not lost in white. What it lights is lit by all of it.
+// The radiance of a lamp or flame that the camera sees directly, compressed so that its shape and hue do not clip to
+// white. Its illumination of the room is unaffected.
 Vec3f lamp_as_seen(const Look& look, Vec3f emission);
 
 // Radiance -> linear display-referred color in 0..1.

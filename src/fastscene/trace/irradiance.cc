@@ -1,4 +1,4 @@
-// Reading the cache.
+// Lookup.
 #include "fastscene/trace/irradiance.h"
 
 #include <algorithm>
@@ -37,7 +37,7 @@ int IrradianceCache::find(std::int32_t x, std::int32_t y, std::int32_t z, int fa
     return -1;
 }
 
-// The entry whose surface the point lies on, or the nearest around it that faces the same way.
+// The entry whose surface contains the point, or else the nearest entry around it with the same facing.
 int IrradianceCache::nearest(Vec3f position, Vec3f normal) const {
     const Vec3f q = (position - origin_) / cell_m_;
     const std::int32_t x = cell_index(q.x), y = cell_index(q.y), z = cell_index(q.z);
@@ -52,8 +52,8 @@ int IrradianceCache::nearest(Vec3f position, Vec3f normal) const {
         const float agree = dot(cell.normal, normal), far = length(cell.center - position) + cell_m_ * (1 - agree) * 2;
         if (agree > least_agreement && far < best_far) best_far = far, best = c;
     };
-    // Most often the surface only grazes this cell, or turns to another main direction in it: a dozen looks instead of
-    // 162.
+    // Most often the surface merely grazes this cell, or changes its dominant axis within it: test a dozen candidates
+    // first instead of all 162.
     for (int f = 0; f < 6; ++f) consider(x, y, z, f, 0.6f);
     for (const int d : {-1, 1}) {
         consider(x + d, y, z, facing, 0.6f);
@@ -76,14 +76,14 @@ IrradianceCache::Near IrradianceCache::near(Vec3f position, Vec3f normal) const 
 }
 
 IrradianceCache::Reading IrradianceCache::read(Vec3f position, Vec3f normal) const {
-    constexpr float kSameSurface = 0.2f;  // of a cell: how far from an entry's plane a point may lie
+    constexpr float kSameSurface = 0.2f;  // in cells: how far a point may lie from an entry's plane
     const Vec3f q = (position - origin_) / cell_m_ - Vec3f{0.5f, 0.5f, 0.5f};
     const std::int32_t x = cell_index(q.x), y = cell_index(q.y), z = cell_index(q.z);
     const float fx = q.x - static_cast<float>(x), fy = q.y - static_cast<float>(y), fz = q.z - static_cast<float>(z);
     Vec3f sum{}, sun{};
     float weight = 0, trust = 0;
     for (std::size_t axis = 0; axis < 3; ++axis) {
-        // A rounded surface fades from one main direction to the next.
+        // On a rounded surface, blend between the entries of the dominant axes.
         const float share = normal[axis] * normal[axis];
         if (share < 0.12f) continue;
         const int facing = static_cast<int>(2 * axis) + (normal[axis] > 0 ? 0 : 1);
@@ -91,7 +91,7 @@ IrradianceCache::Reading IrradianceCache::read(Vec3f position, Vec3f normal) con
             const int c = find(x + (k & 1), y + (k >> 1 & 1), z + (k >> 2), facing);
             if (c < 0) continue;
             const Cell& cell = cells_[static_cast<std::size_t>(c)];
-            // A groove behind the surface, or a board before it, faces the same way and is another surface.
+            // A groove behind the surface or a board in front of it faces the same way but is a different surface.
             const float off = dot(cell.center - position, cell.normal) / (kSameSurface * cell_m_);
             const float same = 1 / (1 + off * off * off * off);
             const float near = (k & 1 ? fx : 1 - fx) * (k & 2 ? fy : 1 - fy) * (k & 4 ? fz : 1 - fz);

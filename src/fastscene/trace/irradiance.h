@@ -1,9 +1,10 @@
-// The irradiance cache: the diffuse light of a room, gathered once, read by every picture of it.
+// Irradiance cache: the room's diffuse light, computed once and shared by all pictures of the room (a voxelized
+// relative of Ward's irradiance cache, 1988).
 //
-// Space is cut into cells of `cell_m`; each cell that a surface passes through has one entry for each of the six main
-// directions that the surface may face there. An entry holds the irradiance (W/m2 in the room's own units) of that bit
-// of surface: from lamps and windows directly, from everything else by repeated gathering. Sun is kept apart, because
-// its edges are sharp: pictures trace it themselves and use the entry's only where light bounces.
+// Space is divided into cells of `cell_m`; every cell that contains surface has one entry for each of the six axis
+// directions that the surface may face. An entry holds the irradiance (W/m2 up to the room's scale): direct light from
+// lamps and windows, and indirect light gathered over repeated passes. Direct sun is stored separately because its
+// shadows are sharp: pictures trace it themselves, and the cached value serves for bounced light only.
 #pragma once
 
 #include <cstdint>
@@ -20,24 +21,26 @@ namespace fastscene {
 
 class IrradianceCache {
   public:
-    // Walks the surfaces and gathers. Deterministic in run.seed. `eyes`: where pictures will be taken from; what nobody
-    // sees who steps about there gets fewer paths, since it is only known by what it lights.
+    // Places entries on all surfaces and gathers their light. Deterministic in run.seed. `viewpoints`: where cameras
+    // will be. Entries that cannot be seen from around them get fewer paths, since they matter only through what they
+    // light.
     static IrradianceCache gather(const Room& room, const SceneBvh& bvh, const TraceParams& params, const Run& run,
-                                  const std::vector<Vec3f>& eyes = {Vec3f{}});
+                                  const std::vector<Vec3f>& viewpoints = {Vec3f{}});
 
-    // Irradiance without sun at a point of a surface: interpolated between the entries around it. `normal` of length 1.
+    // Irradiance without direct sun at a surface point, interpolated between the entries around it. `normal`: unit
+    // length.
     Vec3f at(Vec3f position, Vec3f normal) const { return read(position, normal).irradiance; }
-    // The same, and how well it stands for the very point: 1 on even surfaces in the open, 0 where things are near or
-    // the surface has steps, so that light changes within a cell.
+    // The same, with a confidence: 1 on even surfaces in the open, 0 near other objects or on uneven surfaces, where
+    // light varies within a cell.
     struct Reading {
         Vec3f irradiance;
-        Vec3f sun;  // the sun's own, as blurred as the cells are wide
+        Vec3f sun;  // irradiance of direct sun, blurred to the cell size
         float trust = 0;
     };
     Reading read(Vec3f position, Vec3f normal) const;
-    // From the nearest entry only: for light that bounces, many times over.
+    // From the nearest entry only, for secondary bounces, where speed matters more than smoothness.
     struct Near {
-        Vec3f light, sun;  // irradiance without the sun's own, and the sun's
+        Vec3f light, sun;  // irradiance without and from direct sun
     };
     Near near(Vec3f position, Vec3f normal) const;
     std::size_t size() const { return cells_.size(); }
@@ -46,36 +49,37 @@ class IrradianceCache {
     struct Place {
         Vec3f position, normal;
     };
-    // One estimate of a place's irradiance, in two parts that add up to what entries hold the mean of. First what is
-    // asked for: lamps, windows and the first bounce of the sun (`which`, `uv`: uniform in [0, 1), best well spread).
+    // A one-sample estimate of a point's irradiance, in two parts whose sum has the entry's value as its mean. First
+    // next-event estimation: lamps, windows and the first bounce of the sun. `which`, `uv`: uniform in [0, 1),
+    // preferably stratified.
     Vec3f direct(const Room& room, const SceneBvh& bvh, const Lights& lights, const Place& at, float which,
                  Vec2f uv) const;
-    // Then what is found in one direction, by the light that the cache knows there.
+    // Then one cosine-weighted ray, which returns the cached light where it hits.
     struct Bounce {
         Vec3f irradiance;
         float distance = kFar;
-        bool buried = false;  // the inside of something solid
+        bool buried = false;  // hit a back face: the point lies inside a solid
     };
     Bounce bounced(const Room& room, const SceneBvh& bvh, const Lights& lights, const Place& at, Vec2f uv) const;
 
   private:
     struct Cell {
         Vec3f direct, indirect, sun, normal, center;
-        Vec3f albedo;    // mean of what lies here
+        Vec3f albedo;    // mean over the cell
         float area = 0;  // of the surface in the cell
         float transmission = 0;
         float trust = 0;
-        bool seen = true;  // by somebody who steps about the eyes
+        bool seen = true;  // visible from around a viewpoint
     };
-    // A cell that the sun lights, as a lamp for the rest of the room. It shines from the very places that lie in the
-    // sun: a cell's center may lie behind an edge, or in the shade.
+    // A sunlit cell as a light source for the rest of the room (a virtual area light). It emits from the sample points
+    // that the sun actually reaches: the cell's center may be in shade or behind an edge.
     struct SunPatch {
-        std::uint32_t first, count;  // of sun_places_
+        std::uint32_t first, count;  // range of sun_places_
         Vec3f sun;                   // irradiance
         Vec3f leaving;               // radiant exitance
         float area;
         float useful;  // the share of the room that sees it
-        bool behind;   // the far side of a sheet
+        bool behind;   // the far side of a thin sheet
     };
     struct SunPlace {
         Place at;
@@ -90,14 +94,14 @@ class IrradianceCache {
     const Place& place(std::size_t cell, int i) const;
     std::uint64_t random_key(std::size_t cell, std::uint64_t pass, std::uint64_t seed) const;
     void build(const Room& room);
-    std::vector<std::uint8_t> sights(const SceneBvh& bvh) const;
-    void drop_buried(const SceneBvh& bvh);
-    void find_seen(const SceneBvh& bvh, const std::vector<Vec3f>& eyes);
+    std::vector<std::uint8_t> visibility(const SceneBvh& bvh) const;
+    void drop_hidden(const SceneBvh& bvh);
+    void find_seen(const SceneBvh& bvh, const std::vector<Vec3f>& viewpoints);
     void index();
     void despeckle(bool indirect);
     std::vector<float> pooled(const std::vector<float>& error) const;
     void smooth(bool indirect, int step, std::vector<float>& error);
-    void doubt_edges();
+    void distrust_edges();
 
     // The steps of gather(), in order.
     std::vector<std::uint16_t> light_by_sun(const Room& room, const SceneBvh& bvh, const Lights& lights,
@@ -111,19 +115,19 @@ class IrradianceCache {
                      Pass& pass);
     void gather_indirect(const Room& room, const SceneBvh& bvh, const Lights& lights, int samples, const Run& run,
                          Progress& progress);
-    Vec3f sent_on(const Room& room, std::size_t material, Vec3f normal, Vec3f direction, bool behind) const;
+    Vec3f reflected(const Room& room, std::size_t material, Vec3f normal, Vec3f direction, bool behind) const;
     Vec3f sunlit(const Room& room, const SceneBvh& bvh, const Place& at, float which) const;
 
     float cell_m_ = 0.03f;
     Vec3f origin_;
-    std::vector<Vec3f> reflectances_;  // by material: of light on its second way
-    std::vector<Coat> coats_;          // by material: what of them mirrors the sun
-    std::vector<bool> closed_;         // by mesh
+    std::vector<Vec3f> reflectances_;  // by material: diffuse albedo for secondary bounces
+    std::vector<Coat> coats_;          // by material: specular coat, for its reflection of the sun
+    std::vector<bool> closed_;         // by mesh: watertight
     std::vector<Cell> cells_;
     std::vector<std::uint64_t> keys_;          // of cells_, ascending
-    std::vector<std::uint32_t> first_sample_;  // into samples_, one more than cells
+    std::vector<std::uint32_t> first_sample_;  // offsets into samples_, one more than cells
     std::vector<Place> samples_;
-    std::vector<Slot> slots_;  // open addressing
+    std::vector<Slot> slots_;  // open-addressing hash table over keys_
     std::uint32_t mask_ = 0;
     std::vector<SunPatch> sun_patches_;
     std::vector<SunPlace> sun_places_;

@@ -1,4 +1,4 @@
-// Which cells there are.
+// Where entries are placed.
 #include "fastscene/trace/irradiance.h"
 
 #include <algorithm>
@@ -17,15 +17,15 @@ using namespace irradiance;
 
 namespace {
 
-constexpr int kMaxSamples = 12;  // places kept in a cell
-constexpr float kEven = 0.12f;   // of a cell: how far off their plane the places of an even one may lie
+constexpr int kMaxSamples = 12;  // sample points kept per cell
+constexpr float kEven = 0.12f;   // in cells: the flatness below which a cell counts as even
 enum : std::uint8_t { kBuried, kCrevice };
 
 // The middle of piece `i` of `n`.
 float middle(int i, int n) { return (static_cast<float>(i) + 0.5f) / static_cast<float>(n); }
 
-// How many middles of nu x nv pieces of a parallelogram lie in one of its two triangles. More than half: those on the
-// diagonal are in both.
+// How many midpoints of an nu x nv subdivision of a parallelogram lie in one of its two triangles. More than half:
+// those on the diagonal belong to both.
 int points_within(int nu, int nv) {
     int count = 0;
     for (int ui = 0; ui < nu; ++ui)
@@ -35,17 +35,17 @@ int points_within(int nu, int nv) {
 
 }  // namespace
 
-// Spreads points over every triangle, half a cell apart or closer, and sorts them into cells.
+// Scatters points over every triangle, at most half a cell apart, and sorts them into cells.
 void IrradianceCache::build(const Room& room) {
     struct Entry {
         std::uint64_t key;
-        std::uint32_t order;  // random: within a cell
+        std::uint32_t order;  // random order within a cell
         Place sample;
         float area;
         int material;
     };
     std::vector<Entry> entries;
-    float area = 0;  // what each point of the triangle at hand stands for
+    float area = 0;  // area that each point of the current triangle represents
     int material = 0;
     const float step = 0.5f * cell_m_;
     const auto add = [&](Vec3f p, Vec3f n) {
@@ -54,7 +54,7 @@ void IrradianceCache::build(const Room& room) {
         entries.push_back({key, static_cast<std::uint32_t>(mix64(entries.size())), {p, n}, area, material});
     };
     for (const Mesh& mesh : room.meshes) {
-        // Sheets are lit from both sides.
+        // Thin sheets are lit from both sides.
         const bool both = !is_closed(mesh);
         material = mesh.material;
         for (std::size_t t = 0; t + 2 < mesh.triangles.size(); t += 3) {
@@ -82,7 +82,7 @@ void IrradianceCache::build(const Room& room) {
                     if (both) add(a + ab * u + ac * v, -n);
                 }
             area = 0;
-            // The rim, where a neighbouring cell may be touched by a hair.
+            // Points on the rim, so that a neighbouring cell that the triangle barely touches gets an entry.
             if (nu > 1 || nv > 1)
                 for (const auto& [u, v] : {std::pair{0.001f, 0.001f}, std::pair{0.998f, 0.001f},
                                            std::pair{0.001f, 0.998f}, std::pair{0.5f, 0.499f}}) {
@@ -108,8 +108,8 @@ void IrradianceCache::build(const Room& room) {
         float passed = entries[i].area;
         std::size_t at = i;
         for (std::size_t k = 0; k < kept; ++k) {
-            // A cell of a hundred slivers along a rounded edge and of the board behind them is mostly board: places are
-            // drawn by their area, evenly along its sum. Rims alone have none.
+            // A cell with a hundred slivers of a rounded edge in front of a board is mostly board: points are drawn in
+            // proportion to area, stratified along its cumulative sum. Rim points carry no area.
             if (whole > 0) {
                 const float wanted = whole * (static_cast<float>(k) + 0.5f) / static_cast<float>(kept);
                 while (passed < wanted && at + 1 < end) passed += entries[++at].area;
@@ -135,9 +135,9 @@ void IrradianceCache::build(const Room& room) {
     first_sample_.push_back(static_cast<std::uint32_t>(samples_.size()));
 }
 
-// How well each place is seen: kBuried, or kCrevice + the rays of eight that go further than half a cell. Where the
-// first places of a cell lie in the open, and the first rays of a place find it so, the others are not asked.
-std::vector<std::uint8_t> IrradianceCache::sights(const SceneBvh& bvh) const {
+// Visibility of each sample point: kBuried, or kCrevice + how many of eight rays travel further than half a cell. Once
+// the first points of a cell, or the first rays of a point, turn out to be in the open, the rest is skipped.
+std::vector<std::uint8_t> IrradianceCache::visibility(const SceneBvh& bvh) const {
     constexpr std::uint32_t kRays = 8, kFirstRays = 4, kFirstPlaces = 4;
     std::vector<std::uint8_t> sight(samples_.size(), kCrevice + kRays);
     const auto sight_of = [&](const Place& at) {
@@ -166,13 +166,12 @@ std::vector<std::uint8_t> IrradianceCache::sights(const SceneBvh& bvh) const {
     return sight;
 }
 
-// Places that nobody in the room can see are no places: the outside of the walls (every ray leaves), what is buried in
-// something solid (every ray meets a back face); and where a cell has places in the open, those at the bottom of a
-// crevice (most rays end within half a cell: the wall between two boards, behind a door's panel). A cell that keeps
-// such places beside visible ones is dark where people look. A cell without any place left is no cell: it would only
-// darken its neighbours and draw samples to itself.
-void IrradianceCache::drop_buried(const SceneBvh& bvh) {
-    const std::vector<std::uint8_t> sight = sights(bvh);
+// Drops sample points that are not visible from inside the room: outer sides of the walls (every ray escapes), points
+// inside solids (every ray hits a back face) and, where the cell also has open points, the bottom of crevices (most
+// rays end within half a cell: between two boards, behind a door panel). Such points would darken the visible part of
+// their cell. A cell left without points is dropped: it would only darken its neighbours and attract samples.
+void IrradianceCache::drop_hidden(const SceneBvh& bvh) {
+    const std::vector<std::uint8_t> sight = visibility(bvh);
     std::vector<Cell> cells;
     std::vector<std::uint64_t> keys;
     std::vector<std::uint32_t> first_sample;
@@ -194,7 +193,7 @@ void IrradianceCache::drop_buried(const SceneBvh& bvh) {
         cell.center = cell.center / kept;
         cell.normal = normalize(cell.normal);
         cell.area *= kept / static_cast<float>(end - begin);
-        // An even surface may be trusted; whether things are near, gathering tells.
+        // Even surfaces are trusted for now; gathering finds out whether other objects are close.
         cell.trust = 1;
         for (std::size_t k = before; k < samples.size(); ++k)
             if (std::abs(dot(samples[k].position - cell.center, cell.normal)) > kEven * cell_m_) cell.trust = 0;
@@ -209,24 +208,24 @@ void IrradianceCache::drop_buried(const SceneBvh& bvh) {
     samples_ = std::move(samples);
 }
 
-// A step to every side of each eye, as far as there is room.
-void IrradianceCache::find_seen(const SceneBvh& bvh, const std::vector<Vec3f>& eyes) {
+// Adds a step in each horizontal direction around every viewpoint, as far as there is space.
+void IrradianceCache::find_seen(const SceneBvh& bvh, const std::vector<Vec3f>& viewpoints) {
     constexpr float kStep_m = 0.8f, kOfTheWay = 0.8f;
     constexpr std::array<Vec3f, 6> kWays{Vec3f{1, 0, 0},  Vec3f{-1, 0, 0}, Vec3f{0, 0, 1},
                                          Vec3f{0, 0, -1}, Vec3f{0, 1, 0},  Vec3f{0, -1, 0}};
-    std::vector<Vec3f> places = eyes;
-    for (const Vec3f eye : eyes)
+    std::vector<Vec3f> places = viewpoints;
+    for (const Vec3f viewpoint : viewpoints)
         for (const Vec3f way : kWays)
-            places.push_back(eye + way * (kOfTheWay * std::min(kStep_m, bvh.first_hit(eye, way).distance)));
+            places.push_back(viewpoint + way * (kOfTheWay * std::min(kStep_m, bvh.first_hit(viewpoint, way).distance)));
     parallel_for(static_cast<std::int64_t>(cells_.size()), 1024, [&](std::int64_t begin, std::int64_t end) {
         for (auto c = static_cast<std::size_t>(begin); c < static_cast<std::size_t>(end); ++c) {
             Cell& cell = cells_[c];
             const Vec3f from = cell.center + cell.normal * (0.1f * cell_m_);
-            // What shines through is seen from its other side.
+            // Translucent surfaces are visible from their other side.
             cell.seen = cell.transmission > 0 || std::any_of(places.begin(), places.end(), [&](Vec3f p) {
                             const Vec3f to = p - from;
                             const float far = length(to);
-                            // A rounded cell is seen from a little behind its mean plane, too.
+                            // A rounded cell is visible from slightly behind its mean plane, too.
                             return dot(to, cell.normal) > -0.2f * far && !bvh.blocked(from, to / far, 0.f, far);
                         });
         }

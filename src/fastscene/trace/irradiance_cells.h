@@ -1,4 +1,4 @@
-// Cells of the irradiance cache: their keys, and how points spread over them. Private to trace/irradiance*.cc.
+// Cell keys of the irradiance cache and the spreading of sample points. Private to trace/irradiance*.cc.
 #pragma once
 
 #include <cmath>
@@ -9,7 +9,7 @@
 namespace fastscene::irradiance {
 
 inline constexpr std::int32_t kBias = 1 << 18;
-inline constexpr int kSunSamples = 16;  // rays from a cell to the sun
+inline constexpr int kSunSamples = 16;  // shadow rays per cell
 
 inline std::uint64_t key_of(std::int32_t x, std::int32_t y, std::int32_t z, int facing) {
     const auto part = [](std::int32_t v) {
@@ -27,7 +27,7 @@ inline Place place_of(std::uint64_t key) {
 }
 inline std::int32_t cell_index(float v) { return static_cast<std::int32_t>(std::floor(v)); }
 
-// A low-discrepancy sequence in the plane, shifted by a random offset (Roberts' R2).
+// Roberts' R2 low-discrepancy sequence, with a random shift (Cranley-Patterson rotation).
 inline Vec2f r2_point(std::uint32_t i, Vec2f shift) {
     const float u = shift.x + static_cast<float>((i * 3242174889u) >> 8) * 0x1p-24f,
                 v = shift.y + static_cast<float>((i * 2447445414u) >> 8) * 0x1p-24f;

@@ -1,5 +1,5 @@
-// What one ray tells about the light that falls on a place: the cache is filled with the means of such estimates, and
-// pictures ask again where it is too coarse.
+// One-sample irradiance estimates: the cache stores their means, and pictures draw further ones where the cache is too
+// coarse.
 #include <algorithm>
 #include <cmath>
 
@@ -16,11 +16,12 @@ using namespace irradiance;
 
 namespace {
 
-// A sunlit cell close by is asked too rarely and answers too loudly: within so many cells the bounce finds it instead.
+// in cells: a sunlit cell closer than this is sampled too rarely and contributes too strongly (1/d2), so the bounce ray
+// finds it instead
 constexpr float kNearSun = 8;
-constexpr float kShort = 0.9999f;  // of the way to a place that shines: not into its own surface
+constexpr float kShort = 0.9999f;  // shadow rays end just before their target, to not hit its own surface
 
-// Of the surface just ahead.
+// The material of the surface just ahead.
 std::size_t material_at(const Room& room, const SceneBvh& bvh, Vec3f from, Vec3f direction) {
     const RayHit hit = bvh.first_lit(from, direction);
     return hit ? static_cast<std::size_t>(room.meshes[static_cast<std::size_t>(hit.mesh)].material) : 0;
@@ -28,8 +29,8 @@ std::size_t material_at(const Room& room, const SceneBvh& bvh, Vec3f from, Vec3f
 
 }  // namespace
 
-// Cells that the sun reaches; curtains shine on both sides. Each is weighed by the share of some places in the room
-// that see it: the outer side of a curtain is bright and lights nothing.
+// Collects sunlit cells as light sources; curtains emit on both sides. Each is weighted by the share of sample points
+// in the room that see it: the outer side of a curtain is bright but lights nothing.
 void IrradianceCache::find_sun_patches(const Room& room, const SceneBvh& bvh, const std::vector<std::uint16_t>& sunny,
                                        std::uint64_t seed) {
     constexpr int kPlaces = 24;
@@ -65,7 +66,7 @@ void IrradianceCache::find_sun_patches(const Room& room, const SceneBvh& bvh, co
                 if (!(dot(to, shining.normal) < 0 && dot(to, place.normal) > 0)) continue;
                 seen += bvh.blocked(from, to / far, 0.f, far * kShort) ? 0.f : 1.f;
             }
-            // Never quite zero: a few places may see it that were not asked.
+            // Never zero: a point that was not tested may still see it.
             patch.useful = 0.02f + seen / kPlaces;
         }
     });
@@ -74,21 +75,21 @@ void IrradianceCache::find_sun_patches(const Room& room, const SceneBvh& bvh, co
                               luminance(patch.leaving) * patch.area * patch.useful);
 }
 
-// The cache's own word for it: textures evened out.
-Vec3f IrradianceCache::sent_on(const Room& room, std::size_t material, Vec3f normal, Vec3f direction,
-                               bool behind) const {
-    return sun_sent_on(room.sky, reflectances_[material], coats_[material], room.materials[material].transmission,
-                       normal, direction, behind);
+// Uses the cache's own reflectance, with textures averaged out.
+Vec3f IrradianceCache::reflected(const Room& room, std::size_t material, Vec3f normal, Vec3f direction,
+                                 bool behind) const {
+    return sun_reflected(room.sky, reflectances_[material], coats_[material], room.materials[material].transmission,
+                         normal, direction, behind);
 }
 
-// What arrives from one sunlit patch, drawn by its power and usefulness.
+// Light from one sunlit patch, sampled by its power and visibility.
 Vec3f IrradianceCache::sunlit(const Room& room, const SceneBvh& bvh, const Place& at, float which) const {
     if (sun_powers_.empty() || !(sun_powers_.back() > 0)) return {};
     const float drawn = which * sun_powers_.back();
     const auto at_or_after = std::upper_bound(sun_powers_.begin(), sun_powers_.end(), drawn);
     const auto found = std::min(static_cast<std::size_t>(at_or_after - sun_powers_.begin()), sun_patches_.size() - 1);
     const SunPatch& patch = sun_patches_[found];
-    // What is left of the number that drew the patch draws the place.
+    // The remainder of the random number that chose the patch chooses the point on it.
     const float below = found > 0 ? sun_powers_[found - 1] : 0.f,
                 share = (drawn - below) / std::max(1e-30f, sun_powers_[found] - below);
     const auto which_place = std::min(
@@ -100,9 +101,9 @@ Vec3f IrradianceCache::sunlit(const Room& room, const SceneBvh& bvh, const Place
     const Vec3f direction = to / far;
     const float here = dot(at.normal, direction), there = -dot(shining.at.normal, direction);
     if (!(here > 0 && there > 0) || bvh.blocked(from, direction, 0.f, far * kShort)) return {};
-    const float chance = luminance(patch.leaving) * patch.area * patch.useful / sun_powers_.back();
-    return patch.sun * sent_on(room, shining.material, shining.at.normal, direction, patch.behind) *
-           (here * there / d2 * patch.area / chance);
+    const float probability = luminance(patch.leaving) * patch.area * patch.useful / sun_powers_.back();
+    return patch.sun * reflected(room, shining.material, shining.at.normal, direction, patch.behind) *
+           (here * there / d2 * patch.area / probability);
 }
 
 Vec3f IrradianceCache::direct(const Room& room, const SceneBvh& bvh, const Lights& lights, const Place& at, float which,
@@ -115,7 +116,7 @@ IrradianceCache::Bounce IrradianceCache::bounced(const Room& room, const SceneBv
     const Vec3f direction = cosine_direction(at.normal, uv);
     const Vec3f from = at.position + at.normal * distance_epsilon(at.position);
     const RayHit hit = bvh.first_lit(from, direction);
-    if (!hit) return {};  // through a window: counted with the windows
+    if (!hit) return {};  // leaves through a window: counted with the windows
     const Mesh& mesh = room.meshes[static_cast<std::size_t>(hit.mesh)];
     if (hit.back && closed_[static_cast<std::size_t>(hit.mesh)]) return {{}, hit.distance, true};
     const Vec3f p = from + direction * hit.distance;
@@ -125,10 +126,10 @@ IrradianceCache::Bounce IrradianceCache::bounced(const Room& room, const SceneBv
     const auto material = static_cast<std::size_t>(mesh.material);
     const Near front = near(p, normal), behind = m.transmission > 0 ? near(p, -normal) : Near{};
     Vec3f irradiance = reflectances_[material] * (front.light * (1.f - m.transmission) + behind.light * m.transmission);
-    // The sun's first bounce has been asked directly, unless it is close by.
+    // The sun's first bounce was sampled directly, except close by.
     if (hit.distance <= kNearSun * cell_m_)
-        irradiance += (front.sun * sent_on(room, material, normal, direction, false) +
-                       behind.sun * sent_on(room, material, normal, direction, true)) *
+        irradiance += (front.sun * reflected(room, material, normal, direction, false) +
+                       behind.sun * reflected(room, material, normal, direction, true)) *
                       kPi;
     if (lights.is_large(hit.mesh)) irradiance += m.emission * kPi;
     return {irradiance, hit.distance, false};

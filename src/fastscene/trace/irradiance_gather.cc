@@ -18,12 +18,12 @@ using namespace irradiance;
 namespace {
 
 constexpr int kPasses = 6;
-constexpr int kUnseenShare = 3;  // a cell that nobody sees gets one path of so many
-// Harmonic mean distance of what surrounds an entry, in cells: below the first it is in a corner, above the second in
+constexpr int kUnseenShare = 3;  // unseen cells get this fraction of the paths
+// Harmonic mean distance to the surroundings, in cells: below the first an entry lies in a corner, above the second in
 // the open.
 constexpr float kNearCells = 4, kOpenCells = 9;
 
-// How well a mean is known by the numbers that it was made of.
+// Welford-style running variance of a mean.
 struct Spread {
     float sum = 0, squares = 0, count = 0;
     void add(float v) { sum += v, squares += v * v, ++count; }
@@ -34,16 +34,16 @@ struct Spread {
     }
 };
 
-// In a white room a tenth of the light has bounced more than eight times. After a few bounces each adds to the last in
-// the same proportion, so the sum of all that follow is known: a geometric series.
+// In a white room a tenth of the light has bounced more than eight times. After a few bounces each adds a constant
+// fraction of the one before, so the remainder of the series is geometric and can be extrapolated.
 class Rest {
   public:
-    // The light of a room after one more pass -> what to multiply it by.
+    // Takes the total light after one more pass; returns the factor that extrapolates it.
     Vec3f factor(Vec3f sum) {
         Vec3f out{1, 1, 1};
         const Vec3f step = sum - before_;
         for (std::size_t a = 0; a < 3; ++a) {
-            // The ratio is seen while the passes are whole bounces; after that only small steps are left.
+            // The ratio is measurable while each pass is a full bounce; later only small increments are left.
             if (passes_ == 1 || passes_ == 2) ratio_[a] = std::clamp(step[a] / std::max(1e-9f, step_[a]), 0.f, 0.9f);
             if (passes_ >= 2 && sum[a] > 0)
                 out[a] = std::clamp(1 + step[a] * ratio_[a] / (1 - ratio_[a]) / sum[a], 0.5f, 3.f);
@@ -70,8 +70,8 @@ std::uint64_t IrradianceCache::random_key(std::size_t cell, std::uint64_t pass, 
     return seed ^ mix64(keys_[cell] ^ mix64(pass));
 }
 
-// The sun first: what it lights is bright and small, and lights the rest of the room. Tells which of a cell's first
-// kSunSamples places it reaches, a bit each.
+// Direct sun first: sunlit areas are small and bright, and light the rest of the room. Returns a bit mask per cell:
+// which of its first kSunSamples points the sun reaches.
 std::vector<std::uint16_t> IrradianceCache::light_by_sun(const Room& room, const SceneBvh& bvh, const Lights& lights,
                                                          std::uint64_t seed) {
     std::vector<std::uint16_t> sunny(cells_.size());
@@ -92,10 +92,10 @@ std::vector<std::uint16_t> IrradianceCache::light_by_sun(const Room& room, const
     return sunny;
 }
 
-// Then lamps, windows and the first bounce of the sun, each asked directly.
+// Then lamps, windows and the first bounce of the sun by next-event estimation.
 void IrradianceCache::gather_direct(const Room& room, const SceneBvh& bvh, const Lights& lights, int samples,
                                     const Run& run, Progress& progress) {
-    std::vector<float> error(cells_.size());  // standard errors of what was gathered
+    std::vector<float> error(cells_.size());  // standard errors
     parallel_for(static_cast<std::int64_t>(cells_.size()), 1024, [&](std::int64_t begin, std::int64_t end) {
         run.check_stop();
         for (std::int64_t i = begin; i < end; ++i) {
@@ -125,15 +125,15 @@ void IrradianceCache::gather_direct(const Room& room, const SceneBvh& bvh, const
     for (const int step : {1, 2}) smooth(false, step, error);
 }
 
-// What a pass over all cells gathers.
+// Accumulators of one pass over all cells.
 struct IrradianceCache::Pass {
     int number = 0, rays = 0;
     std::vector<Vec3f> gathered;
     std::vector<float> error;     // standard errors
-    std::vector<float> nearness;  // mean inverse distance of what the rays of a pass met, summed over the passes, 1/m
+    std::vector<float> nearness;  // sum over passes of the mean inverse hit distance, 1/m
 };
 
-// What each entry sees of the others, one bounce more.
+// One gathering pass: every entry reads the others, which adds one bounce.
 void IrradianceCache::gather_pass(const Room& room, const SceneBvh& bvh, const Lights& lights, const Run& run,
                                   Progress& progress, Pass& pass) {
     parallel_for(static_cast<std::int64_t>(cells_.size()), 1024, [&](std::int64_t begin, std::int64_t end) {
@@ -150,7 +150,7 @@ void IrradianceCache::gather_pass(const Room& room, const SceneBvh& bvh, const L
                 const Bounce bounce = bounced(room, bvh, lights, place(c, s),
                                               r2_point(static_cast<std::uint32_t>(s), shift));
                 pass.nearness[c] += 1 / ((bounce.distance + 1e-3f) * static_cast<float>(rays));
-                // This bit of surface is buried and nobody will see it.
+                // The point lies inside a solid; no camera will see it.
                 if (bounce.buried) continue;
                 ++valid;
                 const Vec3f before = sum;
@@ -164,8 +164,8 @@ void IrradianceCache::gather_pass(const Room& room, const SceneBvh& bvh, const L
     });
 }
 
-// Everything else, pass by pass. The first passes only bring the light round the room, and what further bounces will
-// add is foreseen (Rest); the mean of the last ones is kept.
+// Indirect light, pass by pass. The first passes only distribute light around the room, with the remaining bounces
+// extrapolated (Rest); the result is the mean of the later ones.
 void IrradianceCache::gather_indirect(const Room& room, const SceneBvh& bvh, const Lights& lights, int samples,
                                       const Run& run, Progress& progress) {
     constexpr int kKept = 3;
@@ -200,8 +200,8 @@ void IrradianceCache::gather_indirect(const Room& room, const SceneBvh& bvh, con
         cells_[c].trust *= smooth_step(kNearCells, kOpenCells, around);
     }
     despeckle(true);
-    // Entries are gathered one by one; what remains of their noise is spread over the neighbours, widely because
-    // bounced light changes slowly.
+    // Entries are independent estimates; their remaining noise is filtered over neighbours, with a wide kernel since
+    // indirect light varies slowly.
     std::vector<float> error(count);
     for (std::size_t c = 0; c < count; ++c) error[c] = std::sqrt(spoiled[c]);
     error = pooled(error);
@@ -209,10 +209,10 @@ void IrradianceCache::gather_indirect(const Room& room, const SceneBvh& bvh, con
 }
 
 IrradianceCache IrradianceCache::gather(const Room& room, const SceneBvh& bvh, const TraceParams& params,
-                                        const Run& run, const std::vector<Vec3f>& eyes) {
+                                        const Run& run, const std::vector<Vec3f>& viewpoints) {
     IrradianceCache cache;
     cache.cell_m_ = params.cell_m;
-    // An odd offset, so that walls do not lie on the borders of cells.
+    // An odd offset keeps walls off the cell boundaries.
     cache.origin_ = room.min_corner + Vec3f{0.37f, 0.41f, 0.43f} * params.cell_m;
     for (const Material& m : room.materials) {
         const Vec3f albedo = mean_albedo(m);
@@ -221,8 +221,8 @@ IrradianceCache IrradianceCache::gather(const Room& room, const SceneBvh& bvh, c
     }
     for (const Mesh& mesh : room.meshes) cache.closed_.push_back(is_closed(mesh));
     cache.build(room);
-    cache.drop_buried(bvh);
-    cache.find_seen(bvh, eyes);
+    cache.drop_hidden(bvh);
+    cache.find_seen(bvh, viewpoints);
     cache.index();
 
     const Lights lights(room);
@@ -231,7 +231,7 @@ IrradianceCache IrradianceCache::gather(const Room& room, const SceneBvh& bvh, c
     cache.find_sun_patches(room, bvh, cache.light_by_sun(room, bvh, lights, run.seed), run.seed);
     cache.gather_direct(room, bvh, lights, std::max(8, params.cell_samples / 2), run, progress);
     cache.gather_indirect(room, bvh, lights, std::max(8, params.cell_samples), run, progress);
-    cache.doubt_edges();
+    cache.distrust_edges();
     cache.samples_ = {};
     return cache;
 }

@@ -1,4 +1,4 @@
-// What is left of the noise, spread over neighbours.
+// Noise filtering over neighbouring entries.
 #include "fastscene/trace/irradiance.h"
 
 #include <algorithm>
@@ -12,8 +12,8 @@ namespace fastscene {
 
 using namespace irradiance;
 
-// An entry far brighter than all but one of its neighbours on the same surface caught a lucky path: it is held to them.
-// What is really that bright and that small (a candle's own wall) covers more than one cell.
+// An entry far brighter than all but one of its neighbours on the same surface is a firefly and is clamped to them.
+// Genuinely small and bright areas, such as the wall behind a candle, cover more than one cell.
 void IrradianceCache::despeckle(bool indirect) {
     std::vector<Vec3f> out(cells_.size());
     parallel_for(static_cast<std::int64_t>(cells_.size()), 1024, [&](std::int64_t begin, std::int64_t end) {
@@ -41,8 +41,8 @@ void IrradianceCache::despeckle(bool indirect) {
     for (std::size_t c = 0; c < cells_.size(); ++c) (indirect ? cells_[c].indirect : cells_[c].direct) = out[c];
 }
 
-// A few samples know little of their own error: where none of them met the lamp they seem to agree. Neighbours know
-// together.
+// A few samples cannot estimate their own error: if none of them hit the lamp, they all agree. The error is pooled over
+// neighbours.
 std::vector<float> IrradianceCache::pooled(const std::vector<float>& error) const {
     std::vector<float> out(cells_.size());
     parallel_for(static_cast<std::int64_t>(cells_.size()), 1024, [&](std::int64_t begin, std::int64_t end) {
@@ -63,9 +63,9 @@ std::vector<float> IrradianceCache::pooled(const std::vector<float>& error) cons
     return out;
 }
 
-// Averages each entry with its neighbours on the same surface, `step` cells apart; those that differ by more than noise
-// explains count less. Steps of 1, 2, 4 … one after the other make a wide filter of few taps (Dammertz et al. 2010),
-// guided by the standard error of each entry's luminance (Schied et al. 2017), which falls by what averaging gains.
+// One à-trous level (Dammertz et al. 2010): averages each entry with its neighbours on the same surface, `step` cells
+// apart. Differences larger than the noise reduce the weight (Schied et al. 2017); the standard errors in `error` are
+// reduced accordingly. Steps of 1, 2, 4 … give a wide filter at few taps.
 void IrradianceCache::smooth(bool indirect, int step, std::vector<float>& error) {
     constexpr float kDeviations = 2.f, kAlways = 0.02f;
     std::vector<Vec3f> out(cells_.size());
@@ -87,7 +87,7 @@ void IrradianceCache::smooth(bool indirect, int step, std::vector<float>& error)
                 const Cell& other = cells_[j];
                 const float agree = dot(other.normal, cell.normal);
                 if (!(agree > 0.7f)) continue;
-                // A step between two levels (table top and floor) is no neighbour.
+                // A neighbour on another level (table top and floor) does not count.
                 const float off = std::abs(dot(other.center - cell.center, cell.normal)) / cell_m_;
                 const Vec3f value = indirect ? other.indirect : other.direct;
                 const float difference = luminance(value) - base;
@@ -108,10 +108,10 @@ void IrradianceCache::smooth(bool indirect, int step, std::vector<float>& error)
     for (std::size_t c = 0; c < cells_.size(); ++c) (indirect ? cells_[c].indirect : cells_[c].direct) = out[c];
 }
 
-// Where light changes from cell to cell (the edge of a shadow, the foot of a lamp) the cells are too coarse for it, and
-// smoothing carried it across; what is left of noise looks the same. Pictures ask again there.
-void IrradianceCache::doubt_edges() {
-    constexpr float kSteady = 1.6f, kEdge = 2.4f;  // of two neighbours, the brighter by the darker
+// Where light varies from cell to cell (shadow edges, the foot of a lamp), the cells are too coarse and smoothing has
+// leaked across the edge. Trust is lowered there, so that pictures sample the light themselves.
+void IrradianceCache::distrust_edges() {
+    constexpr float kSteady = 1.6f, kEdge = 2.4f;  // ratio of two neighbours, brighter to darker
     std::vector<float> trust(cells_.size());
     parallel_for(static_cast<std::int64_t>(cells_.size()), 1024, [&](std::int64_t begin, std::int64_t end) {
         for (auto c = static_cast<std::size_t>(begin); c < static_cast<std::size_t>(end); ++c) {

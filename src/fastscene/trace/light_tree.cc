@@ -9,12 +9,12 @@ namespace fastscene {
 namespace {
 
 constexpr float kHalfTurn = 3.14159265f;
-constexpr int kMostCuts = 30;      // below so many levels halves by number: a path has 64 bits
+constexpr int kMostCuts = 30;      // below this depth nodes are split by count, since a path has 64 bits
 constexpr float kCompact = 0.25f;  // metres
 
 float angle_between(Vec3f a, Vec3f b) { return std::acos(std::clamp(dot(a, b), -1.f, 1.f)); }
 
-// Cosine and sine of an angle less another one, at least 0; all within half a turn.
+// The cosine and sine of the difference of two angles, clamped at 0; all within [0, pi].
 struct Angle {
     float cosine, sine;
     Angle less(Angle other) const {
@@ -25,10 +25,10 @@ struct Angle {
 
 }  // namespace
 
-// What a node holds, while the tree grows.
+// Build-time data of a node.
 struct LightTree::Shape {
     Vec3f low, high, axis, gravity;
-    float spread = 0, power = 0;  // spread: half angle of the cone
+    float spread = 0, power = 0;  // spread: the cone's half angle
     bool two_sided = false;
     std::int32_t emitter = -1;
 
@@ -45,12 +45,12 @@ struct LightTree::Shape {
         for (std::size_t a = 0; a < 3; ++a)
             low[a] = std::min(low[a], other.low[a]), high[a] = std::max(high[a], other.high[a]);
         power += other.power;
-        // A sheet beside a body shines to both sides; and of a sheet either side may be called its front.
+        // A two-sided sheet has no preferred front: flip its axis towards the other cone's.
         Vec3f towards = other.axis;
         if (two_sided != other.two_sided) spread = kHalfTurn;
         else if (two_sided && dot(axis, towards) < 0) towards = -towards;
         two_sided = two_sided && other.two_sided;
-        // The narrowest cone about both (Conty Estevez and Kulla, algorithm 1).
+        // The smallest cone around both (Conty Estevez and Kulla, algorithm 1).
         const float apart = angle_between(axis, towards);
         if (std::min(apart + other.spread, kHalfTurn) <= spread) return;
         if (std::min(apart + spread, kHalfTurn) <= other.spread) {
@@ -69,7 +69,7 @@ struct LightTree::Shape {
         spread = wide;
     }
 
-    // What a node of this shape costs in needless asking: power in a wide ball that shines all around is known badly.
+    // The cost measure for splits: power in a large ball with a wide cone is hard to sample well.
     float cost() const {
         if (!(power > 0)) return 0;
         const float r = radius(), reach = std::min(spread + 0.5f * kHalfTurn, kHalfTurn);
@@ -109,7 +109,7 @@ std::int32_t LightTree::build(std::vector<Shape>& shapes, std::size_t begin, std
     node.half = all.half();
     node.radius = all.radius();
     node.axis = all.axis;
-    // A little wider than it is, for what rounding took.
+    // Slightly enlarged to cover rounding.
     const float spread = std::min(kHalfTurn, all.spread + 1e-3f);
     node.cosine = std::cos(spread), node.sine = std::sin(spread);
     node.power = all.power;
@@ -117,13 +117,12 @@ std::int32_t LightTree::build(std::vector<Shape>& shapes, std::size_t begin, std
     nodes_.push_back(node);
     if (end - begin == 1) {
         nodes_.back().emitter = shapes[begin].emitter;
-        // It is flat, and its plane known. A triangle's corner may stand two thirds of its height over its center of
-        // gravity.
+        // A flat leaf with a known plane. A corner may lie up to two thirds of a triangle's height above its centroid.
         nodes_.back().center = shapes[begin].gravity;
         nodes_.back().half = all.half() * (4.f / 3);
         return index;
     }
-    // The cheapest of a dozen cuts across each axis.
+    // The cheapest of a dozen splits along each axis (binned SAH).
     constexpr int kBins = 12;
     Vec3f low = shapes[begin].center(), high = low;
     for (std::size_t i = begin; i < end; ++i)
@@ -168,7 +167,8 @@ std::int32_t LightTree::build(std::vector<Shape>& shapes, std::size_t begin, std
 
 float LightTree::importance(const Node& node, Vec3f position, Vec3f normal) {
     const Vec3f to = node.center - position;
-    // How high it stands over the horizon, what is below counted as 0: the mean over the box's heights, taken for even.
+    // Mean cosine at the receiver over the box's extent, with the part below the horizon clamped to 0; heights within
+    // the box are treated as uniformly distributed.
     const float middle = dot(normal, to);
     const float reach = std::abs(normal.x) * node.half.x + std::abs(normal.y) * node.half.y +
                         std::abs(normal.z) * node.half.z;
@@ -180,8 +180,7 @@ float LightTree::importance(const Node& node, Vec3f position, Vec3f normal) {
                     far2 = std::max({d2, 0.25f * r2, 1e-10f});
         return there > 0 ? node.power * there * height / (far2 * far2) : 0;
     }
-    // From amid a row of lights the nearest give most: the mean of 1 / d2 along a row is one over its length and one
-    // over the way to it.
+    // Within a row of lights the nearest dominate: the mean of 1/d2 along a row is 1 / (length * distance).
     float near2 = 0;
     for (std::size_t a = 0; a < 3; ++a) {
         const float out = std::max(0.f, std::abs(to[a]) - node.half[a]);
@@ -190,10 +189,10 @@ float LightTree::importance(const Node& node, Vec3f position, Vec3f normal) {
     const float d = std::sqrt(d2),
                 far2 = std::max(std::sqrt(near2), 0.1f * node.radius) * std::max(d, node.radius) + 1e-10f;
     const float here = std::min(1.f, height / std::sqrt(far2));
-    if (!(d2 > r2)) return node.power * here / far2;  // within the ball anything may face here
+    if (!(d2 > r2)) return node.power * here / far2;  // inside the bounding ball any orientation is possible
     const float sine = node.radius / d, away = std::clamp(-dot(node.axis, to) / d, -1.f, 1.f),
                 cosine = node.two_sided ? std::abs(away) : away;
-    // The narrowest angle to the normals, by the middle of the node and by any point of its ball.
+    // The smallest angle between an emitter normal and the direction to the receiver, over the node's ball.
     const Angle least = Angle{cosine, std::sqrt(1 - cosine * cosine)}.less({node.cosine, node.sine});
     const float best = least.less({std::sqrt(std::max(0.f, 1 - sine * sine)), sine}).cosine;
     if (!(best > 0)) return 0;
@@ -207,7 +206,7 @@ float LightTree::first_share(std::int32_t node, Vec3f position, Vec3f normal) co
     return first + second > 0 ? first / (first + second) : -1;
 }
 
-// The widest node makes room for its children, until all are compact.
+// Splits the widest node repeatedly until all are compact.
 void LightTree::choose_heads() {
     heads_ = {0};
     while (heads_.size() < kMostHeads) {
@@ -245,7 +244,7 @@ LightTree::Shares LightTree::shares_of_heads(Vec3f position, Vec3f normal) const
     return shares;
 }
 
-LightTree::Drawn LightTree::draw(Vec3f position, Vec3f normal, float u) const {
+LightTree::SampledEmitter LightTree::draw(Vec3f position, Vec3f normal, float u) const {
     if (heads_.empty()) return {};
     const Shares shares = shares_of_heads(position, normal);
     const float all = shares[heads_.size() - 1];
@@ -253,8 +252,8 @@ LightTree::Drawn LightTree::draw(Vec3f position, Vec3f normal, float u) const {
     std::size_t head = 0;
     while (head + 1 < heads_.size() && !(u * all < shares[head])) ++head;
     const float below = head ? shares[head - 1] : 0.f;
-    if (!(shares[head] > below)) return {};  // by rounding only
-    Drawn out{-1, (shares[head] - below) / all};
+    if (!(shares[head] > below)) return {};  // only by rounding
+    SampledEmitter out{-1, (shares[head] - below) / all};
     u = (u * all - below) / (shares[head] - below);
     for (std::int32_t at = heads_[head];;) {
         u = std::clamp(u, 0.f, 0.999999f);
@@ -266,29 +265,29 @@ LightTree::Drawn LightTree::draw(Vec3f position, Vec3f normal, float u) const {
         const float first = first_share(at, position, normal);
         if (first < 0) return {};
         const bool takes_first = u < first;
-        out.chance *= takes_first ? first : 1 - first;
+        out.probability *= takes_first ? first : 1 - first;
         u = takes_first ? u / first : (u - first) / (1 - first);
         at = takes_first ? at + 1 : node.second;
     }
 }
 
-float LightTree::chance(int emitter, Vec3f position, Vec3f normal) const {
+float LightTree::probability(int emitter, Vec3f position, Vec3f normal) const {
     const Place& place = places_[static_cast<std::size_t>(emitter)];
     if (place.head < 0) return 0;
     const auto head = static_cast<std::size_t>(place.head);
     const Shares shares = shares_of_heads(position, normal);
     const float all = shares[heads_.size() - 1];
     if (!(all > 0)) return 0;
-    float chance = (shares[head] - (head ? shares[head - 1] : 0.f)) / all;
+    float probability = (shares[head] - (head ? shares[head - 1] : 0.f)) / all;
     std::int32_t at = heads_[head];
-    for (int level = 0; level < place.depth && chance > 0; ++level) {
+    for (int level = 0; level < place.depth && probability > 0; ++level) {
         const float first = first_share(at, position, normal);
         if (first < 0) return 0;
         const bool second = place.path >> level & 1u;
-        chance *= second ? 1 - first : first;
+        probability *= second ? 1 - first : first;
         at = second ? nodes_[static_cast<std::size_t>(at)].second : at + 1;
     }
-    return chance;
+    return probability;
 }
 
 }  // namespace fastscene

@@ -10,14 +10,14 @@ namespace fastscene {
 namespace {
 
 constexpr float kLargeArea = 0.5f;
-constexpr float kSunRadius = 0.008f;  // of its disc, in radians: 0.9 degrees across
+constexpr float kSunRadius = 0.008f;  // angular radius in radians: 0.9 degrees across
 
-// Nearer than this a lamp's part is no brighter to the cache: keeps single samples from burning holes.
+// metres: closer lamps count as this far away, which bounds the variance of single samples in the cache
 constexpr float kNearest = 0.03f;
 
-// Radiance of all that is seen through a window that shines along `into`, the root of its mean square: what is uneven
-// is to be asked more often. Not the sky's alone: by night it is far darker than a town's lit windows, and a light that
-// is asked a hundred times too seldom leaves clouds.
+// RMS radiance seen through a window that faces `into`, as its sampling weight: uneven light deserves more samples. The
+// sky alone would not do: at night lit windows across the street outshine it by far, and undersampling them leaves
+// blotches.
 float brightness_behind(const SkyTable& sky, Vec3f into) {
     constexpr std::uint32_t kWays = 1024;
     float squares = 0;
@@ -79,15 +79,15 @@ Lights::Lights(const Room& room) : first_of_mesh_(room.meshes.size(), -1), large
             emitters_.push_back({.mesh = static_cast<std::int32_t>(m), .triangle = t});
             tree.push_back(box_of({abc[0], abc[1], abc[2]}));
             tree.back().normal = normalize(cross(abc[1] - abc[0], abc[2] - abc[0]));
-            tree.back().two_sided = !closed_[m];  // a thin shade shines to both sides, a solid from its front
+            tree.back().two_sided = !closed_[m];  // a thin shade emits on both sides, a solid on the outside
             tree.back().power = area_of(abc) * bright;
         }
     }
     tree_.emplace(tree);
 }
 
-// Of all windows that lie in this direction, one behind the other.
-float Lights::portal_density(const Room& room, Vec3f position, Vec3f normal, Vec3f direction) const {
+// Summed over all windows that lie in this direction, one behind the other.
+float Lights::portal_pdf(const Room& room, Vec3f position, Vec3f normal, Vec3f direction) const {
     float sum = 0;
     const Vec3f from = offset_from(position, normal);
     for (std::size_t i = 0; i < emitters_.size() && emitters_[i].portal >= 0; ++i) {
@@ -100,14 +100,14 @@ float Lights::portal_density(const Room& room, Vec3f position, Vec3f normal, Vec
         const Vec3f at = from + direction * far - p.corner;
         const float u = dot(at, p.edge_u) / dot(p.edge_u, p.edge_u), v = dot(at, p.edge_v) / dot(p.edge_v, p.edge_v);
         if (u >= 0 && u <= 1 && v >= 0 && v <= 1)
-            sum += tree_->chance(static_cast<int>(i), position, normal) * far * far / (cosine * area);
+            sum += tree_->probability(static_cast<int>(i), position, normal) * far * far / (cosine * area);
     }
     return sum;
 }
 
-Lights::Towards Lights::draw(const Room& room, Vec3f position, Vec3f normal, float which, Vec2f uv) const {
-    Towards out;
-    const LightTree::Drawn drawn = tree_->draw(position, normal, which);
+Lights::LightSample Lights::draw(const Room& room, Vec3f position, Vec3f normal, float which, Vec2f uv) const {
+    LightSample out;
+    const LightTree::SampledEmitter drawn = tree_->draw(position, normal, which);
     if (drawn.emitter < 0) return out;
     const Emitter& emitter = emitters_[static_cast<std::size_t>(drawn.emitter)];
     const Vec3f from = offset_from(position, normal);
@@ -116,7 +116,7 @@ Lights::Towards Lights::draw(const Room& room, Vec3f position, Vec3f normal, flo
         out.direction = normalize(p.corner + p.edge_u * uv.x + p.edge_v * uv.y - from);
         out.far = kFar;
         out.radiance = sky_->at(out.direction);
-        out.density = portal_density(room, position, normal, out.direction);
+        out.pdf = portal_pdf(room, position, normal, out.direction);
         return out;
     }
     const auto [a, b, c] = corners(room, emitter.mesh, emitter.triangle);
@@ -125,33 +125,34 @@ Lights::Towards Lights::draw(const Room& room, Vec3f position, Vec3f normal, flo
     const float far = length(to);
     if (!(far > 1e-4f)) return out;
     out.direction = to / far;
-    // The back of a solid does not shine, though its front may be too near it to stop the ray of shadow (a screen).
+    // The back of a thin solid (a screen) does not emit, though its front may be too close behind to block the shadow
+    // ray.
     const float away = dot(normalize(cross(b - a, c - a)), out.direction);
     const float there = closed_[static_cast<std::size_t>(emitter.mesh)] ? -away : std::abs(away);
     if (!(there > 1e-5f)) return out;
     out.far = far * 0.999f - kSurfaceOffset;  // up to just before the lamp's own surface
     out.radiance = emission_of(room, emitter.mesh);
-    out.density = drawn.chance * far * far / (there * area_of({a, b, c}));
+    out.pdf = drawn.probability * far * far / (there * area_of({a, b, c}));
     return out;
 }
 
-float Lights::density(const Room& room, Vec3f position, Vec3f normal, Vec3f direction, const RayHit& hit) const {
+float Lights::pdf(const Room& room, Vec3f position, Vec3f normal, Vec3f direction, const RayHit& hit) const {
     if (emitters_.empty()) return 0;
-    if (!hit) return portal_density(room, position, normal, direction);
+    if (!hit) return portal_pdf(room, position, normal, direction);
     const std::int32_t first = first_of_mesh_[static_cast<std::size_t>(hit.mesh)];
     if (first < 0 || (hit.back && closed_[static_cast<std::size_t>(hit.mesh)])) return 0;
     const float there = std::abs(dot(hit.normal, direction));
-    return tree_->chance(first + hit.triangle, position, normal) * hit.distance * hit.distance /
+    return tree_->probability(first + hit.triangle, position, normal) * hit.distance * hit.distance /
            (std::max(1e-5f, there) * area_of(corners(room, hit.mesh, hit.triangle)));
 }
 
 Vec3f Lights::sample(const Room& room, const SceneBvh& bvh, Vec3f position, Vec3f normal, float which, Vec2f uv) const {
-    const Towards light = draw(room, position, normal, which, uv);
+    const LightSample light = draw(room, position, normal, which, uv);
     const float here = dot(normal, light.direction);
-    if (!(light.density > 0 && here > 0) || bvh.blocked(offset_from(position, normal), light.direction, 0.f, light.far))
+    if (!(light.pdf > 0 && here > 0) || bvh.blocked(offset_from(position, normal), light.direction, 0.f, light.far))
         return {};
     const float near = light.far < kNearest ? light.far * light.far / (kNearest * kNearest) : 1.f;
-    return light.radiance * (here * near / light.density);
+    return light.radiance * (here * near / light.pdf);
 }
 
 Vec3f Lights::sun(const Room& room, const SceneBvh& bvh, Vec3f position, Vec3f normal, Vec2f uv) const {

@@ -1,4 +1,4 @@
-// Lights: lamps (emissive meshes), windows (portals to the sky) and the sun, sampled by what they give to a place.
+// Lights: lamps (emissive meshes), windows (portals to the sky) and the sun, importance-sampled for a receiving point.
 #pragma once
 
 #include <cstdint>
@@ -16,37 +16,38 @@ class Lights {
   public:
     explicit Lights(const Room& room);
 
-    // A direction towards a lamp or window, and what comes from there if nothing stands between.
-    struct Towards {
+    // A sampled direction to a lamp or window, and the radiance that arrives if nothing is in between.
+    struct LightSample {
         Vec3f direction;
-        float far = 0;  // how far a shadow ray has to look
+        float far = 0;  // length of the shadow ray
         Vec3f radiance;
-        float density = 0;  // per solid angle; 0: nothing drawn
+        float pdf = 0;  // per solid angle; 0: no sample
     };
-    // `which`: the bit of a lamp or the window, by what it gives there (light_tree.h), `uv`: the place on it; uniform
-    // in [0, 1), best well spread.
-    Towards draw(const Room& room, Vec3f position, Vec3f normal, float which, Vec2f uv) const;
-    // The density with which draw() would have found this direction, whose ray ended in `hit`.
-    float density(const Room& room, Vec3f position, Vec3f normal, Vec3f direction, const RayHit& hit) const;
-    // One estimate of the irradiance from lamps and windows.
+    // Samples a light for a surface point: `which` selects an emitter (light_tree.h), `uv` a point on it; both uniform
+    // in [0, 1), preferably stratified.
+    LightSample draw(const Room& room, Vec3f position, Vec3f normal, float which, Vec2f uv) const;
+    // The solid-angle density with which draw() samples this direction, whose ray hit `hit`; for MIS weights.
+    float pdf(const Room& room, Vec3f position, Vec3f normal, Vec3f direction, const RayHit& hit) const;
+    // A one-sample estimate of the irradiance from lamps and windows.
     Vec3f sample(const Room& room, const SceneBvh& bvh, Vec3f position, Vec3f normal, float which, Vec2f uv) const;
-    // One estimate of the sun's irradiance (0.5 degree disc, a little wider for thin air).
+    // A one-sample estimate of the irradiance from the sun's disc (0.5 degrees, slightly widened for atmospheric
+    // scattering).
     Vec3f sun(const Room& room, const SceneBvh& bvh, Vec3f position, Vec3f normal, Vec2f uv) const;
-    // Lamps that are large (more than half a square metre) are found by gathering instead of by sampling.
+    // Large lamps (more than half a square metre) are not sampled; gathering rays find them.
     bool is_large(int mesh) const { return large_[static_cast<std::size_t>(mesh)]; }
 
   private:
-    // A triangle that glows, or a window.
+    // An emissive triangle, or a window.
     struct Emitter {
         std::int32_t mesh = -1, triangle = 0;
         std::int32_t portal = -1;
     };
-    float portal_density(const Room& room, Vec3f position, Vec3f normal, Vec3f direction) const;
-    std::optional<SkyTable> sky_;    // where there are portals
+    float portal_pdf(const Room& room, Vec3f position, Vec3f normal, Vec3f direction) const;
+    std::optional<SkyTable> sky_;    // only if there are portals
     std::vector<Emitter> emitters_;  // windows first
     std::optional<LightTree> tree_;  // of emitters_
     std::vector<std::int32_t>
-        first_of_mesh_;  // the emitter that is its first triangle; the others follow. -1: does not glow, or is large
+        first_of_mesh_;  // by mesh: the emitter of its first triangle, the others follow; -1: not emissive, or large
     std::vector<bool> large_, closed_;
 };
 

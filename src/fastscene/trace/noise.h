@@ -1,4 +1,4 @@
-// Lattice noise: smooth random functions of position that depend on nothing but their arguments.
+// Lattice noise: smooth pseudo-random functions of position, without state.
 #pragma once
 
 #include <algorithm>
@@ -9,7 +9,7 @@
 
 namespace fastscene {
 
-// A well mixed 32-bit number of a lattice point.
+// A well-mixed 32-bit hash of a lattice point.
 inline std::uint32_t lattice_hash(int x, int y, int z, std::uint32_t seed) {
     std::uint32_t h = static_cast<std::uint32_t>(x) * 0x8da6b343u ^ static_cast<std::uint32_t>(y) * 0xd8163841u ^
                       static_cast<std::uint32_t>(z) * 0xcb1ab31fu ^ seed * 0x9e3779b9u;
@@ -35,7 +35,7 @@ inline int floor_int(float v) {
     return static_cast<float>(i) > v ? i - 1 : i;
 }
 
-// Value noise in [0, 1], one feature a unit.
+// Value noise in [0, 1]; features have unit size.
 inline float noise2(Vec2f p, std::uint32_t seed) {
     const int x = floor_int(p.x), y = floor_int(p.y);
     float u = p.x - static_cast<float>(x), v = p.y - static_cast<float>(y);
@@ -57,10 +57,10 @@ inline float noise3(Vec3f p, std::uint32_t seed) {
     return mix(layer(z), layer(z + 1), w);
 }
 
-// 1 while a detail of `size` is wider than two footprints, 0 once it is narrower than the footprint.
+// Band limiting: 1 while a detail of `size` is wider than two footprints, falling to 0 at one footprint.
 inline float detail_fade(float footprint, float size) { return unit_clamp(2.f - 2.f * footprint / size); }
 
-// Octaves of noise in [0, 1]; those finer than the footprint (in units of p) are left out.
+// Fractal noise in [0, 1]; octaves finer than the footprint (in units of p) are left out.
 inline float fbm2(Vec2f p, int octaves, float footprint, std::uint32_t seed) {
     float sum = 0.5f, amplitude = 0.5f, size = 1.f;
     for (int i = 0; i < octaves; ++i) {
@@ -68,7 +68,7 @@ inline float fbm2(Vec2f p, int octaves, float footprint, std::uint32_t seed) {
         if (!(fade > 0.f)) break;
         sum += amplitude * fade * (noise2(p, seed + static_cast<std::uint32_t>(i)) - 0.5f);
         p = Vec2f{p.x * 1.6f - p.y * 1.2f,
-                  p.x * 1.2f + p.y * 1.6f};  // doubled and turned, so that the lattice does not show
+                  p.x * 1.2f + p.y * 1.6f};  // scaled by 2 and rotated, which hides the lattice
         amplitude *= 0.5f;
         size *= 0.5f;
     }
@@ -87,18 +87,18 @@ inline float fbm3(Vec3f p, int octaves, float footprint, std::uint32_t seed) {
     return unit_clamp(sum);
 }
 
-// How much of a footprint centered `distance` from the middle of a line is covered by the line.
+// Share of a footprint covered by a line, for a footprint centered `distance` from the line's center.
 inline float line_cover(float distance, float half_width, float footprint) {
     const float f = footprint > 1e-5f ? footprint : 1e-5f;
     const float low = std::max(distance - 0.5f * f, -half_width), high = std::min(distance + 0.5f * f, half_width);
     return unit_clamp((high - low) / f);
 }
-// Soft step from 0 to 1 at 0, as wide as the footprint.
+// Antialiased step at 0, as wide as the footprint.
 inline float edge_cover(float signed_distance, float footprint) {
     return unit_clamp(signed_distance / (footprint > 1e-5f ? footprint : 1e-5f) + 0.5f);
 }
 
-// The nearest points of a jittered lattice: distances to the first two, and the number of the first.
+// The nearest points of a jittered lattice: distances to the first two, and the hash of the first.
 struct Voronoi {
     float nearest = 1e9f, second = 1e9f;
     std::uint32_t id = 0;

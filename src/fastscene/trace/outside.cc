@@ -11,12 +11,12 @@ namespace {
 
 using namespace outside;
 
-// Height of an outline over the horizon, in [0, 1], at an azimuth: noise that closes after a full turn.
+// Height of the skyline above the horizon, in [0, 1], by azimuth: periodic noise.
 float outline(float azimuth, float frequency, std::uint32_t seed) {
     return fbm2({std::cos(azimuth) * frequency + 7.3f, std::sin(azimuth) * frequency + 2.9f}, 5, 0.f, seed);
 }
 
-// Sharp crests: noise folded at its middle.
+// Sharp crests: ridged noise, folded at its mean.
 float crests(float azimuth, float frequency, std::uint32_t seed) {
     float sum = 0, amplitude = 0.5f;
     for (std::uint32_t k = 0; k < 5; ++k, frequency *= 2.1f, amplitude *= 0.48f)
@@ -44,7 +44,7 @@ Vec3f mountains(const Light& light, float azimuth, float height, Vec3f color, co
         const float scale = k ? 0.2f : 0.34f, frequency = k ? 1.9f : 1.3f,
                     top = scale * crests(azimuth, frequency, seed) - (k ? 0.05f : 0.06f);
         if (height >= top) continue;
-        // The side of a crest that faces the sun is the bright one.
+        // Slopes that face the sun are bright.
         const float slope = (scale * crests(azimuth + 0.012f, frequency, seed) - 0.06f - top) / 0.012f;
         const float faces = 0.5f -
                             0.5f * std::tanh(1.5f * slope) * (std::sin(azimuth - light.azimuth) > 0 ? -1.f : 1.f);
@@ -58,14 +58,14 @@ Vec3f mountains(const Light& light, float azimuth, float height, Vec3f color, co
     return color;
 }
 
-// Water down to the beach.
-Vec3f sea(const Light& light, Vec3f direction, float azimuth, Vec3f color, const Sky& sky, float eye_m) {
+// Water, with a beach in front.
+Vec3f sea(const Light& light, Vec3f direction, float azimuth, Vec3f color, const Sky& sky, float eye_height_m) {
     const float down = direction.y;
     if (!(down > 0.f)) return color;
-    const float far = eye_m / std::max(1e-3f, down);
+    const float far = eye_height_m / std::max(1e-3f, down);
     const float wave = noise2({azimuth * 40.f, std::log(far) * 26.f}, sky.seed + 3) * 0.6f +
                        noise2({azimuth * 150.f, std::log(far) * 70.f}, sky.seed + 4) * 0.4f;
-    // At a grazing angle water is all mirror, steeper it shows its own color.
+    // Fresnel: at grazing angles water reflects, at steeper ones it shows its own color.
     const float mirror = std::clamp(0.15f + 0.85f * std::pow(1 - std::min(1.f, down * 2.2f), 4.f), 0.f, 1.f);
     const Vec3f mirrored = lerp(sky.horizon, sky.zenith, 0.35f + 0.5f * wave) * 0.62f;
     const Vec3f own = Vec3f{0.02f, 0.085f, 0.11f} * (light.shade + light.sun * 0.6f) * (0.8f + 0.4f * wave);
@@ -79,18 +79,19 @@ Vec3f sea(const Light& light, Vec3f direction, float azimuth, Vec3f color, const
     return lerp(sky.ground * Vec3f{1.f, 0.92f, 0.76f} * sand, (light.shade + light.sun * 0.6f) * 0.55f, foam);
 }
 
-// Of a garden, metres from the house: where its slabs end and its beds lie; and how much of the turn the beds take.
+// Garden layout in metres from the house: end of the terrace, distances of the beds, and the share of azimuth that beds
+// cover.
 constexpr float kTerrace = 4.3f, kNearBed = 5.3f, kMiddleBed = 12.f, kFarBed = 22.5f, kNearShare = 0.5f,
                 kMiddleShare = 0.4f, kFarShare = 1.f;
 
-// What is laid out in a garden: paths that lead away from the terrace, and flower beds between them.
+// Plan of a garden: paths that lead away from the terrace, and flower beds between them.
 struct Garden {
     explicit Garden(const Sky& sky) : seed(sky.seed) {
         for (int k = 0; k < kPaths; ++k)
             paths[k] = (static_cast<float>(k) + 0.7f * lattice_unit(k, 0, 21, seed)) *
                        (2 * kPi / static_cast<float>(kPaths));
     }
-    // Metres to the middle of the nearest path.
+    // Metres to the center line of the nearest path.
     float off_path(Vec2f p) const {
         float least = 1e9f;
         for (const float turn : paths) {
@@ -100,7 +101,7 @@ struct Garden {
         }
         return least;
     }
-    // How far an azimuth lies within a bed at this distance, in noise above its threshold; not above zero: outside.
+    // How far inside a bed an azimuth lies at this distance, as noise above its threshold; <= 0: outside.
     float within_bed(float azimuth, float distance, float share) const {
         const float free = off_path(Vec2f{std::sin(azimuth), std::cos(azimuth)} * distance) - 1.1f;
         return std::min(0.15f * free,
@@ -111,9 +112,9 @@ struct Garden {
     float paths[kPaths];
 };
 
-// Slabs before the house, then the lawn; with paths of gravel and beds of dark earth where there is a garden.
-Vec3f garden_floor(const Sky& sky, Vec3f direction, float eye_m, const Garden* garden = nullptr) {
-    const float far = eye_m / std::max(1e-3f, direction.y);
+// A paved terrace, then lawn; gravel paths and beds of dark earth where there is a garden.
+Vec3f garden_floor(const Sky& sky, Vec3f direction, float eye_height_m, const Garden* garden = nullptr) {
+    const float far = eye_height_m / std::max(1e-3f, direction.y);
     const Vec2f p{direction.x * far, direction.z * far};
     const float reach = std::hypot(p.x, p.y);
     const float footprint = 0.004f * far;
@@ -146,8 +147,8 @@ Vec3f garden_floor(const Sky& sky, Vec3f direction, float eye_m, const Garden* g
 }
 
 // A road between pavements, along the front of the house.
-Vec3f street_floor(const Sky& sky, const Light& light, Vec3f direction, float eye_m) {
-    const float far = eye_m / std::max(1e-3f, direction.y);
+Vec3f street_floor(const Sky& sky, const Light& light, Vec3f direction, float eye_height_m) {
+    const float far = eye_height_m / std::max(1e-3f, direction.y);
     const Vec2f p{direction.x * far, direction.z * far};
     const float reach = std::hypot(p.x, p.y), grain = 0.9f + 0.2f * fbm2(p * 2.f, 4, 0.008f * far, sky.seed + 3);
     const bool road = reach > 8.f && reach < 20.f;

@@ -1,4 +1,4 @@
-// Rows of things around the house: buildings, trees, a hedge. Private to trace/outside*.cc.
+// Rows of scenery around the house: buildings, trees, a hedge. Private to trace/outside*.cc.
 #pragma once
 
 #include <algorithm>
@@ -10,12 +10,12 @@
 
 namespace fastscene::outside {
 
-// What lights the outside, as the radiance of a white wall.
+// Illumination outside, as the radiance of a white wall.
 struct Light {
     Vec3f shade;   // from the sky
     Vec3f sun;     // from the sun on a surface that faces it
-    Vec3f street;  // from lamps in the street, after sunset
-    Vec3f haze;    // the color of far air
+    Vec3f street;  // from street lamps, after sunset
+    Vec3f haze;    // aerial perspective: the color of distant air
     Vec3f to_sun;
     float azimuth = 0, haziness = 1;
     bool dark = false, snow = false;
@@ -32,7 +32,8 @@ struct Light {
         snow = sky.snow;
     }
     Vec3f far_off(Vec3f color, float share) const { return lerp(color, haze, std::min(0.9f, share * haziness)); }
-    // On a surface with this normal, given as seen: x to the right, y up, z towards the viewer, at an azimuth.
+    // Sun on a surface with normal `n` at azimuth `at`. `n` is relative to the viewer: x right, y up, z towards the
+    // viewer.
     float sunlit(Vec3f n, float at) const {
         const float c = std::cos(at), s = std::sin(at);
         const Vec3f world{n.x * c - n.z * s, -n.y, -n.x * s - n.z * c};
@@ -41,12 +42,12 @@ struct Light {
 };
 
 struct Row {
-    int cells;  // around the full turn
+    int cells;  // in 360 degrees
     float distance_m;
     float low_m, high_m;  // heights of the eaves above the ground
-    float eye_m;          // height of the viewer above the ground
+    float eye_height_m;   // height of the viewer above the ground
     float gap;            // share of cells that stay empty
-    bool pitched;         // roofs
+    bool pitched;         // pitched roofs
     float haze;
     std::uint32_t seed;
 };
@@ -56,7 +57,7 @@ struct TreeRow {
     int cells;
     float distance_m;
     float radius_m;  // of a crown
-    float eye_m;
+    float eye_height_m;
     float gap;
     bool conifers;
     bool snow;
@@ -65,16 +66,16 @@ struct TreeRow {
 };
 void trees(const Light& light, const TreeRow& row, float azimuth, float height, Vec3f& color);
 
-void hedge(const Light& light, float distance_m, float high_m, float eye_m, bool snow, std::uint32_t seed,
+void hedge(const Light& light, float distance_m, float high_m, float eye_height_m, bool snow, std::uint32_t seed,
            float azimuth, float height, Vec3f& color);
 
-// Clumps of leaves and flowers that stand along a bed; `planted` says of an azimuth whether one stands there.
+// Clumps of leaves and flowers along a bed; `planted` tells whether an azimuth is planted.
 struct BedRow {
-    int cells;  // around the full turn
+    int cells;  // in 360 degrees
     float distance_m;
     float radius_m, high_m;  // of a clump
-    float eye_m;
-    float bloom_m;  // of one flower, or of a bunch of them where they are far
+    float eye_height_m;
+    float bloom_m;  // size of a flower, or of a bunch of them in distant rows
     float haze;
     std::uint32_t seed;
 };

@@ -12,65 +12,64 @@ namespace fastscene {
 namespace {
 
 constexpr int kMaxBounces = 48;
-constexpr int kSureBounces = 3;  // no path ends before by chance
+constexpr int kSureBounces = 3;  // Russian roulette starts after this many bounces
 
-// What arrives by a density of directions: with it, light found by chance is weighed against light asked for.
+// How a path arrived at its next vertex; its pdf gives the MIS weight of lights that it hits.
 struct Arrival {
-    float density =
-        0;  // of the direction, by the surface it left; 0: a perfect mirror or the camera, light counts in full
-    bool lights = false;  // whether that surface also asked the lights
+    float pdf = 0;        // of the direction, at the surface it left; 0: camera or perfect mirror, light counts in full
+    bool lights = false;  // whether lights were sampled at that surface
     Vec3f from, normal;
 };
 
-// A surface's radiance towards -direction per unit of radiance from `out` (cosine included), and the density of
-// sampling `out`.
+// The BSDF towards -direction for light from `out`, including the cosine, and the pdf of sampling `out`.
 struct Scatter {
     Vec3f value;
-    float density = 0;
+    float pdf = 0;
 };
 struct Local {
     const SurfacePointInfo& s;
     const Response& r;
     Vec3f direction;
-    float relief;             // darkens or brightens what falls on the slopes of the pattern's relief
-    float p_shine, p_behind;  // chances of the three ways on; the rest is diffuse
+    float relief;                // darkens or brightens the pattern's relief by its slope
+    float p_specular, p_behind;  // lobe selection probabilities; the remainder is diffuse
 
     Scatter towards(Vec3f out) const {
         Scatter e;
         const float cosine = dot(s.normal, out);
         if (cosine > 0) {
             e.value = r.diffuse * (relief * cosine / kPi);
-            e.density = (1 - p_shine - p_behind) * cosine / kPi;
+            e.pdf = (1 - p_specular - p_behind) * cosine / kPi;
             if (r.alpha > 0) {
-                const float d = ggx_density(s.bumped, r.alpha, direction, out);
-                e.value += r.shine * d;
-                e.density += p_shine * d;
+                const float d = ggx_pdf(s.bumped, r.alpha, direction, out);
+                e.value += r.specular * d;
+                e.pdf += p_specular * d;
             }
         } else {
             e.value = r.behind * (-cosine / kPi);
-            e.density = p_behind * -cosine / kPi;
+            e.pdf = p_behind * -cosine / kPi;
         }
         return e;
     }
 };
 
-// The direct light of one lamp or window, and of the sun. `first`: the camera sees this surface; `looking`: at least in
-// others that mirror it.
-Vec3f asked_light(const PathScene& scene, const Local& local, bool behind, bool first, bool looking, Sampler& sampler) {
+// Next-event estimation: one lamp or window, and the sun. `first`: the camera sees this surface directly; `looking`:
+// directly or through mirrors.
+Vec3f sample_lights(const PathScene& scene, const Local& local, bool behind, bool first, bool looking,
+                    Sampler& sampler) {
     const SurfacePointInfo& s = local.s;
     const Vec3f normal = behind ? -s.normal : s.normal;
     Vec3f sum{};
     const float which = sampler.next();
     const Vec2f uv = sampler.next2();
-    const Lights::Towards light = scene.lights.draw(scene.room, s.position, normal, which, uv);
-    if (light.density > 0) {
+    const Lights::LightSample light = scene.lights.draw(scene.room, s.position, normal, which, uv);
+    if (light.pdf > 0) {
         const Scatter scatter = local.towards(light.direction);
         const Vec3f value = scatter.value * light.radiance;
         if (luminance(value) > 0 &&
             !scene.bvh.blocked(offset_from(s.position, normal), light.direction, 0.f, light.far))
-            sum += value * (power_heuristic(light.density, scatter.density) / light.density);
+            sum += value * (power_heuristic(light.pdf, scatter.pdf) / light.pdf);
     }
-    // The sun is met by chance by nobody: its disc is not in the sky.
+    // No MIS for the sun: rays cannot hit it, its disc is not in the sky.
     const Vec2f disc = sampler.next2();
     const Vec3f facing = behind ? normal : s.bumped;
     const Vec3f sun = scene.lights.sun(scene.room, scene.bvh, s.position, facing, disc) *
@@ -87,27 +86,27 @@ Vec3f path_radiance(const PathScene& scene, Vec3f origin, Vec3f direction, float
     Vec3f sum{}, throughput{1, 1, 1};
     Arrival arrival;
     float width = pixel_angle, travelled = 0;
-    bool first = true;    // the camera sees this surface
-    bool looking = true;  // mirrored at most: what lies here is looked at; after that it only lights something
+    bool first = true;    // directly visible to the camera
+    bool looking = true;  // visible to the camera, directly or through mirrors; the rest is illumination only
     for (int bounce = 0; bounce < kMaxBounces; ++bounce) {
-        // One looks through panes, those that a perfect mirror shows too; light passes them.
-        const bool clearly = looking && !(arrival.density > 0);
+        // Panes are transparent to the camera, also in perfect mirrors; to light they do not exist.
+        const bool clearly = looking && !(arrival.pdf > 0);
         const RayHit hit = clearly ? scene.bvh.first_hit(origin, direction) : scene.bvh.first_lit(origin, direction);
-        float by_chance = 1;
+        float mis_weight = 1;
         if (arrival.lights)
-            by_chance = power_heuristic(arrival.density,
-                                        scene.lights.density(scene.room, arrival.from, arrival.normal, direction, hit));
+            mis_weight = power_heuristic(arrival.pdf,
+                                         scene.lights.pdf(scene.room, arrival.from, arrival.normal, direction, hit));
         if (!hit)
             return sum + throughput *
                              (clearly ? outside_as_seen(scene.room.sky, scene.room.look, direction)
                                       : sky_radiance(scene.room.sky, direction)) *
-                             by_chance;
+                             mis_weight;
         travelled += hit.distance;
         const float slant = std::max(0.08f, std::abs(dot(hit.normal, direction)));
         const SurfacePointInfo s = surface_at(scene.room, hit, origin, direction, width * travelled / std::sqrt(slant),
                                               first);
         const Material& m = *s.material;
-        sum += throughput * (clearly ? lamp_as_seen(scene.room.look, m.emission) : m.emission) * by_chance;
+        sum += throughput * (clearly ? lamp_as_seen(scene.room.look, m.emission) : m.emission) * mis_weight;
         if (clearly && is_clear(m)) {
             const Pane pane = pane_of(s, direction);
             const float way = sampler.next();
@@ -123,29 +122,30 @@ Vec3f path_radiance(const PathScene& scene, Vec3f origin, Vec3f direction, float
 
         const Response r = response_of(s, direction);
         const float lean = dot(s.bumped - s.normal, Vec3f{0, -1, 0});
-        const float diffuse = luminance(r.diffuse), behind = luminance(r.behind), shine = luminance(r.shine),
-                    all = diffuse + behind + shine;
+        const float diffuse = luminance(r.diffuse), behind = luminance(r.behind), specular = luminance(r.specular),
+                    all = diffuse + behind + specular;
         if (!(all > 0)) return sum;
-        const Local local{s, r, direction, std::clamp(1.f + 0.8f * lean, 0.5f, 1.4f), shine / all, behind / all};
+        const Local local{s, r, direction, std::clamp(1.f + 0.8f * lean, 0.5f, 1.4f), specular / all, behind / all};
 
         Arrival next;
         next.lights = diffuse + behind > 0 || r.alpha > 0;
         const float kind = sampler.next();
-        const bool backwards = kind >= local.p_shine && kind < local.p_shine + local.p_behind;
+        const bool backwards = kind >= local.p_specular && kind < local.p_specular + local.p_behind;
         if (next.lights) {
             next.from = s.position;
-            // One side of a thin sheet is asked, by how much it lets through.
+            // Of a thin sheet one side is sampled, chosen by its transmission.
             const float ask_behind = local.p_behind > 0
-                                         ? local.p_behind / std::max(1e-6f, 1.f - (r.alpha > 0 ? 0.f : local.p_shine))
+                                         ? local.p_behind /
+                                               std::max(1e-6f, 1.f - (r.alpha > 0 ? 0.f : local.p_specular))
                                          : 0.f;
             const bool side = ask_behind > 0 && sampler.next() < ask_behind;
             next.normal = side ? -s.normal : s.normal;
-            sum += throughput * asked_light(scene, local, side, first, looking, sampler) *
+            sum += throughput * sample_lights(scene, local, side, first, looking, sampler) *
                    (1.f / (ask_behind > 0 ? (side ? ask_behind : 1 - ask_behind) : 1.f));
         }
         const Vec2f u = sampler.next2();
         Vec3f out;
-        if (kind < local.p_shine) {
+        if (kind < local.p_specular) {
             const Vec3f half = ggx_half(s.bumped, r.alpha, u);
             out = direction - half * (2 * dot(direction, half));
             if (!(dot(out, s.normal) > 0.01f)) {
@@ -158,18 +158,18 @@ Vec3f path_radiance(const PathScene& scene, Vec3f origin, Vec3f direction, float
             width = std::max(width, 0.2f);
         }
         first = false;
-        looking &= kind < local.p_shine;
+        looking &= kind < local.p_specular;
         out = normalize(out);
-        if (kind < local.p_shine && r.alpha == 0) {
-            throughput = throughput * r.shine / local.p_shine;
+        if (kind < local.p_specular && r.alpha == 0) {
+            throughput = throughput * r.specular / local.p_specular;
             next.lights = false;
         } else {
             const Scatter scatter = local.towards(out);
-            if (!(scatter.density > 0)) return sum;
-            throughput = throughput * scatter.value / scatter.density;
-            next.density = scatter.density;
-            // The lights that were asked stood on one side; what is found on the other side by chance counts in full
-            // only if that side could not have been asked.
+            if (!(scatter.pdf > 0)) return sum;
+            throughput = throughput * scatter.value / scatter.pdf;
+            next.pdf = scatter.pdf;
+            // Lights were sampled on one side only; light hit on the other side counts in full only if that side could
+            // not have been chosen.
             if (next.lights && local.p_behind > 0) {
                 const bool other = dot(out, s.normal) < 0;
                 next.normal = other ? -s.normal : s.normal;

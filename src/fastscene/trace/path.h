@@ -1,5 +1,5 @@
-// Path: what a camera ray brings back by plain path tracing: no cache, nothing kept between pixels, no bias but that of
-// the room's own approximations (response.h). The measure of the cached pictures, and of the light's own correctness.
+// Path tracer: the radiance of a camera ray by unidirectional path tracing with next-event estimation. No cache, and no
+// bias except the approximations of the reflection model (response.h). The reference for the cached pictures.
 #pragma once
 
 #include "fastscene/trace/lights.h"
@@ -13,8 +13,8 @@ struct PathScene {
     const SceneBvh& bvh;
     const Lights& lights;
 };
-// Radiance along a ray. Light is asked directly at every surface and also found by chance, each weighted by how well it
-// does (Veach's power heuristic).
+// Radiance along a ray (`direction` of unit length). Light and BSDF sampling are combined by multiple importance
+// sampling with Veach's power heuristic. `pixel_angle`: width of the sample in radians.
 Vec3f path_radiance(const PathScene& scene, Vec3f origin, Vec3f direction, float pixel_angle, Sampler& sampler);
 
 }  // namespace fastscene

@@ -41,7 +41,7 @@ TEST(Path, Furnace) {
         1.f, 0.01f);
 }
 
-// What samples of the light that falls on a place say: their mean, how far they stray from it, the largest.
+// Statistics of irradiance samples at a point: mean, standard deviation, maximum.
 struct Samples {
     double mean, deviation, largest;
 };
@@ -59,8 +59,8 @@ Samples sampled_light(const Room& room, Vec3f place, Vec3f normal, int count, st
     return {mean, std::sqrt(squares / count - mean * mean), largest};
 }
 
-// The ceiling sees one narrow side of a flat lamp under it, a twentieth of what glows: most samples must go there, not
-// to the underside.
+// From the ceiling only a narrow side of the flat lamp below is visible, a twentieth of its area: most samples must go
+// there, not to the underside.
 TEST(Lights, AFlatLampLightsItsCeilingWithFewSamples) {
     Room room = box_room(diffuse({0, 0, 0}));
     room.materials.push_back(diffuse({0, 0, 0}, {10, 10, 10}));
@@ -68,7 +68,7 @@ TEST(Lights, AFlatLampLightsItsCeilingWithFewSamples) {
     room.meshes.push_back(box_mesh({-2, ceiling, -2}, {2, 1.45f, 2}, 0, -1, false));
     room.meshes.push_back(box_mesh({-half, ceiling - deep, -half}, {half, ceiling - 0.001f, half}, 1, -1, false));
     const Samples light = sampled_light(room, {0.8f, ceiling, 0}, {0, -1, 0}, 4096, 3);
-    // The lamp's side, parallel strips by quadrature.
+    // Reference: the lamp's side in parallel strips, by quadrature.
     double wanted = 0;
     constexpr int kStrips = 200;
     for (int i = 0; i < kStrips; ++i)
@@ -80,11 +80,11 @@ TEST(Lights, AFlatLampLightsItsCeilingWithFewSamples) {
         }
     EXPECT_NEAR(light.mean / wanted, 1, 0.03);
     EXPECT_LT(light.deviation / light.mean,
-              1.5);  // drawn by power alone, one sample of twenty would get there: above 4
+              1.5);  // sampling by power alone gives above 4
 }
 
-// The spots of a ceiling are one object. From under one of them that one is asked, not each as often as another: walls
-// beneath spots were clouded.
+// The spotlights of a ceiling are one object. Below one of them, that one must dominate the samples; uniform sampling
+// left blotchy walls.
 TEST(Lights, OneSpotOfManyIsAskedFromBelowIt) {
     const auto deviation = [](int objects) {
         Room room = box_room(diffuse({0, 0, 0}));
@@ -99,7 +99,7 @@ TEST(Lights, OneSpotOfManyIsAskedFromBelowIt) {
                 box_mesh(at - Vec3f{0.03f, 5e-4f, 0.03f}, at + Vec3f{0.03f, 5e-4f, 0.03f}, 1, i % objects, false));
         }
         const Samples light = sampled_light(room, {0, -0.6f, 0}, {0, -1, 0}, 8192, 5);
-        // All are small: their area, less for each the farther and the more slanted, by 1/d2 and two cosines.
+        // All are small: area times two cosines over d2.
         double wanted = 0;
         for (int i = 0; i < kRow * kRow; ++i) {
             const double x = 1.2 * (i % kRow - kRow / 2), z = 1.2 * (i / kRow - kRow / 2), y = 0.3995,
@@ -110,12 +110,12 @@ TEST(Lights, OneSpotOfManyIsAskedFromBelowIt) {
         return light.deviation / light.mean;
     };
     const double together = deviation(1), apart = deviation(25);
-    EXPECT_LT(together, 0.6);  // each as often as another: above 4
+    EXPECT_LT(together, 0.6);  // uniform sampling gives above 4
     EXPECT_LT(together, 1.3 * apart + 0.05);
 }
 
-// The back of a thin screen is drawn now and then, and lies too close behind its front to be stopped by it: it would
-// count again, by rare loud samples that leave clouds on far walls.
+// Samples on the back of a thin screen lie too close behind the front to be blocked by it; counting them would add rare
+// bright samples that leave blotches on far walls.
 TEST(Lights, AThinScreenShinesFromItsFrontAlone) {
     Room room = box_room(diffuse({0, 0, 0}));
     room.materials.push_back(diffuse({0, 0, 0}, {1, 1, 1}));
@@ -123,13 +123,12 @@ TEST(Lights, AThinScreenShinesFromItsFrontAlone) {
     room.meshes.push_back(box_mesh({-half, -half, front}, {half, half, front + 0.001f}, 1, -1, false));
     const Samples light = sampled_light(room, {0, 0, -2}, {0, 0, 1}, 8192, 4);
     const double far = front + 2,
-                 wanted = 4 * half * half / (far * far);  // the form factor of a small square, times pi
+                 wanted = 4 * half * half / (far * far);  // form factor of a small square, times pi
     EXPECT_NEAR(light.mean / wanted, 1, 0.03);
     EXPECT_LT(light.largest, 2 * wanted);
 }
 
-// By night a town's windows are most of what shines in: they are asked by what they give, not by the dark sky above
-// them.
+// At night a town's windows provide most of the light: sampling must follow their radiance, not that of the dark sky.
 TEST(Lights, ALitTownIsNoRareSpark) {
     Room room = box_room(diffuse({0, 0, 0}));
     room.sky.time = Sky::Time::night;
@@ -146,10 +145,10 @@ TEST(Lights, ALitTownIsNoRareSpark) {
     constexpr int kSamples = 20'000;
     for (int i = 0; i < kSamples; ++i) {
         Random random(6, "town", static_cast<std::uint64_t>(i));
-        const Lights::Towards drawn = lights.draw(room, place, ahead, random.uniform(),
-                                                  {random.uniform(), random.uniform()});
+        const Lights::LightSample drawn = lights.draw(room, place, ahead, random.uniform(),
+                                                      {random.uniform(), random.uniform()});
         const float here = dot(drawn.direction, ahead);
-        const double e = drawn.density > 0 && here > 0 ? luminance(drawn.radiance) * here / drawn.density : 0;
+        const double e = drawn.pdf > 0 && here > 0 ? luminance(drawn.radiance) * here / drawn.pdf : 0;
         light += e;
         if (drawn.far < kFar) continue;
         from_town += e;
@@ -160,8 +159,8 @@ TEST(Lights, ALitTownIsNoRareSpark) {
     EXPECT_GT(asked / kSamples, 0.25 * share);
 }
 
-// A lamp that is asked and met by chance is counted once: a floor under a square lamp in a black room has the closed
-// form of a parallel rectangle (Howell, B-3).
+// MIS counts a lamp once: the floor under a square lamp in a black room has the closed form of a parallel rectangle
+// (Howell, B-3).
 TEST(Path, LightAskedAndFoundIsCountedOnce) {
     Room room = box_room(diffuse({0, 0, 0}));
     room.materials.push_back(diffuse({0, 0, 0}, {10, 10, 10}));
@@ -169,7 +168,7 @@ TEST(Path, LightAskedAndFoundIsCountedOnce) {
     const float half = 0.2f, height = 1.3f;
     room.meshes.push_back(box_mesh({-half, 1.48f - height, -half}, {half, 1.49f - height, half}, 1, -1, false));
     room.meshes.push_back(box_mesh({-2, 1.49f, -2}, {2, 1.5f, 2}, 2, -1, false));
-    // Seen past the lamp's edge: the floor beside the point below its middle.
+    // View past the lamp's edge: the floor beside the point below its center.
     const float x = half / height, s = std::sqrt(1 + x * x);
     const float form = 4 * (x / s * std::atan(x / s) * 2) / (2 * kPi);
     const SceneBvh bvh(room);
@@ -180,11 +179,11 @@ TEST(Path, LightAskedAndFoundIsCountedOnce) {
         Sampler sampler(5, static_cast<std::uint32_t>(i));
         sum += static_cast<double>(path_radiance({room, bvh, lights}, {0, 1.3f, 0}, {0, 1, 0}, 0.01f, sampler).x);
     }
-    // The lamp's lower face stands 1.49 - (1.49 - height) above the floor's top.
+    // The lamp's lower face is 1.49 - (1.49 - height) above the floor.
     EXPECT_NEAR(sum / kPaths / (10 * 0.6 * static_cast<double>(form)), 1.0, 0.02);
 }
 
-// Nothing gives back more than it gets: a white, shining room lit evenly stays below the furnace's limit.
+// No surface reflects more than it receives: white glossy surfaces in uniform light stay below 1.
 TEST(Path, SurfacesLoseEnergy) {
     for (const float roughness : {0.1f, 0.4f, 0.8f})
         for (const float metal : {0.f, 1.f}) {
@@ -198,8 +197,8 @@ TEST(Path, SurfacesLoseEnergy) {
         }
 }
 
-// Patterns make a surface by turns a bit rougher and smoother (clouds in concrete): no outline shows where it stops to
-// mirror.
+// Patterns vary roughness slightly (clouds in concrete): the transition from glossy to matt must not show as an
+// outline.
 TEST(Path, ASurfaceGrowsMattWithoutAStep) {
     Material m = diffuse({0.3f, 0.3f, 0.3f});
     m.specular = 0.04f;
@@ -210,20 +209,20 @@ TEST(Path, ASurfaceGrowsMattWithoutAStep) {
                 {.position = {}, .normal = normal, .bumped = normal, .material = &m, .texture = {m.color_a, r, 1.f}},
                 in);
         };
-        const float glossy = at(0.3f).shine.x;
+        const float glossy = at(0.3f).specular.x;
         EXPECT_GE(glossy, 0.04f);
-        EXPECT_EQ(at(0.7f).shine.x, 0);
+        EXPECT_EQ(at(0.7f).specular.x, 0);
         for (float roughness = 0.3f; roughness < 0.7f; roughness += 0.005f) {
             const Response a = at(roughness), b = at(roughness + 0.005f);
-            EXPECT_NEAR(a.shine.x, b.shine.x, 0.08f * glossy) << roughness;
-            EXPECT_NEAR(a.diffuse.x + a.shine.x, b.diffuse.x + b.shine.x, 0.03f * glossy) << roughness;
+            EXPECT_NEAR(a.specular.x, b.specular.x, 0.08f * glossy) << roughness;
+            EXPECT_NEAR(a.diffuse.x + a.specular.x, b.diffuse.x + b.specular.x, 0.03f * glossy) << roughness;
         }
     }
 }
 
 TEST(Path, MirroredDirectionsHaveTheDensityTheyAreDrawnWith) {
     const Vec3f n{0, -1, 0}, in = normalize(Vec3f{0.5f, 1, 0.2f});
-    // The density over all directions above and below integrates to one.
+    // The pdf over the whole sphere integrates to one.
     for (const float alpha : {0.1f, 0.25f}) {
         double sum = 0;
         const int nt = 400, np = 800;
@@ -232,7 +231,7 @@ TEST(Path, MirroredDirectionsHaveTheDensityTheyAreDrawnWith) {
                 const float t = kPi * (static_cast<float>(i) + 0.5f) / nt,
                             p = 2 * kPi * (static_cast<float>(k) + 0.5f) / np;
                 const Vec3f out{std::sin(t) * std::cos(p), std::cos(t), std::sin(t) * std::sin(p)};
-                sum += static_cast<double>(ggx_density(n, alpha, in, out) * std::sin(t)) * (kPi / nt) * (2 * kPi / np);
+                sum += static_cast<double>(ggx_pdf(n, alpha, in, out) * std::sin(t)) * (kPi / nt) * (2 * kPi / np);
             }
         EXPECT_NEAR(sum, 1.0, 0.03) << alpha;
     }
@@ -251,7 +250,7 @@ TEST(Sampler, SixteenConsecutivePathsHitEveryCellOfFourByFour) {
     }
 }
 
-// The cached picture is the path traced one, apart from the cache's own error.
+// Cached pictures match path traced ones, up to the cache's own error.
 TEST(Path, CachedPicturesAgree) {
     Room room = box_room(diffuse({0.7f, 0.6f, 0.5f}));
     room.materials.push_back(diffuse({0.5f, 0.5f, 0.5f}, {9, 8, 7}));
@@ -260,7 +259,7 @@ TEST(Path, CachedPicturesAgree) {
     room.meshes.push_back(box_mesh({0.7f, 0.5f, 1.2f}, {1.5f, 1.5f, 1.8f}, 2, -1, false));
     TracedRoom traced(std::move(room));
     traced.gather_light({.cell_m = 0.06f, .cell_samples = 128, .pixel_samples = 16},
-                        {});  // larger cells spread the lamp's pool: +6 % at 12 cm
+                        {});  // larger cells blur the lamp's pool of light: +6 % at 12 cm
     const auto mean = [&](const ShotParts& parts) {
         const ImageColor image = traced.panorama({}, {32, 16}, parts, {}).color;
         double sum = 0;
@@ -272,8 +271,7 @@ TEST(Path, CachedPicturesAgree) {
     EXPECT_NEAR(cached / paths, 1.0, 0.05);
 }
 
-// A camera sees the sun with restraint on what it looks at, in mirrors too; what the sun's patch lights is lit by all
-// of it.
+// Direct sun is compressed where the camera sees it, in mirrors too; its illumination of the room is not.
 TEST(Path, TheSunIsSeenWithRestraintAndLightsInFull) {
     const auto room_of = [](float sun_seen) {
         Room room;
@@ -282,7 +280,7 @@ TEST(Path, TheSunIsSeenWithRestraintAndLightsInFull) {
         room.materials[1].mirror = 1;
         room.sky.sun_dir = {0, -1, 0};
         room.sky.sun_irradiance = {10, 10, 10};
-        // No ceiling: the sun stands above a floor, a wall that only the floor lights and a mirror across from it.
+        // No ceiling: the sun is above a floor, a wall lit by the floor only, and a mirror opposite.
         room.meshes = {box_mesh({-2, 1.5f, -2.5f}, {2, 1.6f, 2.5f}, 0, -1, false),
                        box_mesh({-2, -1.5f, 2.5f}, {2, 1.5f, 2.6f}, 0, -1, false),
                        box_mesh({-2, -1.5f, -2.6f}, {2, 1.5f, -2.5f}, 1, -1, false)};
@@ -317,8 +315,8 @@ TEST(Path, TheSunIsSeenWithRestraintAndLightsInFull) {
     EXPECT_NEAR(by_paths[2] / in_full[2], by_paths[0] / in_full[0], 0.1f) << "the mirror shows the floor as it looks";
 }
 
-// Clear glass stands between a lamp, the sun and a floor: they light it as if it were not there. Seen through, the path
-// traced picture agrees with the cached one; colored and frosted glass still takes its share.
+// Clear glass between a lamp, the sun and a floor does not change the floor's illumination. Seen through the glass,
+// path traced and cached pictures agree; colored and frosted glass still absorbs.
 TEST(Path, LightPassesClearGlass) {
     const auto room_of = [](float roughness, bool pane) {
         Room room = box_room(diffuse({0.4f, 0.4f, 0.4f}));
@@ -344,7 +342,7 @@ TEST(Path, LightPassesClearGlass) {
                 .perspective({Mat3f::from_columns(right, down, direction), {}}, {1, 1, 100, 100, 0.5f, 0.5f}, parts, {})
                 .color.at(0, 0));
     };
-    // A place behind the pane, seen past it; and the wall behind it, seen through it.
+    // A point behind the pane, seen past it; and the wall behind it, seen through it.
     const Vec3f past = normalize(Vec3f{1.2f, 1.5f, 0.7f}), through = normalize(Vec3f{0.5f, 0.2f, 2.f});
     constexpr int kPaths = 8192;
     const float open = mean_radiance(room_of(0, false), past, kPaths);
@@ -355,8 +353,8 @@ TEST(Path, LightPassesClearGlass) {
                 0.08f);
 }
 
-// A row of shingles that leans out from a wall into sun that comes straight down and never meets the wall; each cut
-// into `cut` x `cut` squares.
+// Shingles that lean out from a wall into vertical sun that never reaches the wall; each is tessellated into `cut` x
+// `cut` squares.
 Room shingled_room(int cut) {
     Room room;
     room.min_corner = kLow, room.max_corner = kHigh;
@@ -364,8 +362,9 @@ Room shingled_room(int cut) {
     room.sky.sun_dir = {0, -1, 0};
     room.sky.sun_irradiance = {10, 10, 10};
     room.meshes = {box_mesh({kLow.x, kLow.y - 3, kLow.z - 0.2f}, {kHigh.x, kHigh.y, kLow.z}, 0, -1, false),
-                   box_mesh({-1.5f, -0.5f, 1}, {1.5f, 1, 1.1f}, 0, -1, false),  // which only they light
-                   // Black all around, but for the sky: places that see nothing are taken for the outside of the room.
+                   box_mesh({-1.5f, -0.5f, 1}, {1.5f, 1, 1.1f}, 0, -1, false),  // lit by the shingles only
+                   // Black surroundings except for the sky: points that see nothing would be taken for the outside of
+                   // the room.
                    box_mesh({kLow.x, kHigh.y, kLow.z}, {kHigh.x, kHigh.y + 0.2f, kHigh.z}, 1, -1, false),
                    box_mesh({kLow.x - 0.2f, kLow.y, kLow.z}, {kLow.x, kHigh.y, kHigh.z}, 1, -1, false),
                    box_mesh({kHigh.x, kLow.y, kLow.z}, {kHigh.x + 0.2f, kHigh.y, kHigh.z}, 1, -1, false)};
@@ -389,7 +388,7 @@ Room shingled_room(int cut) {
     return room;
 }
 
-// What lies in a cell counts by its area: slivers along a sunlit edge do not make their whole cell sunny.
+// A cell's surfaces count by area: slivers along a sunlit edge must not make the whole cell sunny.
 TEST(Path, LightDoesNotDependOnHowSurfacesAreCut) {
     const auto light_of_board = [](int cut) {
         TracedRoom traced(shingled_room(cut));
@@ -404,11 +403,11 @@ TEST(Path, LightDoesNotDependOnHowSurfacesAreCut) {
             for (int x = 26; x < 38; ++x) sum += static_cast<double>(luminance(image.at(x, y)));
         return sum;
     };
-    EXPECT_NEAR(light_of_board(12) / light_of_board(1), 1.0, 0.3);  // 1.44 where places count alike
+    EXPECT_NEAR(light_of_board(12) / light_of_board(1), 1.0, 0.3);  // 1.44 if points counted equally
 }
 
-// A lacquered panel in the sun that comes over the camera's shoulder, and a floor that a barrier keeps in the shade:
-// what of the floor lies where a mirror would send the sun is much brighter than what lies aside.
+// A lacquered panel lit by the sun from behind the camera, and a floor shaded by a barrier: the floor must be much
+// brighter where a mirror would send the sun than beside it.
 TEST(Path, LacquerInTheSunLightsWhatAMirrorWould) {
     Room room;
     room.min_corner = kLow, room.max_corner = kHigh;

@@ -1,5 +1,5 @@
-// The patterns behind texture.h, one function each. All take the material and the place and return
-// linear albedo, roughness and relief; callers clamp.
+// The pattern functions behind texture.h, one each. They take the material and the point, and return linear albedo,
+// roughness and relief; callers clamp.
 #pragma once
 
 #include "fastscene/trace/noise.h"
@@ -7,7 +7,7 @@
 
 namespace fastscene::patterns {
 
-// Wood and what is laid from it (patterns_wood.cc).
+// Wood and wooden floors (patterns_wood.cc).
 TextureValue wood(const Material& m, const TexturePoint& p);
 TextureValue planks(const Material& m, const TexturePoint& p);
 TextureValue herringbone(const Material& m, const TexturePoint& p);
@@ -31,13 +31,13 @@ TextureValue carpet(const Material& m, const TexturePoint& p);
 TextureValue leather(const Material& m, const TexturePoint& p);
 TextureValue wicker(const Material& m, const TexturePoint& p);
 
-// Drawn ornament (patterns_ornament.cc).
+// Drawn ornaments (patterns_ornament.cc).
 TextureValue rug(const Material& m, const TexturePoint& p);
 TextureValue stripes(const Material& m, const TexturePoint& p);
 TextureValue damask(const Material& m, const TexturePoint& p);
 TextureValue floral(const Material& m, const TexturePoint& p);
 
-// Prints, weaves and laid tiles of one repeated motif (patterns_prints.cc).
+// Prints, weaves and tiles that repeat one motif (patterns_prints.cc).
 TextureValue dots(const Material& m, const TexturePoint& p);
 TextureValue zigzag(const Material& m, const TexturePoint& p);
 TextureValue twill(const Material& m, const TexturePoint& p);
@@ -60,7 +60,7 @@ TextureValue peeling(const Material& m, const TexturePoint& p);
 // A picture (patterns_image.cc).
 TextureValue image(const Material& m, const TexturePoint& p);
 
-// Things (patterns_things.cc).
+// Other materials (patterns_things.cc).
 TextureValue metal(const Material& m, const TexturePoint& p);
 TextureValue art(const Material& m, const TexturePoint& p);
 TextureValue book(const Material& m, const TexturePoint& p);
@@ -68,7 +68,7 @@ TextureValue leaf(const Material& m, const TexturePoint& p);
 TextureValue grass(const Material& m, const TexturePoint& p);
 TextureValue screen(const Material& m, const TexturePoint& p);
 
-// What several of them share.
+// Shared helpers.
 inline float positive(float scale_m) { return scale_m > 1e-3f ? scale_m : 1e-3f; }
 inline float fraction(float v) { return v - static_cast<float>(floor_int(v)); }
 

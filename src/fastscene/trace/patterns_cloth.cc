@@ -5,7 +5,7 @@ namespace {
 
 constexpr float kTwoPi = 6.2831853f;
 
-// Where threads of width `s` cross: 0..1 relief of a plain weave and whether the warp lies on top.
+// Plain weave with threads of width `s`: relief in 0..1, and whether the warp is on top.
 struct Weave {
     float height = 0.5f;
     float warp = 0.5f;
@@ -28,7 +28,7 @@ Weave plain_weave(Vec2f p, float s, float footprint) {
 }  // namespace
 
 TextureValue fabric(const Material& m, const TexturePoint& p) {
-    // Threads of at most 2.5 mm whatever the unit: a sofa is not a basket.
+    // Threads are at most 2.5 mm wide whatever the scale, so that a sofa does not look like a basket.
     const float thread = std::clamp(m.scale_m, 0.0008f, 0.0025f);
     const Weave w = plain_weave(p.flat, thread, p.footprint_m);
     const float slub = fbm2({p.flat.x * 60.f, p.flat.y * 380.f}, 2, p.footprint_m * 200.f, m.seed) - 0.5f;
@@ -87,7 +87,7 @@ TextureValue leather(const Material& m, const TexturePoint& p) {
 }
 
 TextureValue wicker(const Material& m, const TexturePoint& p) {
-    // Flat strands go over and under round ribs.
+    // Flat strands weave over and under round ribs.
     const float s = positive(m.scale_m), fade = detail_fade(p.footprint_m, 0.5f * s);
     const float row_v = p.flat.y / (0.5f * s);
     const int row = floor_int(row_v);
@@ -96,7 +96,7 @@ TextureValue wicker(const Material& m, const TexturePoint& p) {
     const float h = mix(0.55f, unit_clamp((1.f - 4.f * across * across) * (0.25f + 0.75f * wave)), fade);
     const float tone = lattice_unit(row, floor_int(p.flat.x / (2.f * s)), 1, m.seed) - 0.5f;
     TextureValue v;
-    constexpr float kStrands = 0.54f;  // the share of strands in the color, from afar
+    constexpr float kStrands = 0.54f;  // mean share of strands, for distant views
     v.albedo = lerp(m.color_b * 0.5f, m.color_a, mix(kStrands, smooth_step(0.f, 0.7f, h), fade)) *
                (1.f + 0.2f * fade * tone);
     v.roughness = m.roughness;

@@ -9,7 +9,7 @@ namespace {
 
 int wrapped(int i, int n) { return ((i % n) + n) % n; }
 
-// Bilinear in one level; (u, v) in [0, 1) repeated, v upward.
+// Bilinear lookup in one mip level; (u, v) in [0, 1) repeated, v upward.
 Vec3f sampled(const ImageRgb8& level, Vec2f uv) {
     const float x = (uv.x - std::floor(uv.x)) * static_cast<float>(level.width) - 0.5f,
                 y = (1.f - (uv.y - std::floor(uv.y))) * static_cast<float>(level.height) - 0.5f;
@@ -25,7 +25,7 @@ Vec3f sampled(const ImageRgb8& level, Vec2f uv) {
 
 TextureValue image(const Material& m, const TexturePoint& p) {
     const std::vector<ImageRgb8>& levels = m.image->levels;
-    // The level whose texels are as wide as the sample's footprint.
+    // The mip level whose texels are as wide as the sample's footprint.
     const float texel_m = m.scale_m / static_cast<float>(levels.front().width);
     const float level = std::log2(std::max(p.footprint_m / std::max(texel_m, 1e-6f), 1.f));
     const auto k = std::min(static_cast<std::size_t>(level + 0.5f), levels.size() - 1);

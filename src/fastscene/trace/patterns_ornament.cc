@@ -3,12 +3,12 @@
 namespace fastscene::patterns {
 namespace {
 
-// Signed distance inside (> 0) of a rose curve with `petals` petals of radius r.
+// Signed distance, positive inside, to a rose curve with `petals` petals and radius r.
 float rose(Vec2f p, int petals, float r, float depth) {
     const float d = length(p), a = std::atan2(p.y, p.x);
     return r * (1.f - depth + depth * std::fabs(std::cos(0.5f * static_cast<float>(petals) * a))) - d;
 }
-// Inside of a pointed leaf from the origin along +y, length l, half width w.
+// Signed distance, positive inside, to a pointed leaf from the origin along +y; length l, half width w.
 float leaf_shape(Vec2f p, float l, float w) {
     const float t = p.y / l;
     if (t < 0.f || t > 1.f) return -0.01f - std::fabs(t - 0.5f) * 0.1f;
@@ -24,10 +24,10 @@ float pile(const Material& m, const TexturePoint& p) {
     return fbm2(p.flat * 330.f, 2, p.footprint_m * 330.f, m.seed + 77);
 }
 
-// Motif of the field in [-1, 1]-ish units: 0 ground, 1 second color, 2 third color.
+// Motif of the field: 0 ground, 1 second color, 2 third color. q: about [-1, 1]^2.
 int field_motif(const Material& m, Vec2f q, int style) {
     switch (style) {
-        case 0: {  // lattice of lozenges
+        case 0: {  // a lattice of diamonds
             const float a = fraction(q.x + q.y), b = fraction(q.x - q.y);
             const float edge = std::min(std::min(a, 1.f - a), std::min(b, 1.f - b));
             return edge < 0.07f ? 1
@@ -43,14 +43,14 @@ int field_motif(const Material& m, Vec2f q, int style) {
             if (std::fabs(rose(c, 8, 0.36f, 0.22f)) < 0.03f) return 1;
             return rose({c.x - std::copysign(0.5f, c.x), c.y - std::copysign(0.5f, c.y)}, 4, 0.2f, 0.5f) > 0.f ? 1 : 0;
         }
-        case 2: {  // bands of zigzag
+        case 2: {  // zigzag bands
             const int band = floor_int(q.y);
             const float zig = std::fabs(fraction(q.x * 2.f) - 0.5f) * 0.8f, v = fraction(q.y);
             if (v < 0.08f) return 2;
             return (band & 1) ? (std::fabs(v - 0.35f - zig) < 0.09f ? 1 : 0)
                               : (v > 0.3f && v < 0.75f && fraction(q.x * 4.f) < 0.5f ? 2 : 0);
         }
-        default: {  // free islands
+        default: {  // scattered motifs
             const float f = fbm2(q * 0.7f, 4, 0.f, m.seed + 5);
             return f > 0.58f ? 1 : f < 0.4f ? 2 : 0;
         }
@@ -60,7 +60,7 @@ int field_motif(const Material& m, Vec2f q, int style) {
 }  // namespace
 
 TextureValue rug(const Material& m, const TexturePoint& p) {
-    // coords are metres from the rug's middle; scale_m is half its width, coords.y half its depth (negative: a round
+    // coords are metres from the rug's center; scale_m is half its width, coords.y half its depth (negative: a round
     // rug).
     const float half_x = positive(m.scale_m), half_z = p.coords.y > 0.f ? p.coords.y : half_x,
                 half = std::min(half_x, half_z), fp = p.footprint_m;
@@ -68,7 +68,7 @@ TextureValue rug(const Material& m, const TexturePoint& p) {
     const float inset_x = half_x - std::fabs(p.flat.x), inset_z = half_z - std::fabs(p.flat.y);
     const bool round = p.coords.y < 0.f;
     const float inset = round ? half - length(p.flat) : std::min(inset_x, inset_z);
-    // A whole number of motifs over the width, whatever it is.
+    // An integer number of motifs across the width.
     const float unit = half_x / std::max(2.f, std::round(half_x / 0.3f));
     const Vec2f q = p.flat * (1.f / unit);
     const float fade = detail_fade(fp, 0.5f * unit);
@@ -95,7 +95,7 @@ TextureValue rug(const Material& m, const TexturePoint& p) {
 
 TextureValue stripes(const Material& m, const TexturePoint& p) {
     const float s = positive(m.scale_m), t = fraction(p.flat.x / (2.f * s)) * 2.f * s;
-    // Distance to the middle of the b-stripe, filtered analytically.
+    // Distance to the center of the b stripe, filtered analytically.
     const float fade = detail_fade(p.footprint_m, s);
     const float b = mix(0.5f, line_cover(t - 1.5f * s, 0.5f * s, p.footprint_m), fade);
     const float pin = mix(0.03f, line_cover(t - 0.5f * s, 0.03f * s, p.footprint_m), fade);
@@ -108,15 +108,14 @@ TextureValue stripes(const Material& m, const TexturePoint& p) {
 }
 
 TextureValue damask(const Material& m, const TexturePoint& p) {
-    // One mirrored motif a cell, cells in half drop.
-    constexpr float kShare = 0.31f;  // of the motif in the surface
+    // One mirror-symmetric motif per cell, in half drop.
+    constexpr float kShare = 0.31f;  // mean share of the motif
     const float s = positive(m.scale_m), fp = p.footprint_m / s;
     const int column = floor_int(p.flat.x / s);
     const float x = std::fabs(p.flat.x / s - static_cast<float>(column) - 0.5f);
     const float y = fraction(p.flat.y / (1.5f * s) + 0.5f * static_cast<float>(column & 1)) - 0.5f;
     const Vec2f q{x, y * 1.5f};
-    // A palmette above a flower, scrolls below; about each an ogee that it shares with its neighbours. x is mirrored:
-    // leaves lean to its far side.
+    // A palmette above a flower with scrolls below, all framed by an ogee shared with the neighbours. x is mirrored.
     float in = std::fabs(rose(q - Vec2f{0.f, -0.1f}, 10, 0.15f, 0.3f)) - 0.01f;
     in = std::min(rose(q - Vec2f{0.f, -0.1f}, 10, 0.15f, 0.3f), in);
     for (int i = 0; i < 4; ++i)

@@ -1,11 +1,10 @@
-// What is printed on paper, woven into cloth or laid in tiles: one motif repeated. color_a is the ground, color_b and
-// color_c are drawn on it.
+// Printed, woven or tiled repeats of one motif. color_a is the ground; color_b and color_c are drawn on it.
 #include "fastscene/trace/patterns.h"
 
 namespace fastscene::patterns {
 namespace {
 
-// The place in units of the motif, and how much of the motif one sample stands for.
+// The point in motif units, and the footprint in the same units.
 struct Cell {
     Vec2f q;
     float fp;
@@ -15,25 +14,25 @@ Cell cell_of(const Material& m, const TexturePoint& p) {
     return {p.flat * (1.f / s), p.footprint_m / s};
 }
 
-// Cover of what is drawn where `inside` > 0 (in units); from afar its share of the surface. `size` is that of its
-// finest part.
+// Coverage of a shape where `inside` > 0 (in motif units), fading to its mean `share` at a distance. `size`: its finest
+// detail.
 float drawn(float inside, float fp, float share, float size) {
     return mix(share, edge_cover(inside, std::max(fp, 0.003f)), detail_fade(fp, size));
 }
 
-// On paper, cloth or enamel alike: the ground's own grain is too fine to be told.
+// Used for paper, cloth and enamel: the ground's own grain is too fine to resolve.
 TextureValue print_of(const Material& m, const TexturePoint& p, Vec3f color) {
     const float grain = fbm2(p.flat * 300.f, 2, p.footprint_m * 300.f, m.seed) - 0.5f;
     return {color * (1.f + 0.05f * grain), m.roughness, 0.5f + 0.5f * grain};
 }
 
-// Distance from the nearest whole number, and from the nearest half.
+// Distance to the nearest integer, and to the nearest half-integer.
 float off_whole(float v) { return std::fabs(v - std::round(v)); }
 float off_half(float v) { return std::fabs(fraction(v) - 0.5f); }
-// A band a quarter to either side of every half, as wide as what lies between two.
+// A band around every half-integer, filtered.
 float band_cover(float v, float half, float fp) { return drawn(half - off_half(v), fp, 2 * half, 2 * half); }
 
-// Distance inside a star of five points with outer radius r.
+// Signed distance, positive inside, to a five-pointed star with outer radius r.
 float star_inside(Vec2f p, float r, float turn) {
     constexpr float kFifth = 2.f * kPi / 5.f, kInner = 0.42f;
     float a = std::atan2(p.y, p.x) + turn;
@@ -45,7 +44,7 @@ float star_inside(Vec2f p, float r, float turn) {
     return -((q.x - tip.x) * n.x + (q.y - tip.y) * n.y) * (n.x > 0.f ? 1.f : -1.f);
 }
 
-// A blade of a flower or a leaf along +y: distance inside.
+// Signed distance, positive inside, to a petal or leaf along +y.
 float petal_inside(Vec2f p, float l, float w) {
     const float t = p.y / l;
     return t < 0.f || t > 1.f ? -0.02f : w * std::sin(kPi * t) - std::fabs(p.x);
@@ -58,7 +57,7 @@ Vec2f spun(Vec2f p, float angle) {
 }  // namespace
 
 TextureValue dots(const Material& m, const TexturePoint& p) {
-    // In half drop: one at each corner, one in the middle.
+    // In half drop: one at each corner, one at the center.
     constexpr float kRadius = 0.19f;
     const auto [q, fp] = cell_of(m, p);
     const float first = length(Vec2f{off_whole(q.x), off_whole(q.y)}),
@@ -70,14 +69,14 @@ TextureValue dots(const Material& m, const TexturePoint& p) {
 
 TextureValue zigzag(const Material& m, const TexturePoint& p) {
     const auto [q, fp] = cell_of(m, p);
-    constexpr float kRise = 0.5f;  // of a leg, that is half a unit long
+    constexpr float kRise = 0.5f;  // length of a zigzag leg, in units
     const float v = q.y + 2 * kRise * off_half(q.x);
     const float slant = 1.f / std::sqrt(1.f + 4 * kRise * kRise);
     return print_of(m, p, lerp(m.color_a, m.color_b, drawn((0.25f - off_half(v)) * slant, fp, 0.5f, 0.5f * slant)));
 }
 
 TextureValue twill(const Material& m, const TexturePoint& p) {
-    // Columns of slanting lines, each against the next: the bones of a herring.
+    // Herringbone weave: columns of alternately slanted lines.
     const auto [q, fp] = cell_of(m, p);
     constexpr float kLines = 3.f;
     const int column = floor_int(q.x);
@@ -87,7 +86,7 @@ TextureValue twill(const Material& m, const TexturePoint& p) {
 }
 
 TextureValue geometric(const Material& m, const TexturePoint& p) {
-    // Quarter circles about one corner of each cell, now and then a triangle instead.
+    // Quarter circles around one corner of each cell, occasionally a triangle instead.
     const auto [q, fp] = cell_of(m, p);
     const int ix = floor_int(q.x), iy = floor_int(q.y);
     const std::uint32_t id = lattice_hash(ix, iy, 6, m.seed);
@@ -101,7 +100,7 @@ TextureValue geometric(const Material& m, const TexturePoint& p) {
     const Vec3f first = (id & 16) ? m.color_c : m.color_b, second = (id & 16) ? m.color_b : m.color_c;
     const Vec3f near = lerp(lerp(m.color_a, first, edge_cover(outer, std::max(fp, 0.003f))), second,
                             edge_cover(inner, std::max(fp, 0.003f)));
-    // Three in four cells have circles.
+    // Three cells in four have circles.
     const float large = 0.75f * kQuarter * (kOuter * kOuter - kInner * kInner) + 0.125f,
                 small = 0.75f * kQuarter * kInner * kInner, both = large + small;
     const Vec3f far = m.color_a * (1.f - both) + (m.color_b + m.color_c) * (0.5f * both);
@@ -109,7 +108,7 @@ TextureValue geometric(const Material& m, const TexturePoint& p) {
 }
 
 TextureValue diamonds(const Material& m, const TexturePoint& p) {
-    // A harlequin's lozenges, with a fine line through their middles.
+    // Harlequin diamonds with a fine line through their centers.
     const auto [q, fp] = cell_of(m, p);
     const float a = q.x + 0.6f * q.y, b = q.x - 0.6f * q.y, wide = 1.17f * fp;
     const auto side = [&](float t) {
@@ -121,14 +120,14 @@ TextureValue diamonds(const Material& m, const TexturePoint& p) {
 }
 
 TextureValue lattice(const Material& m, const TexturePoint& p) {
-    // Ogees: wavy lines that meet and part, a small flower in each opening.
+    // Ogees: wavy lines that meet and part, with a small flower in each opening.
     const auto [q, fp] = cell_of(m, p);
     const float y = q.y * 0.8f, wave = 0.25f + 0.19f * std::cos(2 * kPi * y),
                 steep = 0.8f * 0.19f * 2 * kPi * std::sin(2 * kPi * y);
     const float apart = std::fabs(off_half(q.x) - wave) / std::sqrt(1.f + steep * steep);
     const float line = std::max(drawn(0.026f - apart, fp, 0.13f, 0.06f),
                                 0.5f * drawn(0.008f - std::fabs(apart - 0.055f), fp, 0.06f, 0.04f));
-    // The wide openings: about the half where the wave is widest, about the whole where it is narrowest.
+    // The openings: around the half-integers where the wave is widest, around the integers where it is narrowest.
     const Vec2f first{fraction(q.x) - 0.5f, off_whole(y) / 0.8f}, second{q.x - std::round(q.x), off_half(y) / 0.8f};
     const Vec2f o = length(first) < length(second) ? first : second;
     const float flower = drawn(0.1f * (0.72f + 0.28f * std::cos(4.f * std::atan2(o.y, o.x))) - length(o), fp, 0.035f,
@@ -155,7 +154,7 @@ TextureValue gingham(const Material& m, const TexturePoint& p) {
 }
 
 TextureValue plaid(const Material& m, const TexturePoint& p) {
-    // A broad and a narrow band each way, crossed by fine lines.
+    // A broad and a narrow band in each direction, crossed by fine lines.
     const auto [q, fp] = cell_of(m, p);
     const auto bands = [&](float v) {
         return std::min(1.f, band_cover(v, 0.2f, fp) + drawn(0.03f - off_whole(v), fp, 0.06f, 0.06f));
@@ -166,7 +165,7 @@ TextureValue plaid(const Material& m, const TexturePoint& p) {
 }
 
 TextureValue houndstooth(const Material& m, const TexturePoint& p) {
-    // Four dark and four light threads each way, in a weave of two over two: from that the teeth come by themselves.
+    // Four dark and four light threads in each direction, in a 2/2 twill: that alone produces the teeth.
     const auto [q, fp] = cell_of(m, p);
     const int i = floor_int(q.x * 8.f), j = floor_int(q.y * 8.f);
     const bool dark = (((i + j) & 3) < 2 ? i >> 2 : j >> 2) & 1;
@@ -174,7 +173,7 @@ TextureValue houndstooth(const Material& m, const TexturePoint& p) {
 }
 
 TextureValue patchwork(const Material& m, const TexturePoint& p) {
-    // Squares of cloth, each of its own print, with a seam about it.
+    // Squares of cloth with a print each, and seams around them.
     const auto [q, fp] = cell_of(m, p);
     const int ix = floor_int(q.x), iy = floor_int(q.y);
     const std::uint32_t id = lattice_hash(ix, iy, 11, m.seed);
@@ -204,7 +203,7 @@ TextureValue patchwork(const Material& m, const TexturePoint& p) {
 }
 
 TextureValue leopard(const Material& m, const TexturePoint& p) {
-    // Broken rings about a darker middle.
+    // Broken rings around a darker center.
     const auto [q, fp] = cell_of(m, p);
     const Vec2f warp{fbm2(q * 2.3f, 2, fp * 2.3f, m.seed + 1) - 0.5f, fbm2(q * 2.3f, 2, fp * 2.3f, m.seed + 2) - 0.5f};
     const Voronoi cell = voronoi2((q + warp * 0.22f) * 2.6f, m.seed);
@@ -236,7 +235,7 @@ TextureValue camouflage(const Material& m, const TexturePoint& p) {
 }
 
 TextureValue paisley(const Material& m, const TexturePoint& p) {
-    // Drops with a bent tip, each with a rim and an eye; in half drop, every other one turned.
+    // Drops with a bent tip, each with a rim and an eye; half drop, alternately rotated.
     const auto [q, fp] = cell_of(m, p);
     float in = -1.f;
     Vec2f eye{1.f, 1.f};
@@ -256,7 +255,7 @@ TextureValue paisley(const Material& m, const TexturePoint& p) {
 }
 
 TextureValue encaustic(const Material& m, const TexturePoint& p) {
-    // Cement tiles: a flower of eight petals, quarter rings in the corners that meet those of the neighbours.
+    // Cement tiles: an eight-petalled flower, with quarter rings in the corners that meet those of the neighbours.
     const auto [q, fp] = cell_of(m, p);
     const int ix = floor_int(q.x), iy = floor_int(q.y);
     const Vec2f o{q.x - static_cast<float>(ix) - 0.5f, q.y - static_cast<float>(iy) - 0.5f},
@@ -281,8 +280,8 @@ TextureValue encaustic(const Material& m, const TexturePoint& p) {
 }
 
 TextureValue laid_tiles(const Material& m, const TexturePoint& p) {
-    // Glazed blocks of 3 x 1 in a herringbone, turned by 45 degrees; color_b is the joint. Cells as those of the
-    // parquet (patterns_wood.cc).
+    // Glazed 3 x 1 tiles in a herringbone at 45 degrees; color_b is the grout. Cells as in the parquet
+    // (patterns_wood.cc).
     constexpr int n = 3;
     constexpr float kJoint = 0.02f;
     const float r = 0.70710678f / positive(m.scale_m), fp = p.footprint_m / positive(m.scale_m);
@@ -306,8 +305,7 @@ TextureValue laid_tiles(const Material& m, const TexturePoint& p) {
 }
 
 TextureValue peeling(const Material& m, const TexturePoint& p) {
-    // Old paint (color_a) with stains that has come off in patches: color_b is the plaster below. The edge of a patch
-    // curls up.
+    // Stained old paint (color_a) that has peeled off in patches: color_b is the plaster below. Patch edges curl up.
     const auto [q, fp] = cell_of(m, p);
     const float broad = fbm2(q, 5, fp, m.seed) - 0.5f, fine = fbm2(q * 6.f, 3, fp * 6.f, m.seed + 5) - 0.5f,
                 lost = broad + 0.18f * fine - 0.085f;

@@ -3,7 +3,7 @@
 namespace fastscene::patterns {
 namespace {
 
-// A cell of a grid with joints: number of the cell, place in it and share of the footprint on the joint.
+// A grid cell with joints: cell index, position within it, and the footprint's share of the joint.
 struct Joint {
     int column = 0, row = 0;
     Vec2f local;
@@ -16,7 +16,7 @@ Joint grid(Vec2f p, float width, float height, float stagger, float half_joint, 
     j.column = floor_int(x / width);
     j.local = {x - static_cast<float>(j.column) * width, p.y - static_cast<float>(j.row) * height};
     const float dx = std::min(j.local.x, width - j.local.x), dy = std::min(j.local.y, height - j.local.y);
-    // A footprint as wide as a cell sees its own share of joint.
+    // A footprint as wide as a cell sees the mean share of joint.
     const float cx = mix(std::min(1.f, 2 * half_joint / width), line_cover(dx, half_joint, footprint),
                          detail_fade(footprint, width)),
                 cy = mix(std::min(1.f, 2 * half_joint / height), line_cover(dy, half_joint, footprint),
@@ -26,7 +26,7 @@ Joint grid(Vec2f p, float width, float height, float stagger, float half_joint, 
     return j;
 }
 
-// A glazed tile of the given tone with its joint.
+// A glazed tile of the given color with its joint.
 TextureValue glazed(const Material& m, const Joint& j, Vec3f tone, float footprint) {
     const float shade = lattice_unit(j.column, j.row, 1, m.seed) - 0.5f;
     TextureValue v;
@@ -41,7 +41,7 @@ float veins(Vec3f p, float footprint, std::uint32_t seed) {
     const Vec3f warp{fbm3(p * 1.3f, 4, footprint * 1.3f, seed + 1) - 0.5f,
                      fbm3(p * 1.3f, 4, footprint * 1.3f, seed + 2) - 0.5f, 0.f};
     const float t = fbm3(p + warp * 1.6f, 4, footprint, seed);
-    // Seen from afar veins are wider and paler, then nothing but their mean.
+    // From a distance veins get wider and paler, then fade to their mean.
     constexpr float kWide = 0.055f, kMean = 0.2f, kGone = 0.5f;
     const float vein = (1.f - smooth_step(0.f, kWide + footprint, std::fabs(t - 0.5f))) * kWide / (kWide + footprint);
     return mix(kMean, vein, detail_fade(footprint, kGone));
@@ -80,7 +80,7 @@ TextureValue tile(const Material& m, const TexturePoint& p) {
 TextureValue checker(const Material& m, const TexturePoint& p) {
     const float s = positive(m.scale_m);
     const Joint j = grid(p.flat, s, s, 0.f, 0.001f, p.footprint_m);
-    // Past the tile's size both colors merge.
+    // Beyond the tile size both colors merge.
     const float fade = detail_fade(p.footprint_m, s);
     const float side = ((j.column + j.row) & 1) ? 1.f : 0.f;
     const Vec3f vein = marble_color(
@@ -116,7 +116,7 @@ TextureValue subway(const Material& m, const TexturePoint& p) {
 
 TextureValue brick(const Material& m, const TexturePoint& p) {
     const float course = positive(m.scale_m), stretch = course * 3.3f;
-    // Hand-made edges: the joint wanders by a millimetre or two.
+    // Hand-made edges: the joint wanders by one or two millimetres.
     const Vec2f wander{0.004f * (fbm2(p.flat * 40.f, 2, p.footprint_m * 40.f, m.seed + 1) - 0.5f),
                        0.004f * (fbm2(p.flat * 40.f, 2, p.footprint_m * 40.f, m.seed + 2) - 0.5f)};
     const Joint j = grid(p.flat + wander, stretch, course, 0.5f, 0.005f, std::max(p.footprint_m, 0.0015f));
@@ -174,7 +174,7 @@ TextureValue terrazzo(const Material& m, const TexturePoint& p) {
                            : kind < 4  ? m.color_c
                            : kind == 4 ? lerp(m.color_b, m.color_c, 0.5f)
                                        : c;
-        // From afar the mean of all kinds in the share that chips cover.
+        // From a distance: the mean of all chip colors, weighted by the area that chips cover.
         constexpr float kChips = 0.42f;
         const Vec3f chipped = lerp(c, tone * (0.8f + 0.4f * static_cast<float>((cell.id >> 8) & 255) / 255.f), chip),
                     even = lerp(c, m.color_b * 0.3125f + m.color_c * 0.3125f + c * 0.375f, kChips);

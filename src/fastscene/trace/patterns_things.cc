@@ -3,7 +3,7 @@
 namespace fastscene::patterns {
 namespace {
 
-// The five paints of a picture: the material's colors, paper and a dark tone.
+// A picture's palette: the material's three colors, paper and a dark tone.
 Vec3f paint(const Material& m, std::uint32_t i) {
     switch (i % 5) {
         case 0: return m.color_a;
@@ -14,7 +14,7 @@ Vec3f paint(const Material& m, std::uint32_t i) {
     }
 }
 
-// Soft color fields, one above the other.
+// Soft color fields, stacked vertically.
 Vec3f color_fields(const Material& m, Vec2f q, float soft) {
     Vec3f c = paint(m, 3);
     float y = 0.06f;

@@ -5,7 +5,7 @@ namespace {
 
 // Grain of one board: `along` and `across` the fibres, metres. 0 = early wood, 1 = late wood.
 float grain(float across, float along, float footprint, std::uint32_t seed) {
-    // A board is cut slightly off the trunk's axis, so the rings show as long, wavering arches.
+    // A board is cut slightly off the trunk's axis, so the rings appear as long, wavering arches.
     const float drift = 0.035f * (fbm2({across * 7.f, along * 0.9f}, 3, footprint * 7.f, seed) - 0.5f);
     const float ring = (across + drift + 0.012f * along) / 0.014f;
     const float ring_fade = detail_fade(footprint, 0.014f);
@@ -13,11 +13,11 @@ float grain(float across, float along, float footprint, std::uint32_t seed) {
     const float rings = mix(0.5f, smooth_step(0.f, 0.75f, t) - smooth_step(0.82f, 1.f, t), ring_fade);
     const float fibres = fbm2({across * 420.f, along * 14.f}, 2, footprint * 420.f, seed + 9);
     const float broad = fbm2({across * 14.f, along * 1.6f}, 3, footprint * 14.f, seed + 3);
-    // Rings are seen, not striped: what a board shows from a step away is its broad tone.
+    // Rings stay subtle: from a step away a board shows mainly its broad tone.
     return unit_clamp(0.3f * rings + 0.18f * fibres + 0.52f * broad);
 }
 
-// One board out of a floor: its own tone, its own piece of trunk.
+// One floorboard, with its own tone and its own part of the trunk.
 TextureValue board(const Material& m, float across, float along, float footprint, std::uint32_t id) {
     const float tone = static_cast<float>(id & 255) / 255.f, warmth = static_cast<float>((id >> 8) & 255) / 255.f;
     const float g = grain(across + static_cast<float>(id >> 24) * 0.37f,
@@ -37,12 +37,12 @@ void cut_gap(TextureValue& v, float gap) {
     v.roughness = mix(v.roughness, 0.9f, gap);
 }
 
-constexpr float kGapHalf = 0.0011f;  // boards touch but for about two millimetres of bevel
+constexpr float kGapHalf = 0.0011f;  // boards touch, except for a bevel of about two millimetres
 
 }  // namespace
 
 TextureValue wood(const Material& m, const TexturePoint& p) {
-    // The fibres run along the mesh's longest texture axis by convention: the second flat coordinate.
+    // By convention the fibres run along the mesh's longest texture axis, the second flat coordinate.
     return board(m, p.flat.x, p.flat.y, p.footprint_m, lattice_hash(1, 2, 3, m.seed) & 0xffffff7f);
 }
 
@@ -60,8 +60,8 @@ TextureValue planks(const Material& m, const TexturePoint& p) {
 }
 
 TextureValue herringbone(const Material& m, const TexturePoint& p) {
-    // In units of the block's width, turned by 45 degrees; blocks are n x 1. Row y holds a lying block where
-    // (x - y) mod 2n < n; the cells left over form standing blocks.
+    // In units of the block's width, rotated by 45 degrees; blocks are n x 1. Row y holds a horizontal block where (x -
+    // y) mod 2n < n; the remaining cells form vertical blocks.
     constexpr int n = 5;
     const float width = positive(m.scale_m), r = 0.70710678f / width;
     const float x = (p.flat.x + p.flat.y) * r, y = (p.flat.y - p.flat.x) * r;
@@ -80,7 +80,7 @@ TextureValue herringbone(const Material& m, const TexturePoint& p) {
 }
 
 TextureValue parquet(const Material& m, const TexturePoint& p) {
-    constexpr int n = 5;  // strips a square
+    constexpr int n = 5;  // strips per square
     const float width = positive(m.scale_m), square = width * n;
     const int ix = floor_int(p.flat.x / square), iy = floor_int(p.flat.y / square);
     float across = p.flat.x - static_cast<float>(ix) * square, along = p.flat.y - static_cast<float>(iy) * square;
@@ -99,7 +99,7 @@ TextureValue bark(const Material& m, const TexturePoint& p) {
     const float ridge = fbm3({angle * 3.f, p.coords.y / s * 0.35f, 0.f}, 4, p.footprint_m / s, m.seed);
     const float t = std::fabs(2.f * ridge - 1.f);
     TextureValue v;
-    constexpr float kRidges = 0.43f;  // the share of ridges in the color, from afar
+    constexpr float kRidges = 0.43f;  // mean share of ridges, for distant views
     v.albedo = lerp(m.color_b, m.color_a,
                     mix(kRidges, smooth_step(0.02f, 0.4f, t), detail_fade(p.footprint_m, 0.5f * s)));
     v.roughness = m.roughness;

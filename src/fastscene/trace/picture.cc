@@ -17,11 +17,11 @@
 namespace fastscene {
 namespace {
 
-constexpr float kNoisy = 0.03f;  // relative standard error of a pixel's light
+constexpr float kNoisy = 0.03f;  // relative standard error of a pixel's light above which it needs more rays
 constexpr int kLeastRound =
-    3;  // rays: of fewer nobody can tell how much chance is in them, and the denoiser would take all for exact
+    3;  // minimum rays before the variance estimate is used; with fewer, noise could pass for an exact value
 
-// How well the mean of the samples so far is known. Strata make the true error smaller.
+// Standard error of the running mean. Stratification makes the true error smaller.
 class MeanError {
   public:
     void add(float v) {
@@ -31,7 +31,7 @@ class MeanError {
     }
     float mean() const { return sum_ / count_; }
     float variance() const { return std::max(0.f, squares_ / count_ - mean() * mean()) / count_; }
-    // In sRGB-encoded values, what the eye and PSNR see: the slope of the encoding is about half a power.
+    // In sRGB-encoded values, as perceived and as PSNR measures: the encoding's slope is roughly that of a square root.
     float of_srgb_mean() const { return std::sqrt(variance()) * 0.5f / std::sqrt(std::max(0.003f, mean())); }
 
   private:
@@ -41,7 +41,7 @@ class MeanError {
 float ratio(float a, float b) { return b > 1e-6f ? a / b : 0.f; }
 Vec3f ratio(Vec3f a, Vec3f b) { return {ratio(a.x, b.x), ratio(a.y, b.y), ratio(a.z, b.z)}; }
 
-// The light of one kind in a pixel: what arrives, apart from the color it is seen through.
+// One light component of a pixel: the light that arrives, separate from the surface color it is multiplied by.
 struct LightSum {
     Vec3f seen{};
     MeanError arriving;
@@ -51,7 +51,8 @@ struct LightSum {
     }
 };
 
-// Off a hit's plane, or turned away from it: another surface. The sky is a surface of its own.
+// Whether another hit is on a different surface: off this one's plane, or facing elsewhere. The sky is a surface of its
+// own.
 bool another_surface(Vec3f position, Vec3f normal, Vec3f other, Vec3f other_normal) {
     const bool outside = dot(normal, normal) < 0.5f, there = dot(other_normal, other_normal) < 0.5f;
     if (outside || there) return outside != there;
@@ -60,11 +61,11 @@ bool another_surface(Vec3f position, Vec3f normal, Vec3f other, Vec3f other_norm
     return !(dot(other_normal, normal) > 0.9f && off * off < 0.04f * dot(to, to) + 1e-6f);
 }
 
-// What some of a pixel's rays found on one surface: that of the first of them.
+// What some of a pixel's rays found on one surface, that of the first of them.
 struct SurfaceSum {
     int count = 0;
-    Vec3f color{}, radiance{}, diffuse{}, shine{}, position{}, normal{};
-    std::array<LightSum, 3> lights;  // diffuse, sun, mirrored
+    Vec3f color{}, radiance{}, diffuse{}, specular{}, position{}, normal{};
+    std::array<LightSum, 3> lights;  // diffuse, sun, specular
     MeanError texture;
 
     bool takes(const Shaded& s) const { return count == 0 || !another_surface(position, normal, s.position, s.normal); }
@@ -73,15 +74,15 @@ struct SurfaceSum {
         color += developed;
         radiance += s.radiance;
         diffuse += s.diffuse;
-        shine += s.shine;
+        specular += s.specular;
         lights[0].add(s.light, luminance(s.diffuse));
         lights[1].add(s.sun, luminance(s.diffuse));
-        lights[2].add(s.mirrored, luminance(s.shine));
-        texture.add(luminance(s.diffuse + s.shine));
+        lights[2].add(s.mirrored, luminance(s.specular));
+        texture.add(luminance(s.diffuse + s.specular));
     }
-    Vec3f through(std::size_t k) const { return (k < 2 ? diffuse : shine) / static_cast<float>(count); }
-    Vec3f light(std::size_t k) const { return ratio(lights[k].seen, k < 2 ? diffuse : shine); }
-    // Whether light itself is noisy, not only what it falls on.
+    Vec3f through(std::size_t k) const { return (k < 2 ? diffuse : specular) / static_cast<float>(count); }
+    Vec3f light(std::size_t k) const { return ratio(lights[k].seen, k < 2 ? diffuse : specular); }
+    // Whether the light is noisy, not just the texture it falls on.
     bool noisy(float tolerated) const {
         float error = 0, level = 0;
         for (std::size_t k = 0; k < lights.size(); ++k) {
@@ -93,8 +94,8 @@ struct SurfaceSum {
     }
 };
 
-// Everything that the rays of a pixel brought back. The surface that the first ray met, and the first other one that an
-// outline lets in, are kept apart from all else: their light can be compared with that of their neighbours.
+// Everything that a pixel's rays returned. The surface hit by the first ray, and the first different one (at an
+// outline), are kept apart from the rest, since their light can be compared with that of neighbours.
 struct PixelSum {
     int taken = 0;
     SurfaceSum own, second;
@@ -114,34 +115,34 @@ struct PixelSum {
     Vec3f albedo() const { return all_albedo / static_cast<float>(taken); }
 };
 
-// A pixel's second surface, until the light of its neighbours is known.
+// The second surface of a pixel, until its neighbours' light is known.
 struct SecondSurface {
     int x = 0;
     float share = 0;
     Vec3f color, radiance, position, normal, through, light;  // light: diffuse
 };
 
-// What is kept of all pixels until their noise is averaged.
+// Per-pixel data kept for the denoiser.
 struct NoisyPicture {
-    ImageColor radiance, diffuse, shine, rest_color;
+    ImageColor radiance, diffuse, specular, rest_color;
     ImageF own_share;
     std::array<NoisyLight, 3> lights;
     Guides guides;
     std::vector<std::vector<SecondSurface>> seconds;  // by row
 
-    explicit NoisyPicture(const Eye& eye)
-        : own_share(eye.width, eye.height), seconds(static_cast<std::size_t>(eye.height)) {
-        const ImageColor black(eye.width, eye.height);
-        radiance = diffuse = shine = rest_color = guides.position = guides.normal = black;
-        for (NoisyLight& light : lights) light = {black, ImageF(eye.width, eye.height)};
+    explicit NoisyPicture(const RayCamera& camera)
+        : own_share(camera.width, camera.height), seconds(static_cast<std::size_t>(camera.height)) {
+        const ImageColor black(camera.width, camera.height);
+        radiance = diffuse = specular = rest_color = guides.position = guides.normal = black;
+        for (NoisyLight& light : lights) light = {black, ImageF(camera.width, camera.height)};
         guides.rays = own_share;
-        guides.wraps = eye.panorama;
+        guides.wraps = camera.panorama;
     }
     void set(int x, int y, const PixelSum& p) {
         const float of_own = 1 / static_cast<float>(p.own.count), of_all = 1 / static_cast<float>(p.taken);
         radiance.at(x, y) = p.own.radiance * of_own;
         diffuse.at(x, y) = p.own.through(0);
-        shine.at(x, y) = p.own.through(2);
+        specular.at(x, y) = p.own.through(2);
         own_share.at(x, y) = static_cast<float>(p.own.count) * of_all;
         rest_color.at(x, y) = p.rest_color * of_all;
         for (std::size_t k = 0; k < lights.size(); ++k) {
@@ -166,7 +167,7 @@ struct NoisyPicture {
         std::sort(row.begin(), row.end(), [](const SecondSurface& a, const SecondSurface& b) { return a.x < b.x; });
     }
 
-    // All of the pixel's rays met one surface.
+    // All rays of the pixel hit the same surface.
     bool is_whole(int x, int y) const { return own_share.at(x, y) == 1.f; }
     // Whether a pixel, or one of the eight around it, passes test(x, y).
     template <class Test>
@@ -180,8 +181,8 @@ struct NoisyPicture {
         return false;
     }
 
-    // Pixels of a row that lie at the edge of the sun's shadow, as a pixel beside them says, though their first `rays`
-    // rays, all they had, agree.
+    // Pixels of a row at the edge of the sun's shadow according to a neighbour, although their own first `rays` rays
+    // (all so far) agree.
     std::vector<int> beside_shadow_edges(int y, int rays) const {
         const NoisyLight& sun = lights[1];
         const auto at_edge = [&](int x, int row) {
@@ -198,12 +199,12 @@ struct NoisyPicture {
         return found;
     }
 
-    // Pixels of a row that lie at the edge of a pattern, as a pixel beside them says whose color on the same surface is
-    // another, though their first `rays` rays, all they had, agree.
+    // Pixels of a row at a texture edge according to a neighbour with another color on the same surface, although their
+    // own first `rays` rays (all so far) agree.
     std::vector<int> beside_pattern_edges(int y, int rays) const {
-        constexpr float kContrast = 0.08f;  // of sRGB values
+        constexpr float kContrast = 0.08f;  // in sRGB values
         const auto color_at = [&](int x, int row) {
-            return srgb_from_linear(luminance(diffuse.at(x, row) + shine.at(x, row)));
+            return srgb_from_linear(luminance(diffuse.at(x, row) + specular.at(x, row)));
         };
         std::vector<int> found;
         for (int x = 0; x < own_share.width; ++x) {
@@ -220,8 +221,8 @@ struct NoisyPicture {
         return found;
     }
 
-    // Pixels of a row whose first `rays` rays, all they had, met one surface, while a pixel beside them shows several,
-    // or (`others`) another one.
+    // Pixels of a row whose first `rays` rays (all so far) hit a single surface, while a neighbour sees several or
+    // (`others`) a different one.
     std::vector<int> beside_outlines(int y, int rays, bool others) const {
         std::vector<int> found;
         for (int x = 0; x < own_share.width; ++x) {
@@ -236,8 +237,8 @@ struct NoisyPicture {
         return found;
     }
 
-    // The diffuse light of a second surface as the pixels around have it that show it, if any do: a few rays of one
-    // pixel know it too badly.
+    // The diffuse light of a second surface, taken from neighbouring pixels that show it, if any: the few rays of one
+    // pixel are too noisy.
     std::optional<Vec3f> light_around(const SecondSurface& s, int y) const {
         constexpr int reach = 2;
         Vec3f sum{};
@@ -255,18 +256,18 @@ struct NoisyPicture {
         return weights > 0.05f ? std::optional(sum / weights) : std::nullopt;
     }
 
-    // Each light is seen through the pixel's own color again, so textures stay as sampled; what else an outline lets in
-    // stays too.
+    // Multiplies each denoised light by the pixel's own color, so textures stay as sampled; other surfaces at outlines
+    // are added unfiltered.
     void denoise_into(ImageColor& color, const Look* look) {
         constexpr std::array<int, 3> kLevels{4, 2, 3};
         ImageColor change(color.width, color.height);
         for (std::size_t k = 0; k < lights.size(); ++k) {
             const ImageColor before = lights[k].value;
             denoise(lights[k], guides, kLevels[k]);
-            const ImageColor& through = k < 2 ? diffuse : shine;
+            const ImageColor& through = k < 2 ? diffuse : specular;
             for (std::size_t i = 0; i < before.size(); ++i)
                 change.pixels[i] += through.pixels[i] * (lights[k].value.pixels[i] - before.pixels[i]);
-            if (k > 0) lights[k] = {};  // the first is looked at once more, below
+            if (k > 0) lights[k] = {};  // the diffuse light is needed again below
         }
         const auto seen = [look](Vec3f light) {
             for (std::size_t a = 0; a < 3; ++a) light[a] = std::max(0.f, light[a]);
@@ -293,9 +294,8 @@ struct NoisyPicture {
     }
 };
 
-// Whether a pixel needs another round of rays. With a denoiser to come an even texture needs a few more, an outline
-// some, and most are for light that is noisy itself, as in the shade beside things: of what a few rays say of it the
-// denoiser makes ragged edges.
+// Whether a pixel needs another round of rays. When denoising, an even texture needs a few more, an outline some, and
+// most go to pixels whose light itself is noisy, as in soft shadows: from too few rays the denoiser makes ragged edges.
 bool needs_more(const PixelSum& pixel, const ShotParts& parts, int samples) {
     if (pixel.taken >= samples) return false;
     const float error = pixel.shown.of_srgb_mean();
@@ -308,7 +308,7 @@ bool needs_more(const PixelSum& pixel, const ShotParts& parts, int samples) {
 
 }  // namespace
 
-Eye panorama_eye(const Rigid& world_from_pano, EquirectSize size) {
+RayCamera panorama_camera(const Rigid& world_from_pano, EquirectSize size) {
     return {world_from_pano,
             size.width,
             size.height,
@@ -316,34 +316,34 @@ Eye panorama_eye(const Rigid& world_from_pano, EquirectSize size) {
             kPi / static_cast<float>(size.height),
             true};
 }
-Eye perspective_eye(const Rigid& world_from_camera, const Pinhole& camera) {
+RayCamera perspective_camera(const Rigid& world_from_camera, const Pinhole& camera) {
     return {world_from_camera, camera.width, camera.height, [camera](Vec2f p) { return camera.direction_at(p); },
             1.f / camera.fx};
 }
-Vec3f world_direction(const Eye& eye, Vec2f pixel) {
-    return normalize(eye.world_from_camera.rotation * eye.direction(pixel));
+Vec3f world_direction(const RayCamera& camera, Vec2f pixel) {
+    return normalize(camera.world_from_camera.rotation * camera.direction(pixel));
 }
 
-ImageColor cached_picture(const ShadeScene& scene, const Eye& eye, const ShotParts& parts, int samples,
+ImageColor cached_picture(const ShadeScene& scene, const RayCamera& camera, const ShotParts& parts, int samples,
                           const Look* look, ImageColor* albedo, const Run& run) {
     const int round = parts.denoise     ? std::max(kLeastRound, samples / 16)
                       : parts.noise > 0 ? std::min(16, samples)
                                         : samples;
-    ImageColor out(eye.width, eye.height);
+    ImageColor out(camera.width, camera.height);
     if (albedo) *albedo = out;
     std::optional<NoisyPicture> noisy;
-    if (parts.denoise) noisy.emplace(eye);
+    if (parts.denoise) noisy.emplace(camera);
     const auto key_of_pixel = [&](int x, int y) {
         return mix64(run.seed ^ 0x9a7e1ull) ^ (static_cast<std::uint64_t>(y) << 32 | static_cast<std::uint64_t>(x));
     };
     const auto towards = [&](int x, int y, Sampler& sampler) {
         const Vec2f offset = sampler.next2();
-        return world_direction(eye, {static_cast<float>(x) + offset.x, static_cast<float>(y) + offset.y});
+        return world_direction(camera, {static_cast<float>(x) + offset.x, static_cast<float>(y) + offset.y});
     };
-    const Vec3f from = eye.world_from_camera.translation;
-    // A ray stands for its share of the pixel: patterns as wide as all of it would be smoothed twice.
-    const float ray_angle = eye.pixel_angle / std::sqrt(static_cast<float>(round));
-    // At least so many rays.
+    const Vec3f from = camera.world_from_camera.translation;
+    // Each ray covers its share of the pixel: filtering textures over the whole pixel would blur them twice.
+    const float ray_angle = camera.pixel_angle / std::sqrt(static_cast<float>(round));
+    // At least `least` rays.
     const auto trace = [&](int x, int y, int least) {
         PixelSum pixel;
         do {
@@ -351,7 +351,7 @@ ImageColor cached_picture(const ShadeScene& scene, const Eye& eye, const ShotPar
                 Sampler sampler(key_of_pixel(x, y), static_cast<std::uint32_t>(pixel.taken));
                 const Vec3f direction = towards(x, y, sampler);
                 const Shaded shaded = shade_ray(scene, from, direction, ray_angle, sampler);
-                // Samples are developed before they are averaged: edges against a bright window stay smooth.
+                // Samples are tone mapped before averaging, so that edges against a bright window stay antialiased.
                 pixel.add(shaded, look ? develop(*look, shaded.radiance) : shaded.radiance);
             }
         } while (pixel.taken < least || needs_more(pixel, parts, samples));
@@ -359,52 +359,51 @@ ImageColor cached_picture(const ShadeScene& scene, const Eye& eye, const ShotPar
         if (albedo) albedo->at(x, y) = pixel.albedo();
         return pixel;
     };
-    // Of what is not asked for the denoiser sees the nearest, too.
+    // In a partial picture the denoiser also sees the nearest pixels outside the mask.
     constexpr int kContext = 2;
-    const ImageMask context = parts.only && parts.denoise ? grown(*parts.only, kContext, eye.panorama) : ImageMask{};
+    const ImageMask context = parts.only && parts.denoise ? grown(*parts.only, kContext, camera.panorama) : ImageMask{};
     const auto is_traced = [&](int x, int y) {
         return context.empty() ? is_asked_for(parts, x, y) : context.at(x, y) != 0;
     };
-    Progress progress(run, "picture", eye.height);
-    parallel_for(eye.height, 4, [&](std::int64_t begin, std::int64_t end) {
+    Progress progress(run, "picture", camera.height);
+    parallel_for(camera.height, 4, [&](std::int64_t begin, std::int64_t end) {
         run.check_stop();
         for (auto y = static_cast<int>(begin); y < end; ++y)
-            for (int x = 0; x < eye.width; ++x) {
+            for (int x = 0; x < camera.width; ++x) {
                 if (!is_traced(x, y)) continue;
                 const PixelSum pixel = trace(x, y, round);
                 if (noisy) noisy->set(x, y, pixel);
             }
         progress.advance(end - begin);
     });
-    // Looks at pixels once more. doubtful_in(y): which ones of a row; all rows are asked before look_at(x, y) changes
-    // any pixel.
-    const auto look_again = [&](const auto& doubtful_in, const auto& look_at) {
-        std::vector<std::vector<int>> doubtful(static_cast<std::size_t>(eye.height));
-        parallel_for(eye.height, 8, [&](std::int64_t begin, std::int64_t end) {
+    // Sends more rays to selected pixels. doubtful_in(y) selects in a row; all rows are evaluated before
+    // refine_pixel(x, y) changes any pixel.
+    const auto refine = [&](const auto& doubtful_in, const auto& refine_pixel) {
+        std::vector<std::vector<int>> doubtful(static_cast<std::size_t>(camera.height));
+        parallel_for(camera.height, 8, [&](std::int64_t begin, std::int64_t end) {
             for (auto y = static_cast<int>(begin); y < end; ++y) doubtful[static_cast<std::size_t>(y)] = doubtful_in(y);
         });
-        parallel_for(eye.height, 4, [&](std::int64_t begin, std::int64_t end) {
+        parallel_for(camera.height, 4, [&](std::int64_t begin, std::int64_t end) {
             run.check_stop();
             for (auto y = static_cast<int>(begin); y < end; ++y)
-                for (const int x : doubtful[static_cast<std::size_t>(y)]) look_at(x, y);
+                for (const int x : doubtful[static_cast<std::size_t>(y)]) refine_pixel(x, y);
         });
     };
-    // First the edges of patterns: of four rays all may lie on one side.
+    // Texture edges first: all of the four initial rays may lie on one side.
     if (noisy)
-        look_again([&](int y) { return noisy->beside_pattern_edges(y, round); },
-                   [&](int x, int y) { noisy->set_again(x, y, trace(x, y, samples / 4)); });
-    // Then those of the sun's shadows: all rays may see the sun where a fifth of it is hidden, and edges would be
-    // ragged.
-    constexpr int kShadowLooks = 2;
-    for (int look_number = 0; noisy && look_number < kShadowLooks; ++look_number)
-        look_again([&](int y) { return noisy->beside_shadow_edges(y, round); },
-                   [&](int x, int y) { noisy->set_again(x, y, trace(x, y, samples / 4)); });
-    // Then beside outlines: where they cover a part of a pixel that all of its first rays missed, lines would break.
-    // Whether the rays that come next meet another surface costs little to know; where they do, it is asked beside that
-    // pixel too.
-    constexpr int kLooks = 4;
+        refine([&](int y) { return noisy->beside_pattern_edges(y, round); },
+               [&](int x, int y) { noisy->set_again(x, y, trace(x, y, samples / 4)); });
+    // Then edges of sun shadows: all rays may see the sun although a fifth of it is hidden, which would leave ragged
+    // edges.
+    constexpr int kShadowRounds = 2;
+    for (int look_number = 0; noisy && look_number < kShadowRounds; ++look_number)
+        refine([&](int y) { return noisy->beside_shadow_edges(y, round); },
+               [&](int x, int y) { noisy->set_again(x, y, trace(x, y, samples / 4)); });
+    // Then beside outlines: where they cover a part of the pixel that all initial rays missed, lines would break. It is
+    // cheap to test whether further rays hit another surface; where they do, the next pixel along is tested too.
+    constexpr int kOutlineRounds = 4;
     const int next = samples / 2;
-    Image<std::uint8_t> looked(noisy ? eye.width : 0, noisy ? eye.height : 0);
+    Image<std::uint8_t> looked(noisy ? camera.width : 0, noisy ? camera.height : 0);
     const auto meets_another = [&](int x, int y) {
         for (int s = round; s < next; ++s) {
             Sampler sampler(key_of_pixel(x, y), static_cast<std::uint32_t>(s));
@@ -415,24 +414,24 @@ ImageColor cached_picture(const ShadeScene& scene, const Eye& eye, const ShotPar
         }
         return false;
     };
-    for (int look_number = 0; noisy && look_number < kLooks; ++look_number)
-        look_again([&](int y) { return noisy->beside_outlines(y, round, look_number == 0); },
-                   [&](int x, int y) {
-                       if (!std::exchange(looked.at(x, y), std::uint8_t{1}) && meets_another(x, y))
-                           noisy->set_again(x, y, trace(x, y, next));
-                   });
+    for (int look_number = 0; noisy && look_number < kOutlineRounds; ++look_number)
+        refine([&](int y) { return noisy->beside_outlines(y, round, look_number == 0); },
+               [&](int x, int y) {
+                   if (!std::exchange(looked.at(x, y), std::uint8_t{1}) && meets_another(x, y))
+                       noisy->set_again(x, y, trace(x, y, next));
+               });
     if (noisy) noisy->denoise_into(out, look);
     return out;
 }
 
-ImageColor path_traced_picture(const PathScene& scene, const Eye& eye, const ShotParts& parts, int samples,
+ImageColor path_traced_picture(const PathScene& scene, const RayCamera& camera, const ShotParts& parts, int samples,
                                const Look* look, const Run& run) {
-    ImageColor out(eye.width, eye.height);
-    Progress progress(run, "paths", eye.height);
-    parallel_for(eye.height, 1, [&](std::int64_t begin, std::int64_t end) {
+    ImageColor out(camera.width, camera.height);
+    Progress progress(run, "paths", camera.height);
+    parallel_for(camera.height, 1, [&](std::int64_t begin, std::int64_t end) {
         run.check_stop();
         for (auto y = static_cast<int>(begin); y < end; ++y)
-            for (int x = 0; x < eye.width; ++x) {
+            for (int x = 0; x < camera.width; ++x) {
                 if (!is_asked_for(parts, x, y)) continue;
                 const std::uint64_t key = mix64(run.seed ^ 0x70a7ull) ^
                                           (static_cast<std::uint64_t>(y) << 32 | static_cast<std::uint64_t>(x));
@@ -441,8 +440,9 @@ ImageColor path_traced_picture(const PathScene& scene, const Eye& eye, const Sho
                     Sampler sampler(key, static_cast<std::uint32_t>(s));
                     const Vec2f offset = sampler.next2();
                     const Vec3f direction = world_direction(
-                        eye, {static_cast<float>(x) + offset.x, static_cast<float>(y) + offset.y});
-                    sum += path_radiance(scene, eye.world_from_camera.translation, direction, eye.pixel_angle, sampler);
+                        camera, {static_cast<float>(x) + offset.x, static_cast<float>(y) + offset.y});
+                    sum += path_radiance(scene, camera.world_from_camera.translation, direction, camera.pixel_angle,
+                                         sampler);
                 }
                 const Vec3f mean = sum / static_cast<float>(samples);
                 out.at(x, y) = look ? develop(*look, mean) : mean;

@@ -1,4 +1,4 @@
-// Picture: a room's light as a camera sees it.
+// Renders a picture of a room, from the irradiance cache or by path tracing.
 #pragma once
 
 #include <functional>
@@ -12,25 +12,25 @@
 
 namespace fastscene {
 
-// Where a pixel's samples look, and how wide they are.
-struct Eye {
+// Generates the camera rays of a picture.
+struct RayCamera {
     Rigid world_from_camera;
     int width = 0, height = 0;
-    std::function<Vec3f(Vec2f)> direction;  // camera frame, any length
+    std::function<Vec3f(Vec2f)> direction;  // by pixel position; camera frame, any length
     float pixel_angle = 0;
-    bool panorama = false;  // its columns wrap, and crowd towards the poles
+    bool panorama = false;  // equirectangular: columns wrap, and crowd towards the poles
 };
-Eye panorama_eye(const Rigid& world_from_pano, EquirectSize size);
-Eye perspective_eye(const Rigid& world_from_camera, const Pinhole& camera);
-Vec3f world_direction(const Eye& eye, Vec2f pixel);
+RayCamera panorama_camera(const Rigid& world_from_pano, EquirectSize size);
+RayCamera perspective_camera(const Rigid& world_from_camera, const Pinhole& camera);
+Vec3f world_direction(const RayCamera& camera, Vec2f pixel);
 inline bool is_asked_for(const ShotParts& parts, int x, int y) { return !parts.only || parts.only->at(x, y) != 0; }
 
-// `samples` rays a pixel at most (ShotParts::noise, ::denoise). Radiances, or developed color when `look` is given;
-// `albedo`: filled when given.
-ImageColor cached_picture(const ShadeScene& scene, const Eye& eye, const ShotParts& parts, int samples,
+// Renders from the cache with at most `samples` rays per pixel (ShotParts::noise, ::denoise). Returns radiance, or
+// developed color if `look` is given; fills `albedo` if given.
+ImageColor cached_picture(const ShadeScene& scene, const RayCamera& camera, const ShotParts& parts, int samples,
                           const Look* look, ImageColor* albedo, const Run& run);
-// The same by plain path tracing. Radiances are averaged over the pixel before they are developed.
-ImageColor path_traced_picture(const PathScene& scene, const Eye& eye, const ShotParts& parts, int samples,
+// The same by path tracing. Radiance is averaged over the pixel before tone mapping.
+ImageColor path_traced_picture(const PathScene& scene, const RayCamera& camera, const ShotParts& parts, int samples,
                                const Look* look, const Run& run);
 
 }  // namespace fastscene

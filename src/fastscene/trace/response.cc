@@ -8,11 +8,11 @@
 namespace fastscene {
 namespace {
 
-// Rougher dielectrics mirror so little and so widely that the light around stands for it, little by little: where a
-// surface is by turns a bit rougher and smoother (concrete), a limit would show as an outline.
+// Rough dielectrics reflect so little and so broadly that the ambient light approximates it. The transition is gradual,
+// because patterns vary the roughness (concrete) and a hard limit would show as an outline.
 constexpr float kMirrorRoughness = 0.43f, kMattRoughness = 0.55f;
 constexpr float kKeptUnderMatt = 0.5f,
-                kMattCoat = 0.8f;  // of what the coat mirrors: taken from the base, and given back evenly
+                kMattCoat = 0.8f;  // share of the coat's reflection that is taken from the base and returned diffusely
 float mirrored_share(float roughness, float metal) {
     return metal < 0.5f ? 1.f - smooth_step(kMirrorRoughness, kMattRoughness, roughness) : 1.f;
 }
@@ -20,7 +20,7 @@ float mirrored_share(float roughness, float metal) {
 }  // namespace
 
 Vec3f Coat::at(float facing) const { return across + (grazing - across) * std::pow(1.f - facing, 5.f); }
-Vec3f Coat::mean() const { return across + (grazing - across) * (1.f / 21); }  // the fifth power becomes 1/21
+Vec3f Coat::mean() const { return across + (grazing - across) * (1.f / 21); }  // the fifth power integrates to 1/21
 
 Coat coat_of(const Material& m, Vec3f albedo, float roughness) {
     const Vec3f across = lerp(Vec3f{m.specular, m.specular, m.specular}, albedo, m.metal);
@@ -41,13 +41,13 @@ Response response_of(const SurfacePointInfo& s, Vec3f direction) {
     Response r;
     Vec3f base = s.texture.albedo * (1.f - m.metal);
     if (m.mirror > 0.5f) {
-        r.shine = fresnel;
+        r.specular = fresnel;
         return r;
     }
     base = base * (1.f - max_component(fresnel) * std::lerp(kKeptUnderMatt, 1.f, coat.sharp));
     r.diffuse = base * (1.f - m.transmission) + fresnel * (kMattCoat * (1.f - coat.sharp));
     r.behind = base * m.transmission;
-    r.shine = fresnel * coat.sharp;
+    r.specular = fresnel * coat.sharp;
     if (coat.sharp > 0) r.alpha = coat.alpha;
     return r;
 }
@@ -62,7 +62,7 @@ Vec3f dye_of(const SurfacePointInfo& s) {
 }
 
 Pane pane_of(const SurfacePointInfo& s, Vec3f direction) {
-    constexpr float kAcross = 0.04f, kVeil = 0.06f;  // mirrored at right angles
+    constexpr float kAcross = 0.04f, kVeil = 0.06f;  // reflectance at normal incidence
     const float slant = 1.f - std::min(1.f, std::abs(dot(s.normal, direction))), slant2 = slant * slant,
                 fresnel = kAcross + (1 - kAcross) * slant2 * slant2 * slant;
     return {dye_of(s) * ((1 - fresnel) * (1 - kVeil)), fresnel, kVeil};
@@ -87,7 +87,7 @@ Vec3f ggx_half(Vec3f n, float alpha, Vec2f u) {
     return s * (sine * std::cos(phi)) + t * (sine * std::sin(phi)) + n * cosine;
 }
 
-float ggx_density(Vec3f n, float alpha, Vec3f direction, Vec3f out) {
+float ggx_pdf(Vec3f n, float alpha, Vec3f direction, Vec3f out) {
     const Vec3f half = normalize(out - direction);
     const float c = dot(n, half), o = dot(out, half);
     if (!(c > 0 && o > 1e-4f) || !(alpha > 0)) return 0;
@@ -97,11 +97,11 @@ float ggx_density(Vec3f n, float alpha, Vec3f direction, Vec3f out) {
 
 namespace {
 
-// How a mirror cone, no narrower than `least_alpha`, spreads the sun towards -direction, per unit of its irradiance.
-// None of a perfect mirror.
+// Reflection of the sun's disc by a GGX lobe at least `least_alpha` wide, towards -direction, per unit of irradiance.
+// Zero for perfect mirrors.
 float sun_spread(const Sky& sky, Vec3f normal, float alpha, float least_alpha, Vec3f direction) {
     const float cosine = dot(normal, sky.sun_dir);
-    return alpha > 0 && cosine > 0 ? ggx_density(normal, std::max(alpha, least_alpha), direction, sky.sun_dir) / cosine
+    return alpha > 0 && cosine > 0 ? ggx_pdf(normal, std::max(alpha, least_alpha), direction, sky.sun_dir) / cosine
                                    : 0.f;
 }
 
@@ -109,11 +109,11 @@ float sun_spread(const Sky& sky, Vec3f normal, float alpha, float least_alpha, V
 
 Vec3f sun_glint(const Sky& sky, const SurfacePointInfo& surface, const Response& response, Vec3f direction, Vec3f sun,
                 float least_alpha) {
-    return response.shine * sun * sun_spread(sky, surface.bumped, response.alpha, least_alpha, direction);
+    return response.specular * sun * sun_spread(sky, surface.bumped, response.alpha, least_alpha, direction);
 }
 
-Vec3f sun_sent_on(const Sky& sky, Vec3f reflectance, const Coat& coat, float transmission, Vec3f normal,
-                  Vec3f direction, bool behind) {
+Vec3f sun_reflected(const Sky& sky, Vec3f reflectance, const Coat& coat, float transmission, Vec3f normal,
+                    Vec3f direction, bool behind) {
     const Vec3f even = (reflectance - coat.mean() * coat.sharp) * (1 / kPi);
     if (behind) return even * transmission;
     const float facing = std::clamp(-dot(normal, direction), 0.02f, 1.f);

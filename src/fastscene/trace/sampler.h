@@ -1,8 +1,8 @@
-// Sampler: numbers in [0, 1) for the paths of a pixel, spread more evenly than chance would.
+// Sampler: low-discrepancy numbers in [0, 1) for the paths of a pixel.
 //
-// Sobol's first two dimensions with Owen's scrambling by hashing, one scrambled copy per pair of dimensions, its order
-// shuffled too (Burley 2020, "Practical hash-based Owen scrambling"): any power of two of consecutive samples is well
-// spread in every pair.
+// The first two Sobol dimensions with hash-based Owen scrambling, one scrambled and shuffled copy per pair of
+// dimensions (Burley 2020, "Practical hash-based Owen scrambling"): any aligned power of two of consecutive samples is
+// well stratified in every pair.
 #pragma once
 
 #include <algorithm>
@@ -13,14 +13,14 @@
 
 namespace fastscene {
 
-// Veach's power heuristic for one sample of each kind: the weight of the one with density `mine`.
+// Veach's power heuristic for one sample of each strategy: the weight of the sample with the pdf `mine`.
 inline float power_heuristic(float mine, float other) {
     return mine * mine / std::max(1e-20f, mine * mine + other * other);
 }
 
 class Sampler {
   public:
-    // The paths of one pixel share `key` and differ in `index`.
+    // Paths of one pixel share `key` and differ in `index`.
     Sampler(std::uint64_t key, std::uint32_t index) : key_(key), index_(index) {}
 
     Vec2f next2() {

@@ -33,7 +33,7 @@ Vec3f nearest_on_triangle(Vec3f p, Vec3f a, Vec3f b, Vec3f c) {
     return sum > 0 ? a + ab * (vb / sum) + ac * (vc / sum) : a;
 }
 
-// Embree chooses its kernels by the processor; a smaller set in use bounds them.
+// Embree picks its kernels by processor; FASTSCENE_ISA limits them.
 const char* device_settings() {
     switch (isa()) {
         case Isa::sse4: return "max_isa=sse42";
@@ -43,7 +43,7 @@ const char* device_settings() {
     return nullptr;
 }
 
-using Corners = std::vector<std::array<Vec3f, 3>>;  // of the triangles of one mesh
+using Corners = std::vector<std::array<Vec3f, 3>>;  // the triangles of one mesh
 
 struct NearestQuery {
     const std::vector<Corners>* meshes;
@@ -66,8 +66,9 @@ constexpr float kBeyondGlass_m = 1e-4f;
 
 struct SceneBvh::Impl {
     RTCDevice device = nullptr;
-    // Twice the same triangles: a ray costs half as much where edges need not be watertight, but then one that aims at
-    // an edge may slip through. And once more without clear glass, where there is any: what light meets.
+    // Two trees over the same triangles: rays are twice as fast in a tree that need not be watertight, but one aimed at
+    // an edge may then slip through. A third tree omits clear glass, if there is any: that is what light interacts
+    // with.
     RTCScene scene = nullptr, watertight = nullptr, lit = nullptr;
     std::vector<Corners> meshes;
     std::vector<bool> clear;  // by mesh
@@ -81,7 +82,7 @@ struct SceneBvh::Impl {
 };
 
 SceneBvh::SceneBvh(const Room& room) : impl_(std::make_unique<Impl>()) {
-    // No number of threads here: Embree would set it for the whole program, since it shares oneTBB with us.
+    // No thread count here: Embree would set it for the whole process, as it shares oneTBB with us.
     impl_->device = rtcNewDevice(device_settings());
     if (!impl_->device)
         throw Error("Embree: expected a ray tracing device, found error {}",
@@ -136,11 +137,12 @@ RayHit SceneBvh::Impl::first(RTCScene among, Vec3f origin, Vec3f direction, floa
     ray.ray = {origin.x, origin.y, origin.z, near_m, direction.x, direction.y, direction.z, 0.f, far_m, ~0u, 0u, 0u};
     ray.hit.geomID = RTC_INVALID_GEOMETRY_ID;
     rtcIntersect1(among, &context, &ray);
-    // Few rays leave a room, and those that seem to may have met an edge.
+    // Few rays leave a room; those that seem to may have slipped through an edge, so they are traced again in the
+    // watertight tree.
     const auto none = [&] { return ray.hit.geomID == RTC_INVALID_GEOMETRY_ID; };
     if (none()) {
         rtcIntersect1(watertight, &context, &ray);
-        // That tree has the clear glass, too.
+        // The watertight tree contains clear glass, so hits on it are skipped.
         while (among == lit && among != scene && !none() && clear[ray.hit.geomID]) {
             ray.ray.tnear = ray.ray.tfar + kBeyondGlass_m;
             ray.ray.tfar = far_m;
@@ -186,7 +188,7 @@ float SceneBvh::nearest(Vec3f point, float limit) const {
 }
 
 bool is_closed(const Mesh& mesh) {
-    // Corners at one place are one corner, whatever their normals: compared by tenths of a millimetre.
+    // Vertices are merged by position, to a tenth of a millimetre, regardless of their normals.
     std::vector<std::array<std::int32_t, 3>> places;
     for (const Vec3f p : mesh.positions)
         places.push_back({static_cast<std::int32_t>(std::lround(p.x * 1e4f)),

@@ -1,4 +1,4 @@
-// The room's triangles in Embree. The only header that knows it is not here: Embree stays in scene_bvh.cc.
+// Ray tracing of the room's triangles. Embree is an implementation detail of scene_bvh.cc.
 #pragma once
 
 #include <cstdint>
@@ -12,34 +12,34 @@ namespace fastscene {
 
 inline constexpr float kFar = std::numeric_limits<float>::infinity();
 
-// How far from a surface a ray starts that leaves it.
+// Offset in metres of a ray's origin from the surface that it leaves.
 inline constexpr float kSurfaceOffset = 4e-4f;
 inline Vec3f offset_from(Vec3f position, Vec3f normal) { return position + normal * kSurfaceOffset; }
 
 struct RayHit {
-    float distance = kFar;  // +inf: nothing was hit
+    float distance = kFar;  // metres; +inf: no hit
     int mesh = -1;          // index into Room::meshes
     int triangle = 0;
-    float u = 0, v = 0;  // weights of the second and third corner
-    Vec3f normal;        // geometric, unit, as the triangle is wound (outward)
-    bool back = false;   // the triangle was met from behind
+    float u = 0, v = 0;  // barycentric weights of the second and third vertex
+    Vec3f normal;        // geometric normal, unit, by the winding order (outward)
+    bool back = false;   // hit from behind
     explicit operator bool() const { return mesh >= 0; }
 };
 
 class SceneBvh {
   public:
-    explicit SceneBvh(const Room& room);  // keeps no reference
+    explicit SceneBvh(const Room& room);  // does not keep a reference
     ~SceneBvh();
     SceneBvh(const SceneBvh&) = delete;
     SceneBvh& operator=(const SceneBvh&) = delete;
 
-    // `direction` of length 1.
+    // The first hit between near_m and far_m. `direction`: unit length.
     RayHit first_hit(Vec3f origin, Vec3f direction, float near_m = 0.f, float far_m = kFar) const;
-    // The same for light on its way: clear glass (is_clear) is not there.
+    // The same as light sees it: clear glass (is_clear) does not exist.
     RayHit first_lit(Vec3f origin, Vec3f direction) const;
-    // Whether light is: clear glass lets it through.
+    // Whether an occluder lies in between; clear glass is none.
     bool blocked(Vec3f origin, Vec3f direction, float near_m, float far_m) const;
-    // Distance to the nearest triangle, at most limit_m.
+    // Distance in metres to the nearest triangle, at most limit_m.
     float nearest(Vec3f point, float limit_m) const;
 
   private:
@@ -47,7 +47,7 @@ class SceneBvh {
     std::unique_ptr<Impl> impl_;
 };
 
-// Whether every edge of the mesh has a neighbour: then its back faces are its inside.
+// Whether the mesh is watertight: every edge has a neighbour, so back faces mean inside.
 bool is_closed(const Mesh& mesh);
 
 }  // namespace fastscene

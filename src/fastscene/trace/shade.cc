@@ -11,12 +11,12 @@
 namespace fastscene {
 namespace {
 
-// What the mirrored ray meets: a lamp or the sky, which could have been asked as well, and what they light.
+// What a reflected ray hits: a light that could also have been sampled (lamp or sky), and other surfaces.
 struct Mirrored {
     Vec3f light, rest;
     RayHit hit;
 };
-// Its light comes from the cache, its own gloss is taken for matt. `sharp`: seen as clearly as by the camera itself.
+// Hits are shaded from the cache, as if matt. `sharp`: as sharp as for the camera itself.
 Mirrored mirrored_radiance(const ShadeScene& scene, Vec3f origin, Vec3f direction, float angle, bool sharp,
                            int mirrors) {
     const RayHit hit = sharp && mirrors > 0 ? scene.bvh.first_hit(origin, direction)
@@ -39,23 +39,23 @@ Mirrored mirrored_radiance(const ShadeScene& scene, Vec3f origin, Vec3f directio
         const Vec3f dye = dye_of(s);
         return {behind.light * dye, behind.rest * dye, hit};
     }
-    // Between cells, or a polished floor would show them.
+    // Interpolated between cells, since a polished floor would show their borders.
     const IrradianceCache::Reading front = scene.light.read(s.position, s.normal),
                                    back = m.transmission > 0 ? scene.light.read(s.position, -s.normal)
                                                              : IrradianceCache::Reading{};
     const Vec3f reflectance = mean_reflectance(m, s.texture.albedo);
     const Coat coat = m.mirror > 0.5f ? Coat{} : coat_of(m, s.texture.albedo, s.texture.roughness);
-    const auto sent_on = [&](bool behind) {
-        return sun_sent_on(scene.room.sky, reflectance, coat, m.transmission, s.normal, direction, behind);
+    const auto reflected = [&](bool behind) {
+        return sun_reflected(scene.room.sky, reflectance, coat, m.transmission, s.normal, direction, behind);
     };
     const Vec3f even = reflectance * (front.irradiance * (1.f - m.transmission) + back.irradiance * m.transmission) *
                        (1.f / kPi),
-                sun = front.sun * sent_on(false) + back.sun * sent_on(true);
+                sun = front.sun * reflected(false) + back.sun * reflected(true);
     return {sharp ? lamp_as_seen(scene.room.look, m.emission) : m.emission, even + sun * scene.room.look.sun_seen, hit};
 }
 
-// What a glossy surface mirrors, by one ray into its mirror cone and one to a lamp or window, each weighed by how well
-// it finds such light: small lights are found by asking, near and smooth ones by the cone.
+// The glossy reflection: one sample of the GGX lobe and one light sample, combined by MIS. Light sampling finds small
+// lights, the lobe finds near ones and those in smooth surfaces.
 Vec3f glossy_radiance(const ShadeScene& scene, const SurfacePointInfo& s, const Response& r, Vec3f direction,
                       float pixel_angle, Vec3f front, Sampler& sampler) {
     const Vec3f half = ggx_half(s.bumped, r.alpha, sampler.next2());
@@ -68,34 +68,34 @@ Vec3f glossy_radiance(const ShadeScene& scene, const SurfacePointInfo& s, const 
     Vec3f asked{};
     const float which = sampler.next();
     const Vec2f uv = sampler.next2();
-    const Lights::Towards light = scene.lights.draw(scene.room, s.position, s.normal, which, uv);
-    if (light.density > 0 && dot(light.direction, s.normal) > 0.01f) {
-        const float cone = ggx_density(s.bumped, r.alpha, direction, light.direction);
+    const Lights::LightSample light = scene.lights.draw(scene.room, s.position, s.normal, which, uv);
+    if (light.pdf > 0 && dot(light.direction, s.normal) > 0.01f) {
+        const float cone = ggx_pdf(s.bumped, r.alpha, direction, light.direction);
         if (cone > 0 && !scene.bvh.blocked(origin, light.direction, 0.f, light.far))
-            asked = light.radiance * (cone * power_heuristic(light.density, cone) / light.density);
+            asked = light.radiance * (cone * power_heuristic(light.pdf, cone) / light.pdf);
     }
     if (max_component(seen.light) > 0) {
-        const float density = scene.lights.density(scene.room, s.position, s.normal, out, seen.hit);
-        seen.light = seen.light * power_heuristic(ggx_density(s.bumped, r.alpha, direction, out), density);
+        const float pdf = scene.lights.pdf(scene.room, s.position, s.normal, out, seen.hit);
+        seen.light = seen.light * power_heuristic(ggx_pdf(s.bumped, r.alpha, direction, out), pdf);
     }
     Vec3f met = seen.light + seen.rest;
-    // A single bright thing met by chance would sparkle: it is held to a few times the light around.
+    // Fireflies: a bright light hit by a lobe sample is clamped to a few times the surrounding light.
     const float limit = 6.f * (luminance(front) / kPi + 0.05f), bright = luminance(met);
     if (bright > limit) met = met * (limit / bright);
     return asked + met;
 }
 
-// How probable it is that a frugal picture traces what a surface mirrors: the more, the more of what it sends on that
-// is. A coat of 4 % over a light wall costs three rays of four and adds a twentieth.
-float chance_of_reflection(const Response& r) {
+// Probability with which a frugal picture traces a reflection (Russian roulette), by its share of the reflected light.
+// A 4 % coat over a light wall would cost three quarters of the rays for a twentieth of the light.
+float reflection_probability(const Response& r) {
     constexpr float kOften = 4.f, kLeast = 0.15f;
-    if (r.alpha == 0) return 1;  // a mirror's image is sharp
-    const float shine = luminance(r.shine), all = shine + luminance(r.diffuse) + luminance(r.behind);
-    return std::clamp(kOften * shine / std::max(1e-6f, all), kLeast, 1.f);
+    if (r.alpha == 0) return 1;  // mirror images must be sharp
+    const float specular = luminance(r.specular), all = specular + luminance(r.diffuse) + luminance(r.behind);
+    return std::clamp(kOften * specular / std::max(1e-6f, all), kLeast, 1.f);
 }
 
-// Light on a surface, without the sun's own: from the cache, and where that is too coarse, one estimate of the very
-// point.
+// Irradiance at a point without direct sun: from the cache, or where that is too coarse, from a fresh one-sample
+// estimate.
 Vec3f light_at(const ShadeScene& scene, const SurfacePointInfo& s, Sampler& sampler) {
     const IrradianceCache::Reading reading = scene.light.read(s.position, s.normal);
     constexpr float kTrusted = 0.98f;
@@ -112,20 +112,20 @@ Vec3f light_at(const ShadeScene& scene, const SurfacePointInfo& s, Sampler& samp
 
 namespace {
 
-constexpr int kMostPanes = 8;  // surfaces of glass that are looked through
+constexpr int kMostPanes = 8;  // maximum number of glass surfaces along a view ray
 constexpr float kBehindPane_m = 1e-3f;
 
-// `travelled`: how far the ray has come through glass.
+// `travelled`: metres that the ray has covered, through glass.
 Shaded shade_from(const ShadeScene& scene, Vec3f origin, Vec3f direction, float pixel_angle, float travelled, int panes,
                   Sampler& sampler);
 
-// The surface of glass `s` shaded as `veil`: what is behind it, a veil, and what it mirrors.
+// Shades a clear glass surface `s`: what is behind it, `veil` and its reflection.
 Shaded seen_through(const ShadeScene& scene, const SurfacePointInfo& s, const Shaded& veil, Vec3f direction,
                     float pixel_angle, float travelled, int panes, Sampler& sampler) {
     const Pane pane = pane_of(s, direction);
     Shaded out = shade_from(scene, s.position + direction * kBehindPane_m, direction, pixel_angle, travelled, panes - 1,
                             sampler);
-    for (Vec3f* light : {&out.radiance, &out.light, &out.sun, &out.mirrored, &out.diffuse, &out.shine})
+    for (Vec3f* light : {&out.radiance, &out.light, &out.sun, &out.mirrored, &out.diffuse, &out.specular})
         *light = *light * pane.through;
     const Vec3f mirror = normalize(direction - s.normal * (2 * dot(direction, s.normal)));
     const Mirrored seen = mirrored_radiance(scene, offset_from(s.position, s.normal), mirror, pixel_angle, true, 1);
@@ -141,24 +141,25 @@ Shaded shade_from(const ShadeScene& scene, Vec3f origin, Vec3f direction, float 
         out.radiance = outside_as_seen(scene.room.sky, scene.room.look, direction);
         return out;
     }
-    // A surface seen at a slant lies under a longer footprint; the geometric mean keeps patterns crisp and calm.
+    // On a slanted surface the footprint is stretched; the geometric mean of its axes keeps patterns sharp without
+    // aliasing.
     const float slant = std::max(0.08f, std::abs(dot(hit.normal, direction)));
     const SurfacePointInfo s = surface_at(scene.room, hit, origin, direction,
                                           pixel_angle * (travelled + hit.distance) / std::sqrt(slant), true);
     const Material& m = *s.material;
     Response r = response_of(s, direction);
-    if (m.mirror <= 0.5f && max_component(r.shine) > 0) r.alpha = std::max(r.alpha, scene.min_alpha);
+    if (m.mirror <= 0.5f && max_component(r.specular) > 0) r.alpha = std::max(r.alpha, scene.min_alpha);
     out.albedo = s.texture.albedo;
     out.position = s.position;
     out.normal = s.normal;
 
-    // Light on the front and, for thin sheets, from behind. The relief turns the sun's light; the rest is too even to
+    // Light on the front, and from behind for thin sheets. The relief affects direct sun; other light is too diffuse to
     // show it.
     const Vec2f disc = sampler.next2();
     const auto sun = [&](Vec3f normal) {
         return scene.lights.sun(scene.room, scene.bvh, s.position, normal, disc) * scene.room.look.sun_seen;
     };
-    // Relief darkens where it leans away from the light above.
+    // Relief shading: slopes that face away from above are darkened.
     const float lean = dot(s.bumped - s.normal, Vec3f{0, -1, 0}), relief = std::clamp(1.f + 0.8f * lean, 0.5f, 1.4f);
     const Vec3f front = light_at(scene, s, sampler) * relief, front_sun = sun(s.bumped) * relief;
     out.diffuse = r.diffuse;
@@ -169,12 +170,13 @@ Shaded shade_from(const ShadeScene& scene, Vec3f origin, Vec3f direction, float 
         out.light += r.behind * scene.light.at(s.position, -s.normal) * (1.f / kPi);
         out.sun += r.behind * sun(-s.normal) * (1.f / kPi);
     }
-    if (max_component(r.shine) > 0) {
-        out.shine = r.shine;
-        const float chance = scene.frugal ? chance_of_reflection(r) : 1.f;
-        if (chance == 1.f || sampler.next() < chance)
-            out.mirrored = r.shine * glossy_radiance(scene, s, r, direction, pixel_angle, front + front_sun, sampler) /
-                           chance;
+    if (max_component(r.specular) > 0) {
+        out.specular = r.specular;
+        const float probability = scene.frugal ? reflection_probability(r) : 1.f;
+        if (probability == 1.f || sampler.next() < probability)
+            out.mirrored = r.specular *
+                           glossy_radiance(scene, s, r, direction, pixel_angle, front + front_sun, sampler) /
+                           probability;
         if (luminance(front_sun) > 0)
             out.mirrored += sun_glint(scene.room.sky, s, r, direction, front_sun, kSharpestSun);
     }

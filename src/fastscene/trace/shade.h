@@ -1,4 +1,4 @@
-// Shade: what a camera ray brings back.
+// Shading of camera rays from the irradiance cache.
 #pragma once
 
 #include "fastscene/scene/room.h"
@@ -14,26 +14,24 @@ struct ShadeScene {
     const SceneBvh& bvh;
     const Lights& lights;
     const IrradianceCache& light;
-    bool contacts =
-        false;            // where the cache is too coarse (edges, corners, small things), light is gathered ray by ray
-    bool frugal = false;  // ShotParts::frugal
-    float min_alpha = 0;  // ShotParts::min_alpha
+    bool contacts = false;  // sample the light anew where the cache is too coarse (edges, corners, small objects)
+    bool frugal = false;    // ShotParts::frugal
+    float min_alpha = 0;    // ShotParts::min_alpha
 };
 
-// What a camera ray brings back, through clear glass from what lies behind it. The parts that chance decides are kept
-// apart from the colors they are seen through, so that their noise can be averaged over neighbours without touching a
-// texture: radiance = emission + light + sun + mirrored.
+// The result of a camera ray, seen through clear glass. Noisy light is kept separate from the surface colors that
+// multiply it, so that it can be denoised without blurring textures: radiance = emission + light + sun + mirrored.
 struct Shaded {
     Vec3f radiance;
     Vec3f albedo;
-    Vec3f light, sun, mirrored;  // radiances: of diffuse light but the sun's, of the sun's, of what the surface mirrors
-    Vec3f diffuse, shine;        // what the first two, and the third, were multiplied by
-    Vec3f position, normal;      // of the first hit; a normal of zero: none
+    Vec3f light, sun, mirrored;  // radiance of: diffuse light without direct sun, direct sun, specular reflection
+    Vec3f diffuse, specular;     // factors already applied: `diffuse` to light and sun, `specular` to mirrored
+    Vec3f position, normal;      // at the first hit, world frame; a zero normal: no hit
 };
-// `pixel_angle`: how wide the sample is, radians; patterns finer than that fade to their mean.
+// `direction`: unit length. `pixel_angle`: width of the sample in radians; finer texture detail fades to its mean.
 Shaded shade_ray(const ShadeScene& scene, Vec3f origin, Vec3f direction, float pixel_angle, Sampler& sampler);
 
-// Where it would meet a surface, and how that faces, as Shaded has them: a tenth of the work.
+// Only position and normal of the hit, as in Shaded: a tenth of the cost.
 struct Met {
     Vec3f position, normal;
 };

@@ -14,12 +14,12 @@ namespace {
 Vec3f clouds_over(const Sky& sky, Vec3f direction, Vec3f color) {
     const float up = -direction.y;
     if (!(up > 0.02f) || !(sky.clouds > 0.f)) return color;
-    // A flat layer of clouds, thinner towards the horizon where it is far.
+    // A flat cloud layer, thinner towards the horizon.
     const Vec2f plane{direction.x / (up + 0.15f), direction.z / (up + 0.15f)};
     const float density = fbm2(plane * 1.7f, 5, 0.02f, sky.seed + 11);
     const float cover = smooth_step(0.7f - 0.45f * sky.clouds, 0.95f - 0.4f * sky.clouds, density) *
                         smooth_step(0.02f, 0.2f, up);
-    // What lies between a cloud and the sun darkens it.
+    // Clouds towards the sun shadow this one.
     const Vec2f sunward{sky.sun_dir.x, sky.sun_dir.z};
     const float shadow = unit_clamp(2.2f * (fbm2((plane + sunward * 0.22f) * 1.7f, 4, 0.04f, sky.seed + 11) - 0.45f));
     const float white = (0.85f * luminance(sky.horizon) + 0.5f * luminance(sky.zenith)) * (1.1f - 0.42f * shadow);
@@ -34,7 +34,7 @@ Vec3f sky_radiance(const Sky& sky, Vec3f direction) {
     const bool night = sky.time == Sky::Time::night;
     Vec3f color = up >= 0.f ? lerp(sky.horizon, sky.zenith, std::pow(std::min(1.f, up), 0.45f)) : sky.ground;
     color = clouds_over(sky, direction, color);
-    // A glow around the sun, or where it went down.
+    // A glow around the sun, or around where it set.
     const float towards = std::max(0.f, dot(direction, sky.sun_dir));
     if (!night && up > -0.05f) color += sky.horizon * (0.35f * std::pow(towards, 24.f));
     if (night && up > 0.05f && sky.clouds < 0.8f) {
@@ -56,7 +56,7 @@ SkyTable::SkyTable(const Sky& sky) : radiance_(kTable.width, kTable.height) {
     parallel_for(kTable.height, 8, [&](std::int64_t begin, std::int64_t end) {
         for (auto y = static_cast<int>(begin); y < end; ++y)
             for (int x = 0; x < kTable.width; ++x) {
-                // Anywhere in the pixel: the horizon's outlines lie along its rows.
+                // Jittered within the pixel, since the outlines at the horizon follow pixel rows.
                 const Vec2f p{static_cast<float>(x) + lattice_unit(x, y, 0, sky.seed),
                               static_cast<float>(y) + lattice_unit(x, y, 1, sky.seed)};
                 radiance_.at(x, y) = sky_radiance(sky, direction_at(p, kTable));

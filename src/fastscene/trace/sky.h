@@ -1,4 +1,4 @@
-// What is seen through a window, and what shines in.
+// The sky: what is seen through windows, and what shines in.
 #pragma once
 
 #include "fastscene/image/image.h"
@@ -6,11 +6,11 @@
 
 namespace fastscene {
 
-// Radiance from a direction (world frame, unit; y is down): the sky's gradient and clouds, and what stands before
-// it (outside.h). The sun's disc is not in it: it is sampled by itself.
+// Radiance from a direction (world frame, unit, y down): gradient, clouds and scenery (outside.h). The sun's disc is
+// excluded, since it is sampled separately.
 Vec3f sky_radiance(const Sky& sky, Vec3f direction);
 
-// The same, looked up in a picture of 0.7 degrees a pixel: for light, which has no use for leaves and panes.
+// The same from a table with 0.7 degrees per pixel: for illumination, which needs no leaves and window panes.
 class SkyTable {
   public:
     explicit SkyTable(const Sky& sky);

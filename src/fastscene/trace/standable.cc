@@ -10,10 +10,10 @@ namespace fastscene {
 namespace {
 
 constexpr float kCell_m = 0.1f;
-constexpr float kStart_m = 1.5f;     // of panorama 0: who cannot stand so near to it has nowhere to begin
-constexpr float kLargest_m = 200.f;  // of a grid's side: what lies beyond is no floor
+constexpr float kStart_m = 1.5f;     // metres: the walk must be able to start this close to panorama 0
+constexpr float kLargest_m = 200.f;  // metres: limit of the grid's side
 
-// The box on the floor of all that stands in the room, a second room included.
+// Bounding rectangle on the floor of everything in the room, adjoining rooms included.
 struct Extent {
     Vec2f low{1e9f, 1e9f}, high{-1e9f, -1e9f};
 };
@@ -28,7 +28,7 @@ Extent extent_of(const Room& room) {
     return {{held(e.low.x), held(e.low.y)}, {held(e.high.x), held(e.high.y)}};
 }
 
-// Heights above the floor of balls of this radius that cover the body from `step_over_m` to its head.
+// Heights above the floor of a column of balls of this radius that covers the body from `step_over_m` to its head.
 std::vector<float> ball_heights(const Body& body, float radius_m) {
     const float lowest = body.step_over_m + radius_m, highest = body.height_m - radius_m;
     const int steps = std::max(1, static_cast<int>(std::ceil((highest - lowest) / (0.8f * radius_m))));
@@ -38,16 +38,16 @@ std::vector<float> ball_heights(const Body& body, float radius_m) {
     return heights;
 }
 
-// The free radius around a body at a point of the floor, up to its `clear_m`; 0 where it cannot pass.
+// The free radius around a body at a point of the floor, up to its `clear_m`; 0 where it does not fit.
 float free_radius(const TracedRoom& room, const Body& body, const std::vector<float>& heights, Vec2f at,
                   float floor_y) {
-    // Without a floor below nobody stands, and outside the walls there is none.
+    // There must be a floor below, which also excludes points outside the walls.
     const float low = heights.front();
     const float down = room.distance({at.x, floor_y - low, at.y}, {0, 1, 0});
     if (!(std::fabs(down - low) < body.step_over_m + 0.01f)) return 0;
     float least = body.clear_m;
     for (const float h : heights) {
-        // A wider ball near the floor would meet it.
+        // A wider ball would touch the floor.
         const float limit = std::min(body.clear_m, h - body.step_over_m);
         const float free = room.clearance({at.x, floor_y - h, at.y}, limit);
         if (free < body.pass_m) return 0;
@@ -56,7 +56,7 @@ float free_radius(const TracedRoom& room, const Body& body, const std::vector<fl
     return least;
 }
 
-// Keeps what can be walked to, from neighbour to neighbour, from the standable cell nearest to the origin.
+// Keeps the cells that can be reached, from neighbour to neighbour, from the standable cell nearest to the origin.
 void keep_reachable(StandableFloor& floor) {
     const std::vector<FloorCell> cells = standable_cells(floor);
     FloorCell start{-1, -1};
@@ -93,7 +93,7 @@ StandableFloor standable_floor(const TracedRoom& room, const Body& body) {
     StandableFloor floor;
     floor.cell_m = kCell_m;
     floor.floor_y = room.room().max_corner.y;
-    // Cells lie about the origin in the same way in every room.
+    // The grid is aligned to the origin, the same in every room.
     const auto first = [](float low) { return std::floor(low / kCell_m); };
     floor.corner_m = {first(extent.low.x) * kCell_m, first(extent.low.y) * kCell_m};
     floor.columns = std::max(0, static_cast<int>(std::ceil((extent.high.x - floor.corner_m.x) / kCell_m)));

@@ -10,7 +10,7 @@
 namespace fastscene {
 namespace {
 
-// 4 x 5 m, the floor at y = 1.5; the world's origin is its middle.
+// 4 x 5 m, the floor at y = 1.5, centered at the world's origin.
 Room plain_room() {
     Room room;
     room.min_corner = kLow;
@@ -40,7 +40,7 @@ TEST(Standable, RugsAreSteppedOnTablesAreNotAndLampsAboveTheHeadDoNotCount) {
     put(room, {-1.5f, 1.47f, -2.f}, {-0.5f, 1.5f, -1.f});  // a rug, 3 cm
     put(room, {0.5f, 0.75f, -2.f}, {1.5f, 0.8f, -1.f});    // a table's top
     put(room, {-1.5f, -1.1f, 1.f}, {-0.5f, -0.5f, 2.f});   // a lamp: 2 m above the floor
-    put(room, {0.6f, -0.1f, 1.1f}, {1.4f, 0.f, 1.9f});     // a shelf at 1.5 m: not below its front
+    put(room, {0.6f, -0.1f, 1.1f}, {1.4f, 0.f, 1.9f});     // a shelf at 1.5 m: no one can stand under its front
     const StandableFloor floor = standable_floor(TracedRoom(room));
     EXPECT_TRUE(stands_at(floor, -1.f, -1.5f));
     EXPECT_FALSE(stands_at(floor, 1.f, -1.5f));
@@ -48,7 +48,7 @@ TEST(Standable, RugsAreSteppedOnTablesAreNotAndLampsAboveTheHeadDoNotCount) {
     EXPECT_FALSE(stands_at(floor, 1.f, 1.5f));
 }
 
-// A wall across the room with a gap of 0.48 m: one gets through, and nobody stands in the gap itself.
+// A wall across the room with a gap of 0.48 m: wide enough to pass, too narrow to stand in.
 TEST(Standable, WhatCanBeReachedThroughAGap) {
     const auto with_gap = [](float half_m) {
         Room room = plain_room();
@@ -83,7 +83,7 @@ TEST(Trace, SeesThroughNothingButAirAndGlass) {
     EXPECT_NEAR(met.normal.z, 1.f, 1e-5) << "turned towards who looks";
 }
 
-// Frugal pictures are as bright as others in the mean.
+// Russian roulette does not change the mean brightness.
 TEST(Trace, FrugalReflectionsHaveTheSameMean) {
     Room room = plain_room();
     room.materials[0].specular = 0.04f;

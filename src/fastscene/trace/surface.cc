@@ -17,7 +17,7 @@ Vec3f blend(const std::vector<Vec3f>& values, const Corner& k) {
     return values[k.a] * k.wa + values[k.b] * k.wb + values[k.c] * k.wc;
 }
 
-// World directions along which the two flat coordinates of the pattern grow (gradients within the triangle).
+// World-space gradients, within the triangle, of the two flat coordinates of the pattern.
 void pattern_axes(const Mesh& mesh, const Corner& k, int axis, Vec3f& du, Vec3f& dv) {
     const Vec3f p1 = mesh.positions[k.b] - mesh.positions[k.a], p2 = mesh.positions[k.c] - mesh.positions[k.a];
     const Vec2f q0 = flat_coords(mesh.coords[k.a], axis), q1 = flat_coords(mesh.coords[k.b], axis) - q0,
@@ -33,7 +33,7 @@ void pattern_axes(const Mesh& mesh, const Corner& k, int axis, Vec3f& du, Vec3f&
 
 Vec3f shading_normal(const Mesh& mesh, const RayHit& hit) {
     const Vec3f n = normalize(blend(mesh.normals, corners(mesh, hit)));
-    // A smooth normal that disagrees with its triangle is a modelling accident: the triangle is right.
+    // A shading normal that disagrees with its triangle is a modelling error: use the triangle's.
     return dot(n, hit.normal) > 0.1f ? n : hit.normal;
 }
 

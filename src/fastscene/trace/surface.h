@@ -1,4 +1,4 @@
-// What a ray that hits the room finds: the surface at that point.
+// Surface attributes at a ray's hit point.
 #pragma once
 
 #include "fastscene/scene/room.h"
@@ -9,17 +9,17 @@ namespace fastscene {
 
 struct SurfacePointInfo {
     Vec3f position;  // world
-    Vec3f normal;    // shading normal, unit, towards where the ray came from
-    Vec3f bumped;    // the same with the pattern's relief
+    Vec3f normal;    // shading normal, unit, facing the ray's origin
+    Vec3f bumped;    // with the pattern's relief applied
     const Material* material = nullptr;
     TextureValue texture;
-    bool back = false;  // seen from behind
+    bool back = false;  // hit from behind
 };
 
-// `footprint_m`: width of what the sample stands for. `with_relief`: compute `bumped` (else it equals `normal`).
+// `footprint_m`: width of the sample on the surface. `with_relief`: compute `bumped` (otherwise it equals `normal`).
 SurfacePointInfo surface_at(const Room& room, const RayHit& hit, Vec3f origin, Vec3f direction, float footprint_m,
                             bool with_relief);
-// Only position and normal: for light that bounces.
+// Only the shading normal: for secondary bounces.
 Vec3f shading_normal(const Mesh& mesh, const RayHit& hit);
 
 }  // namespace fastscene

@@ -59,10 +59,10 @@ TextureValue raw_texture(const Material& m, const TexturePoint& p) {
     return {m.color_a, m.roughness, 0.5f};
 }
 
-// A footprint that nothing in a room exceeds.
+// A footprint larger than anything in a room.
 constexpr float kFarAway = 1e6f;
 
-// Size of the finest relief of a pattern: below it no slope is computed.
+// Feature size of the finest relief of a pattern; no slope is computed for larger footprints.
 float relief_size(const Material& m) {
     switch (m.pattern) {
         case Pattern::brick:
@@ -113,20 +113,21 @@ Vec2f texture_slope(const Material& material, const TexturePoint& point, int axi
     const float k = fade * material.bump_m / h;
     const float here = height(0, 0);
     const Vec2f slope{k * (height(h, 0) - here), k * (height(0, h) - here)};
-    // Steep flanks of joints would turn the normal below the horizon.
+    // Limited, since steep flanks of joints would turn the normal below the horizon.
     const float l = length(slope);
     return l > 0.7f ? slope * (0.7f / l) : slope;
 }
 
 Vec3f mean_albedo(const Material& material) {
     if (material.pattern == Pattern::image)
-        return sample_texture(material, {{}, {}, kFarAway}).albedo;  // the last halving
-    // The footprint of 1 cm leaves the fine grain to its mean; places over four units cover the rest, in no step with
-    // any joint.
+        return sample_texture(material, {{}, {}, kFarAway}).albedo;  // the coarsest mip level
+    // A footprint of 1 cm already averages fine grain; points spread over four units, incommensurate with any joints,
+    // cover the rest.
     Vec3f sum{};
     constexpr int kPlaces = 1024;
-    const float span = 4.f * std::max(material.scale_m, 0.15f);  // leather wears in patches of 20 cm
-    const bool whole = material.pattern == Pattern::art || material.pattern == Pattern::book;  // one unit only
+    const float span = 4.f * std::max(material.scale_m, 0.15f);  // leather is worn in patches of 20 cm
+    // patterns that do not repeat
+    const bool whole = material.pattern == Pattern::art || material.pattern == Pattern::book;
     for (std::uint32_t i = 0; i < kPlaces; ++i) {
         const float u = static_cast<float>((i * 3242174889u) >> 8) * 0x1p-24f,
                     v = static_cast<float>((i * 2447445414u) >> 8) * 0x1p-24f;  // Roberts' R2
@@ -137,7 +138,7 @@ Vec3f mean_albedo(const Material& material) {
                      : Vec2f{(u - 0.5f) * span, (v - 0.5f) * span};
         p.coords = {p.flat.x, p.flat.y, 0.3f * (u + v) * span};
         if (material.pattern == Pattern::rug)
-            p.coords = {p.flat.x, material.scale_m, p.flat.y};  // its y says how deep it is
+            p.coords = {p.flat.x, material.scale_m, p.flat.y};  // coords.y is half the depth
         p.footprint_m = 0.01f;
         sum += sample_texture(material, p).albedo;
     }

@@ -17,13 +17,13 @@
 namespace fastscene {
 namespace {
 
-constexpr int kMostMirrors = 4;  // as many as a picture shows one in another (shade.cc)
+constexpr int kMostMirrors = 4;  // same limit as for mirrors within mirrors in pictures (shade.cc)
 
-// The plane of a mesh that is a flat mirror: nearly all of its surface is that, or the back of its pane. Zero: it is
-// none, or (a ball of small ones) shows no one image.
+// The normal of a mesh that is a flat mirror, i.e. nearly all of its surface is mirror or the back of its pane. Zero if
+// it is not, or if it has no single image (a mirror ball).
 Vec3f mirror_normal(const Room& room, const Mesh& mesh) {
     if (!(room.materials[static_cast<std::size_t>(mesh.material)].mirror > 0.5f)) return {};
-    std::vector<Vec3f> areas;  // normal times twice the area
+    std::vector<Vec3f> areas;  // normals weighted by twice the area
     for (std::size_t i = 0; i + 2 < mesh.triangles.size(); i += 3) {
         const auto corner = [&](std::size_t k) { return mesh.positions[mesh.triangles[i + k]]; };
         areas.push_back(cross(corner(1) - corner(0), corner(2) - corner(0)));
@@ -57,21 +57,21 @@ struct TracedRoom::Impl {
         }
     }
 
-    ImageColor color(const Eye& eye, const ShotParts& parts, const Look* look, ImageColor* albedo,
+    ImageColor color(const RayCamera& camera, const ShotParts& parts, const Look* look, ImageColor* albedo,
                      const Run& run) const {
         const int samples = parts.pixel_samples > 0 ? parts.pixel_samples : params.pixel_samples;
-        if (parts.paths) return path_traced_picture({room, bvh, lights}, eye, parts, samples, look, run);
+        if (parts.paths) return path_traced_picture({room, bvh, lights}, camera, parts, samples, look, run);
         FASTSCENE_CHECK(light.has_value());
-        return cached_picture({room, bvh, lights, *light, parts.contacts, parts.frugal, parts.min_alpha}, eye, parts,
+        return cached_picture({room, bvh, lights, *light, parts.contacts, parts.frugal, parts.min_alpha}, camera, parts,
                               samples, look, albedo, run);
     }
 
-    // Metres to what a ray meets in the end that is mirrored by every flat mirror on its way.
+    // Metres along the ray to the virtual image, followed through all flat mirrors on the way.
     float distance_by_mirrors(Vec3f origin, Vec3f direction, RayHit hit) const {
         float way = hit.distance;
         for (int met = 0; hit && met < kMostMirrors; ++met) {
             const Vec3f normal = mirrors[static_cast<std::size_t>(hit.mesh)];
-            if (std::fabs(dot(hit.normal, normal)) < 0.9999f) break;  // no mirror, or the pane's rounded rim
+            if (std::fabs(dot(hit.normal, normal)) < 0.9999f) break;  // not a mirror, or the pane's rounded rim
             const Vec3f facing = dot(direction, normal) < 0 ? normal : -normal;
             origin = offset_from(origin + direction * hit.distance, facing);
             direction = normalize(direction - normal * (2 * dot(direction, normal)));
@@ -81,28 +81,28 @@ struct TracedRoom::Impl {
         return way;
     }
 
-    Shot shoot(const Eye& eye, const ShotParts& parts, const Run& run) const {
+    Shot shoot(const RayCamera& camera, const ShotParts& parts, const Run& run) const {
         Shot shot;
         if (parts.color || parts.albedo) {
             const Look* look = parts.radiance ? nullptr : &room.look;
-            shot.color = color(eye, parts, look, parts.albedo ? &shot.albedo : nullptr, run);
+            shot.color = color(camera, parts, look, parts.albedo ? &shot.albedo : nullptr, run);
         }
-        if (parts.range) shot.range = ImageF(eye.width, eye.height);
-        if (parts.mirrored_range) shot.mirrored_range = ImageF(eye.width, eye.height);
-        if (parts.normal) shot.normal = ImageColor(eye.width, eye.height);
-        if (parts.object) shot.object = Image<std::int32_t>(eye.width, eye.height, -2);
+        if (parts.range) shot.range = ImageF(camera.width, camera.height);
+        if (parts.mirrored_range) shot.mirrored_range = ImageF(camera.width, camera.height);
+        if (parts.normal) shot.normal = ImageColor(camera.width, camera.height);
+        if (parts.object) shot.object = Image<std::int32_t>(camera.width, camera.height, -2);
         if (!parts.range && !parts.mirrored_range && !parts.normal && !parts.object) return shot;
-        parallel_for(eye.height, 8, [&](std::int64_t begin, std::int64_t end) {
+        parallel_for(camera.height, 8, [&](std::int64_t begin, std::int64_t end) {
             for (auto y = static_cast<int>(begin); y < end; ++y)
-                for (int x = 0; x < eye.width; ++x) {
+                for (int x = 0; x < camera.width; ++x) {
                     if (!is_asked_for(parts, x, y)) continue;
                     const Vec3f direction = world_direction(
-                        eye, {static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f});
-                    const RayHit hit = bvh.first_hit(eye.world_from_camera.translation, direction);
+                        camera, {static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f});
+                    const RayHit hit = bvh.first_hit(camera.world_from_camera.translation, direction);
                     if (parts.range) shot.range.at(x, y) = hit.distance;
                     if (parts.mirrored_range)
-                        shot.mirrored_range.at(x, y) = distance_by_mirrors(eye.world_from_camera.translation, direction,
-                                                                           hit);
+                        shot.mirrored_range.at(x, y) = distance_by_mirrors(camera.world_from_camera.translation,
+                                                                           direction, hit);
                     if (!hit) continue;
                     const Mesh& mesh = room.meshes[static_cast<std::size_t>(hit.mesh)];
                     if (parts.object) shot.object.at(x, y) = mesh.object;
@@ -119,23 +119,24 @@ TracedRoom::~TracedRoom() = default;
 TracedRoom::TracedRoom(TracedRoom&&) noexcept = default;
 TracedRoom& TracedRoom::operator=(TracedRoom&&) noexcept = default;
 
-void TracedRoom::gather_light(const TraceParams& params, const Run& run, const std::vector<Vec3f>& eyes) {
+void TracedRoom::gather_light(const TraceParams& params, const Run& run, const std::vector<Vec3f>& viewpoints) {
     impl_->params = params;
-    impl_->light = IrradianceCache::gather(impl_->room, impl_->bvh, params, run, eyes);
+    impl_->light = IrradianceCache::gather(impl_->room, impl_->bvh, params, run, viewpoints);
     const Run quiet{run.seed, nullptr, run.stop};
     ImageColor albedo;
-    const ImageColor small = impl_->color(panorama_eye({}, {128, 64}), {.pixel_samples = 4}, nullptr, &albedo, quiet);
+    const ImageColor small = impl_->color(panorama_camera({}, {128, 64}), {.pixel_samples = 4}, nullptr, &albedo,
+                                          quiet);
     impl_->room.look = automatic_look(impl_->room.look, impl_->room.sky, small, albedo);
 }
 
 Shot TracedRoom::panorama(const Rigid& world_from_pano, EquirectSize size, const ShotParts& parts,
                           const Run& run) const {
-    return impl_->shoot(panorama_eye(world_from_pano, size), parts, run);
+    return impl_->shoot(panorama_camera(world_from_pano, size), parts, run);
 }
 
 Shot TracedRoom::perspective(const Rigid& world_from_camera, const Pinhole& camera, const ShotParts& parts,
                              const Run& run) const {
-    return impl_->shoot(perspective_eye(world_from_camera, camera), parts, run);
+    return impl_->shoot(perspective_camera(world_from_camera, camera), parts, run);
 }
 
 ImageColor TracedRoom::outside(const Mat3f& world_from_pano, EquirectSize size) const {
@@ -165,14 +166,14 @@ float TracedRoom::distance_through_mirrors(Vec3f origin, Vec3f direction) const 
 }
 
 bool TracedRoom::sees(Vec3f from, Vec3f to) const {
-    constexpr float kSurface_m = 4e-3f;  // rounding, and the thickness of what lies on a surface
+    constexpr float kSurface_m = 4e-3f;  // tolerance for rounding and for thin things on a surface
     const Vec3f way = to - from;
     const float far = length(way);
     return far <= kSurface_m || !impl_->bvh.blocked(from, way / far, 0.f, far - kSurface_m);
 }
 
 float TracedRoom::clearance(Vec3f point, float limit_m) const {
-    // Inside a solid most ways out lead through back faces.
+    // Inside a solid most directions hit back faces.
     constexpr std::array<Vec3f, 6> kWays{Vec3f{1, 0, 0},  Vec3f{-1, 0, 0}, Vec3f{0, 1, 0},
                                          Vec3f{0, -1, 0}, Vec3f{0, 0, 1},  Vec3f{0, 0, -1}};
     int inside = 0;

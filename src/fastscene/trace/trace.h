@@ -1,6 +1,6 @@
-// Trace: looks at a Room. Path traced light (Embree), gathered once per room into a world-space
-// irradiance cache that all views share, so that any number of exact pictures of one room agree with
-// each other; sun, mirror-like reflection and emission are traced per view.
+// Trace: renders a Room. Diffuse light is computed once per room (Embree, irradiance cache) and shared by all views, so
+// that any number of renderings agree with each other; direct sun, specular reflection and emission are traced per
+// view.
 #pragma once
 
 #include <cstdint>
@@ -17,10 +17,10 @@
 namespace fastscene {
 
 struct TraceParams {
-    float cell_m = 0.03f;     // size of an irradiance cell
-    int cell_samples = 192;   // gathered paths per cell
+    float cell_m = 0.03f;     // size of an irradiance cache cell
+    int cell_samples = 192;   // paths gathered per cell
     int pixel_samples = 16;   // camera rays per pixel
-    bool keep_noise = false;  // panoramas are not denoised
+    bool keep_noise = false;  // leave panoramas undenoised
 };
 template <class V>
 void visit_fields(TraceParams& p, V&& v) {
@@ -30,77 +30,73 @@ void visit_fields(TraceParams& p, V&& v) {
     v("keep-noise", p.keep_noise, "Leave the panorama's light as its rays found it: no denoiser.");
 }
 
-// Everything the first hit tells, per pixel. Each picture is empty unless asked for.
+// Per-pixel results of a rendering. Each image is empty unless requested in ShotParts.
 struct Shot {
-    ImageColor color;  // linear, display-referred (after exposure and film curve), clamped to 0..1
-    ImageF range;      // metres along the ray through the pixel's center; +inf where the ray leaves the room
-    ImageF
-        mirrored_range;  // the same to the virtual image where the ray meets a flat mirror: metres on to what it shows
-    ImageColor albedo;   // mean over the pixel
-    ImageColor normal;   // world, unit, of the center ray
-    Image<std::int32_t> object;  // index into Room::objects of the center ray's hit; -1 = shell, -2 = outside
+    ImageColor color;            // linear, display-referred (after exposure and film curve), clamped to 0..1
+    ImageF range;                // metres along the ray through the pixel's center; +inf where it leaves the room
+    ImageF mirrored_range;       // the same, but through flat mirrors: metres to the virtual image that they show
+    ImageColor albedo;           // mean over the pixel
+    ImageColor normal;           // world frame, unit, of the center ray
+    Image<std::int32_t> object;  // center ray: index into Room::objects; -1 = walls, floor, ceiling, -2 = outside
 };
 struct ShotParts {
     bool color = true, range = true, mirrored_range = false, albedo = false, normal = false, object = false;
-    int pixel_samples = 0;  // camera rays a pixel; 0 = TraceParams::pixel_samples
-    bool paths = false;     // plain path tracing: no cache, nothing shared between pixels; for measurements
-    bool radiance = false;  // `color` holds the pixel's mean radiance, undeveloped
-    bool contacts =
-        false;  // where the cache is too coarse (edges, corners, small things) light is gathered for the very pixel
-    bool frugal = false;  // reflections that add little are traced by a few rays only (Russian roulette): for many
-                          // views that are averaged
-    float min_alpha = 0;  // glossy surfaces, but mirrors, have at least this GGX alpha: what a coarse representation of
-                          // reflections can hold
-    bool denoise = false;  // average over neighbours what chance leaves in the light (denoise.h); takes samples / 16 to
-                           // samples / 2 rays
-    float noise = 0.f;  // > 0: stop a pixel's rays, 16 at a time, once the error of its mean is below this (sRGB, 0..1)
-    const ImageMask* only =
-        nullptr;  // of the picture's size: the pixels that are asked for (nonzero); what the others hold means nothing
+    int pixel_samples = 0;  // camera rays per pixel; 0 = TraceParams::pixel_samples
+    bool paths = false;     // path tracing: no cache, pixels are independent; the reference for measurements
+    bool radiance = false;  // `color` holds mean radiance, without tone mapping
+    bool contacts = false;  // sample the light per pixel where the cache is too coarse (edges, corners, small objects)
+    bool frugal = false;    // Russian roulette on weak reflections: for many views whose noise averages out
+    // minimum GGX alpha of glossy surfaces except mirrors: as sharp as the representation trained on the views can hold
+    float min_alpha = 0;
+    bool denoise = false;  // denoise the light (denoise.h); takes samples / 16 to samples / 2 rays per pixel
+    // > 0: adaptive sampling, 16 rays at a time, until the standard error of the pixel's mean is below this (sRGB,
+    // 0..1)
+    float noise = 0.f;
+    const ImageMask* only = nullptr;  // of the picture's size: pixels to render (nonzero); all others are undefined
 };
 
-// For pictures of final quality: as many camera rays as each pixel needs, `samples` at most; an even wall is exact at
-// once, an outline is not.
+// For final quality: adaptive sampling with at most `samples` rays per pixel; even walls need few, outlines many.
 inline ShotParts final_parts(int samples = 128) {
     return {.color = true, .range = true, .pixel_samples = samples, .contacts = true, .denoise = true, .noise = 0.006f};
 }
 
-// A room ready to be looked at: triangles in Embree, light in the cache, exposure fixed.
+// A room ready to be rendered: BVH, irradiance cache and exposure.
 class TracedRoom {
   public:
-    // Builds the BVH only; cheap (well under a second). The room is copied.
+    // Builds the BVH only (well under a second). Copies the room.
     explicit TracedRoom(Room room);
     ~TracedRoom();
     TracedRoom(TracedRoom&&) noexcept;
     TracedRoom& operator=(TracedRoom&&) noexcept;
 
-    // Gathers the light (the long part) and fixes the exposure as seen from the world's origin. Needed before any
-    // color. The same seed gives the same light for any number of threads. `eyes`: the places about which pictures will
-    // be taken.
-    void gather_light(const TraceParams& params, const Run& run, const std::vector<Vec3f>& eyes = {Vec3f{}});
+    // Computes the irradiance cache (the slow part) and fixes the exposure as seen from the world's origin. Required
+    // before any color is rendered. The same seed gives the same light for any number of threads. `viewpoints`:
+    // positions around which pictures will be taken.
+    void gather_light(const TraceParams& params, const Run& run, const std::vector<Vec3f>& viewpoints = {Vec3f{}});
 
-    // `seed` varies the camera samples only; the light is the room's.
+    // `seed` varies the camera samples only, not the light.
     Shot panorama(const Rigid& world_from_pano, EquirectSize size, const ShotParts& parts, const Run& run) const;
     Shot perspective(const Rigid& world_from_camera, const Pinhole& camera, const ShotParts& parts,
                      const Run& run) const;
 
-    // The outside in every direction, as a camera sees it, as if no room stood around: linear light.
+    // The outside in all directions, as if there were no room: linear radiance as a camera sees it.
     ImageColor outside(const Mat3f& world_from_pano, EquirectSize size) const;
 
-    // Distance in metres to the first surface along a ray; +inf = none. `direction` of length 1.
+    // Distance in metres to the first surface along a ray; +inf: none. `direction`: unit length.
     float distance(Vec3f origin, Vec3f direction) const;
-    // The first surface along a ray (`direction` of length 1), through clear glass: its distance in metres and its unit
-    // normal, turned towards the ray's origin. +inf and zero: none.
+    // The first surface along a ray (`direction` of unit length), through clear glass: distance in metres and unit
+    // normal facing the ray's origin. +inf and zero: none.
     struct Surface {
         float distance;
         Vec3f normal;
     };
     Surface surface(Vec3f origin, Vec3f direction) const;
-    // Along a ray, on through flat mirrors as a picture shows it: metres to the image behind the mirror; +inf = none.
+    // Metres along a ray, through flat mirrors to the virtual image that a picture shows there; +inf: none.
     float distance_through_mirrors(Vec3f origin, Vec3f direction) const;
-    // Whether nothing but clear glass is between two points. The last millimetres before `to` do not count: it may lie
-    // on a surface.
+    // Whether two points see each other, clear glass ignored. The last millimetres before `to` are ignored too: it may
+    // lie on a surface.
     bool sees(Vec3f from, Vec3f to) const;
-    // Radius of the empty ball around a point (0 inside an object), up to `limit_m`.
+    // Radius of the largest empty ball around a point, at most `limit_m`; 0 inside an object.
     float clearance(Vec3f point, float limit_m) const;
 
     const Room& room() const;

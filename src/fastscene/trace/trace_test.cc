@@ -20,7 +20,7 @@
 namespace fastscene {
 namespace {
 
-// A box; `inward` = the inside of a room, else a solid.
+// A box; `inward`: seen from inside, as a room; else a solid.
 Mesh box(Vec3f low, Vec3f high, bool inward, int material, int object = -1) {
     return box_mesh(low, high, material, object, inward);
 }
@@ -34,7 +34,7 @@ Room empty_room(Material walls) {
     return room;
 }
 
-// A room with things in it: a lamp, a red box on the right, a metal one on the left.
+// A room with a lamp, a red box on the right and a metal box on the left.
 Room furnished_room() {
     Room room = empty_room(diffuse({0.7f, 0.65f, 0.6f}));
     room.materials[0].pattern = Pattern::planks;
@@ -59,7 +59,7 @@ TraceParams quick() {
     return p;
 }
 
-// Whatever window looks into a garden by day sees flowers: colors that neither lawn, paving, earth nor leaves have.
+// Every window onto a garden in daylight shows flowers: colors that lawn, paving, earth and leaves do not have.
 TEST(Outside, AGardenIsInBloomAllAround) {
     for (const bool snow : {false, true})
         for (const std::uint32_t seed : {1u, 2u, 3u}) {
@@ -67,7 +67,7 @@ TEST(Outside, AGardenIsInBloomAllAround) {
             sky.view = Sky::View::garden;
             sky.seed = seed;
             sky.snow = snow;
-            // Light without a color of its own.
+            // Neutral light.
             sky.zenith = sky.horizon = sky.sun_irradiance = {1, 1, 1};
             sky.ground = {0.2f, 0.2f, 0.2f};
             sky.sun_dir = normalize(Vec3f{0.3f, -0.8f, 0.2f});
@@ -91,7 +91,7 @@ TEST(Outside, AGardenIsInBloomAllAround) {
         }
 }
 
-// Closed room, albedo 1/2, emission 1/2: every bounce adds half of the one before, so all directions see radiance 1.
+// Furnace test: in a closed room with albedo 1/2 and emission 1/2, the radiance is 1 in all directions.
 TEST(Trace, Furnace) {
     Material glowing = diffuse({0.5f, 0.5f, 0.5f});
     glowing.emission = {0.5f, 0.5f, 0.5f};
@@ -131,8 +131,7 @@ TEST(Trace, RangeOfABoxRoomIsItsClosedForm) {
         }
 }
 
-// Behind a flat mirror lies the mirrored room, where it is wherever one stands; what mirrors on all sides shows no such
-// image.
+// A flat mirror shows a virtual image at a fixed position; a curved one has no such image.
 TEST(Trace, AFlatMirrorIsLookedInto) {
     Room room = empty_room(diffuse({0.5f, 0.5f, 0.5f}));
     Material mirror = diffuse({0.85f, 0.85f, 0.85f});
@@ -156,8 +155,8 @@ TEST(Trace, AFlatMirrorIsLookedInto) {
                     EXPECT_EQ(shot.mirrored_range.at(x, y), shot.range.at(x, y)) << "only the glass is looked into";
                     continue;
                 }
-                // The walls go on beside it, and the wall behind the camera stands as far behind the glass as before
-                // it.
+                // The mirror image of the wall behind the camera lies as far behind the glass as the wall is in front
+                // of it.
                 float expected = (2 * kGlass - kLow.z - from.z) / d.z;
                 for (std::size_t a = 0; a < 2; ++a)
                     expected = std::min(expected, ((d[a] > 0 ? kHigh[a] : kLow[a]) - from[a]) / d[a]);
@@ -175,14 +174,14 @@ TEST(Trace, AFlatMirrorIsLookedInto) {
     }
 }
 
-// A small patch under a square lamp: E = L times the configuration factor of a parallel rectangle (Howell, B-3) times
-// pi.
+// A small patch under a square lamp: E = L times pi times the configuration factor of a parallel rectangle (Howell,
+// B-3).
 TEST(Trace, LightOfASquareLampIsItsFormFactor) {
     Room room = empty_room(diffuse({0, 0, 0}));
     Material lamp = diffuse({0, 0, 0});
     lamp.emission = {10, 10, 10};
     room.materials.push_back(lamp);
-    const float half = 0.2f, height = 1.3f;  // under the small limit of half a square metre
+    const float half = 0.2f, height = 1.3f;  // below the limit of half a square metre, so it is sampled
     room.meshes.push_back(box({-half, 1.48f - height, -half}, {half, 1.5f - height, half}, false, 1));
     const SceneBvh bvh(room);
     TraceParams params = quick();
@@ -195,10 +194,10 @@ TEST(Trace, LightOfASquareLampIsItsFormFactor) {
     EXPECT_NEAR(cache.at({0, 1.5f, 0}, {0, -1, 0}).x / expected, 1.f, 0.06f);
 }
 
-// Sky of radiance 1 through a window: the wall opposite gets pi times the window's form factor from a far, even sky.
+// A sky of radiance 1 through a window: the wall opposite receives pi times the window's form factor.
 TEST(Trace, WindowLetsTheSkyIn) {
     Room room = empty_room(diffuse({0, 0, 0}));
-    // The wall at +x has a hole: its two triangles go, four boxes come.
+    // Replaces the two triangles of the wall at +x by four boxes around a hole.
     Mesh& shell = room.meshes[0];
     std::vector<std::uint32_t> kept;
     for (std::size_t t = 0; t < shell.triangles.size(); t += 3)
@@ -218,9 +217,9 @@ TEST(Trace, WindowLetsTheSkyIn) {
     const SceneBvh bvh(room);
     TraceParams params = quick();
     params.cell_samples = 1024;
-    params.cell_m = 0.06f;  // trees and flower beds outside make the light vary from place to place
+    params.cell_m = 0.06f;  // trees and flower beds outside make the light vary across the wall
     const IrradianceCache cache = IrradianceCache::gather(room, bvh, params, {});
-    // Direction by direction, with the sky as it is drawn (trees and all).
+    // Reference by quadrature over directions, with the actual sky.
     const Vec3f at{-2, 0, 0};
     double expected = 0;
     const int n = 400;
@@ -242,7 +241,7 @@ TEST(Trace, RightIsRightAndThePanoramaAgreesWithThePerspective) {
     room.gather_light(quick(), {});
     const EquirectSize size{256, 128};
     const Shot shot = room.panorama({}, size, {.color = true, .range = true, .object = true}, {});
-    // The red box at +x: right of the picture's center; the metal one left of it.
+    // The red box at +x is right of the picture's center, the metal one left of it.
     std::array<double, 2> column{};
     std::array<int, 2> pixels{};
     for (int y = 0; y < size.height; ++y)
@@ -262,7 +261,7 @@ TEST(Trace, RightIsRightAndThePanoramaAgreesWithThePerspective) {
                 camera.direction_at({static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f}));
             EXPECT_NEAR(view.range.at(x, y), room.distance({}, d), 1e-4f);
         }
-    // Columns beside the seam continue each other.
+    // Columns at the seam are continuous.
     double across = 0, inside = 0;
     for (int y = 20; y < 108; ++y) {
         across += static_cast<double>(length(shot.color.at(0, y) - shot.color.at(255, y)));
@@ -288,8 +287,7 @@ TEST(Trace, SameBytesForOneAndTwoThreads) {
     EXPECT_EQ(shots[0].range, shots[1].range);
 }
 
-// What stands behind a pane keeps its color; the pane takes a little of the light and is still told as what the ray
-// meets first.
+// An object behind a pane keeps its color; the pane absorbs little, and is still reported as the first hit.
 TEST(Trace, GlassIsSeenThrough) {
     const auto look = [](bool pane) {
         Room room = furnished_room();
@@ -344,7 +342,7 @@ TEST(Trace, GlassIsSeenThroughInMirrors) {
     EXPECT_GT(luminance(seen), 0.4f * luminance(red));
 }
 
-// A mirror shows light as even as it is seen without: no borders of cells.
+// A mirror shows light as smooth as a direct view: no cell borders.
 TEST(Trace, MirrorsShowNoCells) {
     Room room = empty_room(diffuse({0.7f, 0.7f, 0.7f}));
     Material mirror = diffuse({0.9f, 0.9f, 0.9f});
@@ -353,19 +351,19 @@ TEST(Trace, MirrorsShowNoCells) {
     room.materials.insert(room.materials.end(), {mirror, diffuse({0, 0, 0}, {9, 9, 9})});
     room.meshes.push_back(box({-1, -0.5f, 1}, {1, 0.5f, 1.02f}, false, 1));
     room.meshes.push_back(box({-1.9f, -0.2f, -2}, {-1.7f, 0.2f, -1.8f}, false,
-                              2));  // beside the wall behind the camera, outside of the picture
+                              2));  // next to the wall behind the camera, out of view
     TracedRoom traced(std::move(room));
     traced.gather_light(quick(), {});
     const ShotParts parts{.color = true, .range = false, .pixel_samples = 8, .radiance = true, .contacts = true};
     const ImageColor seen = traced.perspective({}, Pinhole::with_fov(384, 8, 40), parts, {}).color;
     const auto first = luminance(seen.at(0, 4)), last = luminance(seen.at(383, 4));
-    ASSERT_GT(std::max(first, last), 1.5f * std::min(first, last));  // the light does change along the wall
+    ASSERT_GT(std::max(first, last), 1.5f * std::min(first, last));  // precondition: the light varies along the wall
     for (int x = 0; x + 1 < seen.width; ++x)
         for (int y = 0; y < seen.height; ++y)
             EXPECT_NEAR(luminance(seen.at(x + 1, y)) / luminance(seen.at(x, y)), 1, 0.03) << x << " " << y;
 }
 
-// However few rays are asked for, the denoiser learns how much chance is in them.
+// However few rays are requested, the denoiser gets a variance estimate.
 TEST(Trace, FewRaysAreDenoisedToo) {
     TracedRoom room(furnished_room());
     room.gather_light(quick(), {});
@@ -393,7 +391,7 @@ TEST(Trace, FewRaysAreDenoisedToo) {
         EXPECT_LT(error(picture(samples, true, 5)), 0.9 * raw) << samples << " rays";
 }
 
-// Some pixels of a picture are those of the whole picture; the denoiser knows their nearest neighbours only.
+// A partial picture equals the full picture, up to the denoiser's context at the mask's border.
 TEST(Trace, SomePixelsAreAsInTheWholePicture) {
     TracedRoom room(furnished_room());
     room.gather_light(quick(), {});
@@ -418,7 +416,7 @@ TEST(Trace, SomePixelsAreAsInTheWholePicture) {
     }
 }
 
-// A bar an eighth of a pixel wide is as bright along all its length, though the first rays of most of its pixels miss
+// A bar an eighth of a pixel wide is equally bright along its length, though the first rays of most of its pixels miss
 // it.
 TEST(Trace, ThinLinesDoNotBreak) {
     Room room = empty_room(diffuse({0, 0, 0}, {0.05f, 0.05f, 0.05f}));
@@ -447,8 +445,7 @@ TEST(Trace, ThinLinesDoNotBreak) {
     for (int x = 0; x < kSide; ++x) EXPECT_NEAR(columns[static_cast<std::size_t>(x)] / middle, 1, 0.6) << x;
 }
 
-// The shadow of a bar two metres above the floor, soft by the sun's breadth. Four rays that agree by chance in its edge
-// used to be believed, and it was ragged.
+// The soft shadow of a bar two metres above the floor. Trusting four rays that happened to agree left its edge ragged.
 TEST(Trace, ShadowEdgesAreNotRagged) {
     Room room = empty_room(diffuse({0.6f, 0.6f, 0.6f}));
     const float floor = 1.1f;
@@ -480,10 +477,10 @@ TEST(Trace, ShadowEdgesAreNotRagged) {
         ++edge;
     }
     ASSERT_GT(edge, 2 * kSide);
-    EXPECT_LT(std::sqrt(squares / edge), 0.05);  // 0.059 where they are believed
+    EXPECT_LT(std::sqrt(squares / edge), 0.05);  // 0.059 if they are trusted
 }
 
-// Edges of a pattern on one surface, evenly lit: pixels on them hold the shares of both colors.
+// Texture edges on one evenly lit surface: pixels there hold the area-weighted mean of both colors.
 TEST(Trace, EdgesOfPatternsAreNotRagged) {
     Material squares = diffuse({0.9f, 0.9f, 0.9f}, {1, 1, 1});
     squares.pattern = Pattern::checker;
@@ -514,7 +511,7 @@ TEST(Trace, EdgesOfPatternsAreNotRagged) {
         ++edge;
     }
     ASSERT_GT(edge, 2 * kSide);
-    EXPECT_LT(std::sqrt(squared / edge), 0.04);  // 0.056 where first rays that agree are believed
+    EXPECT_LT(std::sqrt(squared / edge), 0.04);  // 0.056 if first rays that agree are trusted
 }
 
 TEST(Trace, TwoSetsOfCameraRaysAgree) {
@@ -531,22 +528,23 @@ TEST(Trace, TwoSetsOfCameraRaysAgree) {
     EXPECT_GT(psnr(picture({}, fine), picture(other, fine)), 42);
 }
 
-// The tree that is asked first is not watertight: no ray may slip out between two triangles, not even one that aims at
-// where they meet.
+// The fast tree is not watertight: still no ray may escape between two triangles, not even when aimed at their common
+// edge.
 TEST(Trace, NoRayLeavesAClosedRoom) {
     const TracedRoom room(furnished_room());
-    Random dice(8, "rays");
+    Random rng(8, "rays");
     int lost = 0;
     for (int i = 0; i < 400'000; ++i) {
-        const Vec3f from{dice.uniform(-0.5f, 0.5f), dice.uniform(-0.5f, 0.5f), dice.uniform(-0.5f, 0.5f)};
-        Vec3f to{dice.uniform(kLow.x, kHigh.x), dice.uniform(kLow.y, kHigh.y), dice.chance(0.5f) ? kLow.z : kHigh.z};
-        if (i % 2) to.x = dice.chance(0.5f) ? kLow.x : kHigh.x;  // an edge of the room
+        const Vec3f from{rng.uniform(-0.5f, 0.5f), rng.uniform(-0.5f, 0.5f), rng.uniform(-0.5f, 0.5f)};
+        Vec3f to{rng.uniform(kLow.x, kHigh.x), rng.uniform(kLow.y, kHigh.y), rng.chance(0.5f) ? kLow.z : kHigh.z};
+        if (i % 2) to.x = rng.chance(0.5f) ? kLow.x : kHigh.x;  // an edge of the room
         lost += std::isinf(room.distance(from, normalize(to - from)));
     }
     EXPECT_EQ(lost, 0);
 }
 
-// What no surface stops is asked for again among all triangles: a pane on the way to a window is none that light meets.
+// Rays that hit nothing are traced again in the watertight tree: a pane on the way to a window must not block light
+// there either.
 TEST(Trace, LightLeavesThroughPanes) {
     Material pane = diffuse({1, 1, 1});
     pane.transmission = 0.92f;
@@ -603,8 +601,8 @@ TEST(Texture, EveryPatternIsInRangeAndRepeats) {
     }
 }
 
-// From afar a pattern is its own mean: walls do not change their color with distance, and bounced light meets what the
-// eye sees. What the cache takes for the mean is it, however joints lie.
+// From a distance a pattern fades to its mean, so walls keep their color and bounced light matches what the camera
+// sees. The cache's mean agrees, wherever the joints lie.
 TEST(Texture, PatternsKeepTheirMeanFromAfar) {
     const auto mean = [](const Material& m, float footprint_m) {
         double sum = 0;
@@ -653,7 +651,7 @@ TEST(Texture, PatternsKeepTheirMeanFromAfar) {
     }
 }
 
-// A room of one paint under one light, as automatic_look sees it.
+// A room with one albedo under one light, as automatic_look sees it.
 Look look_of_room(Vec3f paint, Vec3f light) {
     ImageColor seen(32, 16), albedo(32, 16);
     for (std::size_t i = 0; i < seen.size(); ++i) seen.pixels[i] = paint * light, albedo.pixels[i] = paint;
@@ -673,8 +671,7 @@ TEST(Film, TheLightIsBalancedNotThePaint) {
     const Vec3f gray{0.5f, 0.5f, 0.5f}, pink{0.75f, 0.35f, 0.45f}, lamp{1.f, 0.62f, 0.35f}, day{1, 1, 1},
         neon{1.f, 0.2f, 0.9f};
     const auto red_over_blue = [](Vec3f c) { return c.x / c.z; };
-    // Lamplight is balanced most of the way, never beyond white; a gray thing in a pink room stays gray; neon stays
-    // neon.
+    // Lamplight is balanced most of the way, never beyond white; gray in a pink room stays gray; neon stays neon.
     const Vec3f by_lamp = develop(look_of_room(gray, lamp), gray * lamp * 0.2f);
     EXPECT_LT(red_over_blue(by_lamp), 0.75f * red_over_blue(develop({}, gray * lamp * 0.2f)));
     EXPECT_GT(red_over_blue(by_lamp), 1.f);
@@ -696,8 +693,8 @@ TEST(Film, LampsKeepTheirHue) {
         << "what is no brighter than white is seen as it is";
 }
 
-// A garden in the sun does not look like dusk because the room before it is bright; a dim room sees it as before, and
-// so does one under a sky that asks for nothing.
+// A sunny garden must not look like dusk because the room is bright; a dim room shows it unchanged, and so does a sky
+// without that setting.
 TEST(Film, TheOutsideOfABrightRoomIsNoDusk) {
     const Vec3f gray{0.5f, 0.5f, 0.5f};
     Sky sky;
@@ -717,7 +714,7 @@ TEST(Film, TheOutsideOfABrightRoomIsNoDusk) {
     EXPECT_EQ(ground_in(1.5f).second, 1.f);
 }
 
-// However long a room of few lamps is exposed, night before its windows stays night; a well lit one sees it as it is.
+// However long a dim room is exposed, the night outside stays night; a well-lit room shows it unchanged.
 TEST(Film, TheNightOutsideADimRoomIsNoDay) {
     const Vec3f gray{0.5f, 0.5f, 0.5f};
     Sky sky;
@@ -734,8 +731,8 @@ TEST(Film, TheNightOutsideADimRoomIsNoDay) {
     for (const float light : {0.003f, 0.01f, 0.05f, 0.3f}) EXPECT_LT(horizon_in(light), 0.3f) << light;
 }
 
-// The sun may outshine a dim room a hundredfold: its patches stay brighter than anything the room lights, and keep what
-// lies in them.
+// The sun may outshine a dim room a hundredfold: its patches stay brighter than anything lit by the room, and keep
+// their textures.
 TEST(Film, SunPatchesStaySunAndKeepTheirColors) {
     const Vec3f gray{0.5f, 0.5f, 0.5f}, navy{0.03f, 0.05f, 0.14f}, concrete{0.32f, 0.32f, 0.33f},
         white{0.8f, 0.8f, 0.8f};

@@ -12,7 +12,7 @@ namespace {
 
 struct Picture {
     ImageRgb8 color;
-    ImageMask weight;  // empty: all count
+    ImageMask weight;  // empty: all pixels count
 };
 
 void combine(ImageMask& weight, const ImageMask& other) {
@@ -21,7 +21,7 @@ void combine(ImageMask& weight, const ImageMask& other) {
         weight.pixels[i] = static_cast<std::uint8_t>(weight.pixels[i] * other.pixels[i] / 255);
 }
 
-// A mask of another size is read at the nearest pixel.
+// Resizes a mask with nearest neighbours.
 ImageMask resized(const ImageMask& mask, int width, int height) {
     ImageMask out(width, height);
     for (int y = 0; y < height; ++y)
@@ -32,7 +32,7 @@ ImageMask resized(const ImageMask& mask, int width, int height) {
     return out;
 }
 
-// As wide for its height as `of` is: a pixel of rounding on either side, and a little.
+// Whether the aspect ratio matches that of `of`, within a pixel of rounding on each side plus a small tolerance.
 bool has_shape(PictureSize found, PictureSize of) {
     const double shape = static_cast<double>(found.width) / found.height,
                  expected = static_cast<double>(of.width) / of.height;
@@ -60,7 +60,7 @@ Picture load(const Photo& photo, const PhotosParams& params) {
     return picture;
 }
 
-// Bilinear, in the picture's own (sRGB) values, as splats are trained in them.
+// Bilinear, in sRGB-encoded values, as splats are trained.
 Vec3f sample(const ImageRgb8& image, Vec2d at) {
     const double px = std::clamp(at.x - 0.5, 0.0, image.width - 1.0),
                  py = std::clamp(at.y - 0.5, 0.0, image.height - 1.0);
@@ -71,7 +71,7 @@ Vec3f sample(const ImageRgb8& image, Vec2d at) {
     return lerp(lerp(value(x, y), value(x1, y), u), lerp(value(x, y1), value(x1, y1), u), v);
 }
 
-// The picture through the ideal camera; samples lie no farther apart than the source's pixels.
+// Undistorts the picture to the ideal camera; samples are no farther apart than the source's pixels.
 void straighten(const Picture& source, const Lens& lens, View& view) {
     const Pinhole& camera = view.camera;
     const double reach = lens.reach();
@@ -106,7 +106,7 @@ void straighten(const Picture& source, const Lens& lens, View& view) {
     if (!all_count) view.weight = std::move(weight);
 }
 
-// Smaller: the mean of as many samples as there are pixels in one of the new ones.
+// Downsampled: averages as many samples as the new pixel covers source pixels.
 Picture shrunk(const Picture& source, int width, int height) {
     const double step_x = static_cast<double>(source.color.width) / width,
                  step_y = static_cast<double>(source.color.height) / height;
@@ -133,8 +133,8 @@ Picture shrunk(const Picture& source, int width, int height) {
     return out;
 }
 
-// The trainer draws spheres as they are. A degree has fewer pixels on a sphere than on other pictures of the same
-// width.
+// Equirectangular pictures are trained on as they are. They have fewer pixels per degree than other pictures of the
+// same width.
 constexpr int kSphereWider = 2;
 
 View whole_sphere(Picture picture, const Photo& photo, const Rigid& world_from_camera, const PhotosParams& params) {
@@ -156,11 +156,11 @@ PictureSize size_of_view(const Photo& photo, PictureSize stored, const PhotosPar
     const bool sphere = photo.lens.kind == LensKind::equirectangular;
     const double most = sphere ? static_cast<double>(kSphereWider * params.max_size) / stored.width
                                : static_cast<double>(params.max_size) / std::max(stored.width, stored.height);
-    // Smaller copies on disk count towards the downscale that was asked for.
+    // If the capture provides downsampled copies, they count towards the requested reduction.
     const double wanted = std::min(
         {most, static_cast<double>(photo.lens.width) / params.downscale / stored.width, 1.0});
     if (wanted >= 1) return stored;
-    // Spheres have an even width: columns on both sides of the middle.
+    // Equirectangular pictures have an even width, symmetric about their center.
     const int width = sphere ? std::max(2, static_cast<int>(std::lround(stored.width * wanted / 2)) * 2)
                              : std::max(1, static_cast<int>(std::lround(stored.width * wanted)));
     return {width, std::max(1, static_cast<int>(std::lround(stored.height * wanted)))};

@@ -1,4 +1,4 @@
-// One photograph as a view. Private to views/.
+// A photograph as a training view. Private to views/.
 #pragma once
 
 #include "fastscene/scene/capture.h"
@@ -7,12 +7,12 @@
 
 namespace fastscene {
 
-// Loads the picture and its mask; a lens other than a pinhole is straightened to one of the same focal length, pixels
-// that it did not see weigh 0; a sphere stays one. world_from_camera is already the trainer's. Throws Error naming the
-// file: not readable, or of another shape than its camera.
+// Loads the picture and its mask. Lenses other than a pinhole are undistorted to one of the same focal length, and
+// pixels that they did not see get weight 0; equirectangular pictures stay so. world_from_camera is in the trainer's
+// world. Throws Error naming the file if it is unreadable or has another aspect ratio than its camera.
 View view_of_photo(const Photo& photo, const Rigid& world_from_camera, const PhotosParams& params);
 
-// How large the view of a picture of this size becomes.
+// Size of the view for a picture of this size.
 struct PictureSize {
     int width, height;
 };

@@ -32,8 +32,8 @@ Vec3d median_place(const std::vector<Photo>& photos) {
     return out;
 }
 
-// Half of what is seen lies nearer than this to the middle of the cameras; medians, so that single cameras and points
-// far off do not matter. Without points the cameras' own spread must do.
+// Scene radius: the median distance of the visible points from the center of the cameras, robust against outliers.
+// Without points, the spread of the cameras.
 double radius_of(const Capture& capture, Vec3d middle) {
     std::vector<double> distances;
     for (const CapturePoint& p : capture.points)
@@ -43,7 +43,7 @@ double radius_of(const Capture& capture, Vec3d middle) {
     return 1.5 * median(std::move(distances));
 }
 
-// The trainer's first steps and its grid are made for rooms in metres.
+// The trainer's initial steps and its grid are tuned for rooms in metres.
 constexpr double kRoom_m = 3, kSmallest_m = 0.8, kLargest_m = 12, kFarOff_m = 100;
 
 Similarity world_from_capture(const Capture& capture) {
@@ -79,7 +79,7 @@ std::vector<const Photo*> present_photos(const Capture& capture, const Run& run)
     return present;
 }
 
-// What a splat may start from: nearer than this many times the place's radius.
+// Points farther than this many scene radii are not used.
 constexpr float kFarthest = 300 * static_cast<float>(kRoom_m);
 
 std::vector<SurfacePoint> sized_points(const Capture& capture, const Similarity& world, const Run& run) {
@@ -94,14 +94,14 @@ std::vector<SurfacePoint> sized_points(const Capture& capture, const Similarity&
     if (const std::size_t dropped = capture.points.size() - out.size())
         run.note(fmt::format("{} points lie too far off to be used", dropped));
     const std::vector<float> sizes = spacings(places);
-    // A point alone in the distance must not become a fog over everything.
+    // An isolated distant point must not become a fog over everything.
     const float typical = sizes.empty() ? 0 : static_cast<float>(median({sizes.begin(), sizes.end()}));
     for (std::size_t i = 0; i < out.size(); ++i)
         out[i].radius_m = std::clamp(sizes[i], std::max(0.05f * typical, 1e-4f), std::max(20 * typical, 1e-3f));
     return out;
 }
 
-// In front of random cameras, evenly in the logarithm of the distance, in the color seen there.
+// Random points in front of random cameras, log-uniform in distance, with the color seen there.
 std::vector<SurfacePoint> made_up_points(const ViewSet& set, int count, double distance_m, const Run& run) {
     std::vector<SurfacePoint> out;
     Random random(run.seed, "views/random-points");
@@ -122,7 +122,7 @@ std::vector<SurfacePoint> made_up_points(const ViewSet& set, int count, double d
     return out;
 }
 
-// Where the capture has none: from what its views agree on, else by lot.
+// For captures without points: from plane sweeping, or else random.
 void make_up_points(const Capture& capture, const PhotosParams& params, PhotoViews& views, const Run& run) {
     const std::string why = capture.missing_points.empty()
                                 ? "has no points to start from"
@@ -130,7 +130,7 @@ void make_up_points(const Capture& capture, const PhotosParams& params, PhotoVie
     const double spread = radius_of({capture.source, capture.photos, {}, {}, {}}, median_place(capture.photos)) *
                           views.world_from_capture.scale;
     if (const auto reach = static_cast<float>(spread); reach > 0) {
-        // Cameras that look inward stand around what they see, those in a room a step from each other.
+        // Cameras that look inward surround their subject; cameras in a room are a step apart.
         views.set.points = swept_points(views.set, params.random_points, 0.3f * reach, 60 * reach, run);
     }
     if (views.set.points.empty()) {
@@ -140,7 +140,7 @@ void make_up_points(const Capture& capture, const PhotosParams& params, PhotoVie
     }
     run.warn(
         fmt::format("{}: {}; {} are used on which its pictures agree", capture.source, why, views.set.points.size()));
-    // Only now it is known how large the place is that the cameras see.
+    // The size of the scene is known only now.
     std::vector<double> distances;
     for (const SurfacePoint& p : views.set.points) distances.push_back(static_cast<double>(length(p.position_m)));
     const double radius = median(std::move(distances));
@@ -154,8 +154,8 @@ void make_up_points(const Capture& capture, const PhotosParams& params, PhotoVie
         p.position_m = p.position_m * static_cast<float>(factor), p.radius_m *= static_cast<float>(factor);
 }
 
-// `why`: of each view what was wrong with its picture, or nothing. A few damaged ones are left out; most of them wrong
-// is a mistake that the result would hide.
+// `why`: what is wrong with each view's picture, or empty. A few damaged pictures are dropped; if most are damaged, it
+// is an error, as the result would hide the mistake.
 void leave_out_unusable(const Capture& capture, const std::vector<std::string>& why, std::vector<View>& views,
                         const Run& run) {
     constexpr std::size_t kNamed = 10;
@@ -193,7 +193,8 @@ void check_something_counts(const Capture& capture, const PhotosParams& params, 
 }  // namespace
 
 PhotosMemory memory_of_photos(const Capture& capture, const PhotosParams& params, bool from_headers) {
-    constexpr std::int64_t kColor = 3, kReading = 8;  // bytes a pixel; a decoder has its own rows beside the picture
+    // bytes per pixel; a decoder needs additional rows besides the picture
+    constexpr std::int64_t kColor = 3, kReading = 8;
     PhotosMemory out;
     std::int64_t largest = 0, count = 0;
     for (const Photo& photo : capture.photos) {
@@ -204,7 +205,7 @@ PhotosMemory memory_of_photos(const Capture& capture, const PhotosParams& params
                 const PictureInfo info = picture_info(photo.file);
                 stored = {info.width, info.height};
             } catch (const Error&) {
-                continue;  // left out
+                continue;  // dropped
             }
         }
         const auto [width, height] = size_of_view(photo, stored, params);

@@ -1,5 +1,5 @@
-// Photos: captures (photographs with cameras, scene/capture.h) become views that a trainer can use: pictures loaded,
-// made smaller, lenses straightened, masks turned into weights; points with sizes, or made up where there are none.
+// Photos: turns captures (photographs with cameras, scene/capture.h) into training views: pictures are loaded,
+// downsampled and undistorted, masks become weights, and points get a size, or are generated if there are none.
 #pragma once
 
 #include <cstdint>
@@ -14,11 +14,11 @@
 namespace fastscene {
 
 struct PhotosParams {
-    int max_size = 1600;  // the longer side of a picture
+    int max_size = 1600;  // of a picture's longer side
     int downscale = 1;
-    std::string alpha = "black";  // what transparent pixels mean
+    std::string alpha = "black";  // how to interpret transparent pixels
     bool invert_masks = false;
-    int random_points = 50000;  // where the capture has none
+    int random_points = 50000;  // if the capture has none
 };
 template <class V>
 void visit_fields(PhotosParams& p, V&& v) {
@@ -32,24 +32,23 @@ void visit_fields(PhotosParams& p, V&& v) {
       "Starting points where the capture has none: on what its pictures agree, else by lot.");
 }
 
-// A capture in the trainer's units: world_from_capture makes the seen place a few metres large around the origin, so
-// that neither the units of a reconstruction nor single cameras far off matter. It turns nothing.
+// A capture in the trainer's units: world_from_capture scales and centers the scene to a few metres around the origin,
+// independent of the reconstruction's units and of distant outlier cameras. It does not rotate.
 struct PhotoViews {
     ViewSet set;
     Similarity world_from_capture;
-    Vec3f up;  // world, unit: the mean of the cameras' up, for showing the scene upright
+    Vec3f up;  // world, unit: the mean up direction of the cameras, for upright display
 };
 
-// Photos whose file is missing, damaged or of another shape than its camera are left out, and it is said; Error when
-// none are left, or when more than half of those that are there cannot be used.
+// Photos that are missing, damaged or of another aspect ratio than their camera are dropped with a warning; throws
+// Error if none are left or more than half of the existing ones are unusable.
 PhotoViews views_of_capture(const Capture& capture, const PhotosParams& params, const Run& run);
 
-// What they will take, in bytes. `views`: as long as they are used; `reading`: besides, until all are there.
+// Estimated memory in bytes. `views`: while they are in use; `reading`: additionally, while loading.
 struct PhotosMemory {
     std::int64_t views = 0, reading = 0;
 };
-// From the sizes of the cameras alone, or from those of the pictures, which may be smaller copies: each file's header
-// is then read.
+// Based on the cameras' sizes, or on those in the picture files' headers, if the files may be downsampled copies.
 PhotosMemory memory_of_photos(const Capture& capture, const PhotosParams& params, bool from_headers);
 
 }  // namespace fastscene

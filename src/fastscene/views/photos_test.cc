@@ -1,4 +1,4 @@
-// Captures on disk become views: a textured wall seen through every kind of lens must be the same wall.
+// Captures on disk become views: a textured wall must look the same through every lens model.
 #include "fastscene/views/photos.h"
 
 #include <gtest/gtest.h>
@@ -38,8 +38,8 @@ Rgb8 color_of(Vec3d d) {
     return {wave(3 * d.x + 1), wave(4 * d.y + d.z), wave(2 * d.z - 3 * d.x)};
 }
 
-// What a lens sees of it, pixel by pixel: the direction is found by inverting the lens with Newton's steps, independent
-// of the code under test.
+// Simulates a lens pixel by pixel; directions are found by inverting it with Newton's method, independently of the
+// tested code.
 ImageRgb8 photograph(const Lens& lens) {
     ImageRgb8 out(lens.width, lens.height);
     const double reach = lens.reach();
@@ -93,7 +93,7 @@ void write_colmap(const fs::path& dir, const Model& model, int width, int height
     save_png(dir / "images/sub/a b.png", picture);
 }
 
-// Largest mean difference of a color, over the pixels that count.
+// Maximum, over the channels, of the mean difference over the weighted pixels.
 double difference_to_truth(const View& view) {
     double sum = 0, count = 0;
     for (int y = 0; y < view.camera.height; ++y)
@@ -127,7 +127,7 @@ TEST(Photos, EveryLensIsStraightened) {
     }
 }
 
-// Where the ray (0.3, -0.2, 1) lands, from COLMAP's formulas worked out apart from this program.
+// Projection of the ray (0.3, -0.2, 1), computed from COLMAP's formulas independently of this program.
 TEST(Photos, LensesAreColmaps) {
     const std::map<std::string, Vec2d> expected{{"OPENCV", {72.102512, 19.0683043}},
                                                 {"FOV", {72.348280688, 19.564910536}},
@@ -195,7 +195,7 @@ TEST(Photos, DamagedPicturesAreLeftOutAndNamed) {
     Capture capture = capture_of(dir, 5);
     const std::string whole = read_file(dir / "p0.png");
     write_file(dir / "p1.png", whole.substr(0, whole.size() / 2));
-    save_png(dir / "p3.png", ImageRgb8(32, 16));  // of another shape than its camera
+    save_png(dir / "p3.png", ImageRgb8(32, 16));  // aspect ratio differs from its camera's
     Warnings warnings;
     fastscene::Run run;
     run.events = &warnings;
@@ -215,15 +215,15 @@ TEST(Photos, DamagedPicturesAreLeftOutAndNamed) {
         EXPECT_NE(std::string(e.what()).find("3 of 5"), std::string::npos) << e.what();
         EXPECT_NE(std::string(e.what()).find("p4.png"), std::string::npos) << e.what();
     }
-    capture.photos[0].mask = dir / "p4.png";  // a damaged mask is the picture's trouble
+    capture.photos[0].mask = dir / "p4.png";  // a damaged mask makes its picture unusable
     capture.photos.resize(3);
     EXPECT_THROW(views_of_capture(capture, {}, run), Error);
     capture.photos.push_back(capture.photos[2]);
     EXPECT_EQ(views_of_capture(capture, {}, run).set.views.size(), 2u);
 }
 
-// A mask may be smaller than its picture, not of another shape: stretched it would hide the wrong places. Where only
-// some have one, it is said.
+// A mask may be smaller than its picture but must have the same aspect ratio; stretched, it would hide the wrong
+// places. If only some pictures have masks, that is reported.
 TEST(Photos, MasksHaveTheShapeOfTheirPictures) {
     const fs::path dir = scratch("mask_shape");
     Capture capture = capture_of(dir, 5);
@@ -261,7 +261,7 @@ TEST(Photos, MemoryIsKnownBeforeTheyAreRead) {
     EXPECT_EQ(memory_of_photos(capture, {}, false).views, 3 * 16 * 16 * 3);
     capture.photos[1].mask = dir / "m.png";
     EXPECT_EQ(memory_of_photos(capture, {}, false).views, 16 * 16 * (3 + 4 + 3));
-    for (Photo& photo : capture.photos) photo.lens = photo.lens.resized(4000, 4000);  // the pictures are small copies
+    for (Photo& photo : capture.photos) photo.lens = photo.lens.resized(4000, 4000);  // pictures are downsampled copies
     EXPECT_EQ(memory_of_photos(capture, {}, true).views, 16 * 16 * (3 + 4 + 3));
     PhotosParams params;
     params.max_size = 1000;
@@ -277,7 +277,7 @@ TEST(Photos, ColmapPosesAreWorldToCamera) {
     const fs::path dir = scratch("pose");
     write_colmap(dir, kModels[1], 96, 72, ImageRgb8(96, 72));
     const Rigidd pose = load_colmap_capture(dir, {}).photos[0].world_from_camera;
-    // A quarter turn about y: camera x is world -z; t = (1, 2, 3) is where the world's origin lies for the camera.
+    // A quarter turn about y: camera x is world -z; t = (1, 2, 3) is the world's origin in camera coordinates.
     const Vec3d back = inverse(pose) * Vec3d{0, 0, 0};
     EXPECT_NEAR(back.x, 1, 1e-6);
     EXPECT_NEAR(back.z, 3, 1e-6);
@@ -379,11 +379,11 @@ TEST(Photos, NerfstudioCamerasLookAlongMinusZ) {
     EXPECT_NEAR(length(pose.rotation * Vec3d{0, 0, 1} - Vec3d{0, 0, -1}), 0, 1e-9);  // forward
     EXPECT_NEAR(length(pose.rotation * Vec3d{0, 1, 0} - Vec3d{0, -1, 0}), 0, 1e-9);  // down
     EXPECT_NEAR(length(pose.translation - Vec3d{5, 6, 7}), 0, 1e-9);
-    // Its up is +y: the viewer must know.
+    // Its up direction is +y, which the viewer must know.
     EXPECT_GT(views_of_capture(capture, {}, fastscene::Run{}).up.y, 0.99f);
 }
 
-// The trainer knows spheres: they come to it whole, with their masks, and smaller where asked.
+// The trainer supports equirectangular pictures: they stay whole, with their masks, and are downsampled on request.
 TEST(Photos, SpheresStayWhole) {
     const fs::path dir = scratch("sphere");
     ImageRgb8 sphere(128, 64);
@@ -407,7 +407,7 @@ TEST(Photos, SpheresStayWhole) {
     EXPECT_EQ(whole.weight.pixels, mask.pixels);
     EXPECT_EQ(whole.camera.width, 128);
     PhotosParams params;
-    params.max_size = 32;  // a sphere may be twice as wide
+    params.max_size = 32;  // equirectangular pictures may be twice as wide
     const PhotoViews smaller = views_of_capture(load_nerfstudio_capture(dir, {}), params, fastscene::Run{});
     const View& small = smaller.set.views.at(0);
     ASSERT_EQ(small.color.width, 64);
@@ -419,7 +419,7 @@ TEST(Photos, SpheresStayWhole) {
         }
     EXPECT_EQ(small.weight.at(5, 31), 0);
     EXPECT_EQ(small.weight.at(5, 30), 255);
-    // Made up starting points take the color of where they are seen.
+    // Generated points take the color that the views show there.
     for (const SurfacePoint& p : smaller.set.points) {
         const Vec3f d = inverse(small.world_from_camera) * p.position_m;
         EXPECT_NEAR(p.color.g, color_of({d.x, d.y, d.z}).g, 30);
@@ -507,7 +507,7 @@ TEST(Photos, NerfstudioKnowsColmapsRadialLenses) {
 
 constexpr const char* kSomewhere = R"("transform_matrix": [[1,0,0,5],[0,1,0,6],[0,0,1,7],[0,0,0,1]])";
 
-// Rigs of several cameras number their pictures alike, each in a folder of its own.
+// Rigs of several cameras use the same file names, one folder per camera.
 TEST(Photos, PicturesOfARigAreFoundByTheirFolders) {
     const fs::path dir = scratch("rig");
     std::string frames;
@@ -531,9 +531,9 @@ TEST(Photos, PicturesOfARigAreFoundByTheirFolders) {
     EXPECT_EQ(files({{}, {}, 2}), (std::vector<fs::path>{smaller / "cam0/1.png", smaller / "cam1/1.png"}));
     for (const Photo& photo : load_nerfstudio_capture(dir, {}).photos)
         EXPECT_EQ(photo.mask, dir / "masks" / fs::path(photo.name).lexically_relative("images"));
-    // A flat folder of one picture: it is not both cameras'.
+    // A flat folder with one picture: ambiguous between both cameras.
     EXPECT_THROW(files({images / "cam0", {}, 1}), Error);
-    // A place that neither camera has a picture of is no picture of both.
+    // If neither camera has a picture at a position, it is skipped.
     fs::remove(images / "cam0/1.png"), fs::remove(images / "cam1/1.png");
     EXPECT_NO_THROW(files({images, {}, 1}));
 }
@@ -553,14 +553,14 @@ TEST(Photos, InstantNgpsWordsForLenses) {
     EXPECT_EQ(lens(R"("latlong": true)").kind, LensKind::equirectangular);
     EXPECT_NEAR(lens(R"("x_fov": 90, "y_fov": 53.13010235)").fx, 20, 1e-9);
     EXPECT_NEAR(lens(R"("x_fov": 90, "y_fov": 53.13010235)").fy, 20, 1e-7);
-    // What would be drawn wrong is refused: a fourth coefficient of a lens that has three, lenses without a name here.
+    // Unsupported camera models are refused: a fourth coefficient for a model with three, unknown model names.
     for (const char* odd :
          {R"("fl_x": 20, "k4": 0.01)", R"("fl_x": 20, "ftheta_p0": 1)", R"("fl_x": 20, "orthographic": true)",
           R"("fl_x": 20, "camera_model": 3)", R"("fl_x": 20, "camera_model": "FISHEYE624")"})
         EXPECT_THROW(lens(odd), Error) << odd;
 }
 
-// NeRF's synthetic sets say no size; one picture that is gone or damaged must not cost the others.
+// NeRF's synthetic sets do not record picture sizes; a missing or damaged picture must not invalidate the others.
 TEST(Photos, SizesOfMissingPicturesAreThoseOfTheOthers) {
     const fs::path dir = scratch("sizeless");
     std::string frames;

@@ -13,26 +13,26 @@
 namespace fastscene {
 namespace {
 
-// Where points of the sky stand, at least. It has no parallax, and splats have: at 30 m a step of half a metre moved
-// them by five pixels of 2048, and what the viewpoints saw through a window was averaged to a blur. Viewers clip at a
-// thousand metres.
+// Minimum distance of sky points. The sky has no parallax, but splats have: at 30 m a step of half a metre moved them
+// by five pixels of 2048, and averaging the viewpoints blurred the view through a window. Viewers clip at a thousand
+// metres.
 constexpr float kSky_m = 400.f;
-constexpr float kFlattest = 0.15f;  // least cosine: grazing pixels must not eat all points
-constexpr float kMostArea = 4.f;    // of a pixel, in medians: nor far ones
+constexpr float kFlattest = 0.15f;  // minimum cosine: limits the weight of grazing pixels
+constexpr float kMostArea = 4.f;    // maximum pixel area in medians: limits the weight of distant pixels
 
 struct Surface {
     Vec3f point, normal;
 };
 
-// In the panorama's frame. Nothing stands behind the sky, which is as far from the world's origin wherever the panorama
-// was taken: it shows no parallax. A painted range between a wall's and the sky's may be of kilometres.
+// In the panorama's frame. Nothing is behind the sky, which has the same distance from the world's origin in every
+// panorama, so it shows no parallax. An inpainted range between a wall's and the sky's may be kilometres.
 Vec3f point_at(const Panorama& panorama, float sky_m, int x, int y) {
     const float range = panorama.range.at(x, y);
     const Vec3f direction = direction_of_pixel(x, y, panorama.size());
     return range < sky_m ? direction * range : direction * sky_m + inverse(panorama.world_from_pano) * Vec3f{};
 }
 
-// Differences to the neighbours on the same surface; a pixel alone looks at the viewpoint.
+// From differences to neighbours on the same surface; an isolated pixel faces the viewpoint.
 Surface surface_at(const Panorama& panorama, const ImageMask& cuts, float sky_m, int x, int y) {
     const int w = cuts.width, h = cuts.height, left = wrap_column(x - 1, w), right = wrap_column(x + 1, w);
     const Vec3f p = point_at(panorama, sky_m, x, y);
@@ -53,23 +53,24 @@ float gradient_at(const ImageColor& color, int x, int y) {
     return std::fabs(value(x + 1, y) - value(x - 1, y)) + std::fabs(value(x, y + 1) - value(x, y - 1));
 }
 
-// The pixels that may give points, with their shares.
+// Pixels that may become points, with their weights.
 struct Candidate {
     std::uint32_t panorama, pixel;
     float angle, area, edge;  // steradians; square metres; edge strength times solid angle
-    bool outside;             // no range: where it stands is ours, and so is its area
-    float hidden = 0;  // > 0: a surface's pixel, but the point is of the outside behind it; how dense such points lie
+    bool outside;             // no range: distance and area are assumed
+    // > 0: a surface pixel, but the point belongs to the outside behind it; the density of such points
+    float hidden = 0;
 };
 
-// Panoramas that somebody took or traced; the others are walked, and repeat what these have seen.
+// Given panoramas (photographed or rendered); walked ones mostly repeat what these show.
 bool is_given(const Panorama& panorama) {
     return panorama.known.empty() || std::all_of(panorama.known.pixels.begin(), panorama.known.pixels.end(),
                                                  [](Known k) { return k == Known::original; });
 }
 
-// Behind all that was taken or traced, and so far that steps between panoramas hardly turn it.
+// Behind all surfaces, and so far that steps between panoramas hardly change its direction.
 float sky_distance(const std::vector<Panorama>& panoramas) {
-    constexpr float kBeyond = 1.5f, kMost_m = 900.f;  // viewers clip at 1000 m, and there is a backdrop behind
+    constexpr float kBeyond = 1.5f, kMost_m = 900.f;  // viewers clip at 1000 m, and the backdrop is behind it
     constexpr float kSteps = 250.f;
     float far = 0, step = 0;
     for (std::size_t i = 0; i < panoramas.size(); ++i) {
@@ -81,8 +82,8 @@ float sky_distance(const std::vector<Panorama>& panoramas) {
     return std::clamp(std::max(kBeyond * far, kSteps * step), kSky_m, kMost_m);
 }
 
-// Which of several given panoramas a bit of surface takes its points from: the one that sees it finest. So each bit
-// gives points once, and in the best colors there are.
+// Decides which of several panoramas contributes the points of a surface: the one with the finest resolution there. So
+// each surface is sampled once, in its best colors.
 class Owners {
   public:
     Owners(const std::vector<Panorama>& panoramas, float sky_m) : sky_m_(sky_m) {
@@ -91,14 +92,14 @@ class Owners {
                 given_.push_back({&panoramas[i], inverse(panoramas[i].world_from_pano), i});
     }
     std::size_t count() const { return given_.size(); }
-    // Every so many rows and columns give a candidate: panoramas that overlap have pixels to spare.
+    // Candidates come from every n-th row and column, as overlapping panoramas have more pixels than needed.
     int stride() const {
         constexpr double kCandidates = 4e6;
         double pixels = 0;
         for (const Given& g : given_) pixels += static_cast<double>(g.panorama->range.size());
         return std::max(1, static_cast<int>(std::sqrt(pixels / kCandidates)));
     }
-    // Of a surface seen by panorama `index`; its frame.
+    // For a surface seen by panorama `index`, in its frame.
     bool owns(std::uint32_t index, const Panorama& panorama, const Surface& surface, bool outside) const {
         if (given_.size() < 2) return true;
         const Vec3f point = panorama.world_from_pano * surface.point,
@@ -127,7 +128,8 @@ class Owners {
         return std::max(0.f, -dot(normal, point)) / (far2 * std::sqrt(far2));
     }
     bool sees(const Panorama& panorama, Vec3f there, bool outside) const {
-        constexpr float kSame = 0.02f, kSame_m = 0.01f;  // what a slanted surface changes within a pixel
+        // tolerance for the depth range of a slanted surface within a pixel
+        constexpr float kSame = 0.02f, kSame_m = 0.01f;
         const Vec2f at = pixel_of_direction(there, panorama.size());
         const float range = panorama.range.at(wrap_column(static_cast<int>(at.x), panorama.color.width),
                                               std::min(static_cast<int>(at.y), panorama.color.height - 1));
@@ -140,7 +142,7 @@ class Owners {
     std::vector<Given> given_;
 };
 
-// Whether the outside is known where this pixel looks. It is not where a mirror shows it.
+// Whether the outside is known in the pixel's direction; not if it is seen in a mirror.
 bool sees(const Outside& outside, const Panorama& panorama, int x, int y) {
     const ImageMask& seen = outside.seen;
     const int w = panorama.color.width, h = panorama.color.height;  // both are in panorama 0's orientation
@@ -154,7 +156,7 @@ void collect(const std::vector<Panorama>& panoramas, std::uint32_t index, const 
     const EquirectSize size = panorama.size();
     const ImageMask cuts = range_edges(panorama.range);
     const int stride = given ? owners.stride() : 1;
-    // Only one panorama gives points to a bit of the outside, so there each of its pixels counts.
+    // The outside is contributed by a single panorama, so all its pixels count.
     const auto on_grid = [stride](int i) { return i % stride == stride / 2; };
     std::vector<std::vector<Candidate>> rows(static_cast<std::size_t>(size.height));
     parallel_for(static_cast<std::int64_t>(rows.size()), 8, [&](std::int64_t begin, std::int64_t end) {
@@ -167,7 +169,8 @@ void collect(const std::vector<Panorama>& panoramas, std::uint32_t index, const 
                                     static_cast<float>(outside ? 1 : stride * stride);
                 const Known known = panorama.known.empty() ? Known::original : panorama.known.at(x, y);
                 if (given ? known != Known::original : known != Known::invented && known != Known::looked) continue;
-                if (given && cuts.at(x, y) & kFarSide) continue;  // two surfaces in one color; what was painted has one
+                // mixed colors of two surfaces; inpainted pixels have only one
+                if (given && cuts.at(x, y) & kFarSide) continue;
                 const Surface s = surface_at(panorama, cuts, sky_m, x, y);
                 if (given && !owners.owns(index, panorama, s, outside)) continue;
                 const float distance = length(s.point),
@@ -181,8 +184,8 @@ void collect(const std::vector<Panorama>& panoramas, std::uint32_t index, const 
     for (const auto& row : rows) out.insert(out.end(), row.begin(), row.end());
 }
 
-// Radians from each pixel to the nearest nonzero one, along steps to the eight neighbours (at most a twelfth too long);
-// columns close at the seam.
+// Angular distance in radians from each pixel to the nearest nonzero one, by 8-connected steps (too long by at most a
+// twelfth); columns wrap.
 ImageF angle_to(const ImageMask& mask) {
     const int w = mask.width, h = mask.height;
     ImageF out(w, h, std::numeric_limits<float>::infinity());
@@ -192,7 +195,7 @@ ImageF angle_to(const ImageMask& mask) {
     const auto across = [&](int y) {
         return 2 * kPi / static_cast<float>(w) * std::sin(down * (static_cast<float>(y) + 0.5f));
     };
-    // A row takes after the one before it, then from left to right and back, twice around.
+    // A row is updated from the one before, then from left to right and back, twice around.
     const auto pass = [&](int y, int before) {
         const float side = across(y), slant = std::hypot(side, down);
         for (int x = 0; x < w && before >= 0 && before < h; ++x)
@@ -210,12 +213,11 @@ ImageF angle_to(const ImageMask& mask) {
     return out;
 }
 
-// The outside goes on behind frames and walls, where a step aside may show it though none of the viewpoints sees it:
-// behind panorama 0's surfaces beside it, as far as such a step moves them.
+// The outside continues behind frames and walls, where a step sideways may reveal it although no viewpoint sees it:
+// behind the neighbouring surfaces of panorama 0, as far as such a step shifts them.
 void collect_hidden(const Panorama& panorama, std::vector<Candidate>& out) {
     constexpr float kStep_m = 1.f;
-    constexpr float kBeside = 3.f * kPi /
-                              180.f;  // so near to what was seen as dense as anything hidden; farther, the thinner
+    constexpr float kBeside = 3.f * kPi / 180.f;  // full density up to this distance from seen outside; then decreasing
     const EquirectSize size = panorama.size();
     ImageMask outside(size.width, size.height);
     for (std::size_t i = 0; i < outside.size(); ++i) outside.pixels[i] = !std::isfinite(panorama.range.pixels[i]);
@@ -230,24 +232,24 @@ void collect_hidden(const Panorama& panorama, std::vector<Candidate>& out) {
         }
 }
 
-constexpr std::uint32_t kOutside = 0xffffffff;  // in place of a panorama's index: the point is of Outside
+constexpr std::uint32_t kOutside = 0xffffffff;  // marks points of Outside, in place of a panorama's index
 
-// A little farther than anybody looks: at the rim of what was seen, discs overlap on one side only.
+// Includes a margin: at the border of the visible directions, discs overlap on one side only.
 void collect_outside(const Outside& outside, std::vector<Candidate>& out) {
-    constexpr float kRim = 3.f * kPi / 180.f;
+    constexpr float kMargin = 3.f * kPi / 180.f;
     const EquirectSize size{outside.color.width, outside.color.height};
     const ImageF away = angle_to(outside.seen);
     for (int y = 0; y < size.height; ++y)
         for (int x = 0; x < size.width; ++x) {
-            if (away.at(x, y) > kRim) continue;
+            if (away.at(x, y) > kMargin) continue;
             const float angle = static_cast<float>(pixel_solid_angle(y, size));
             out.push_back({kOutside, static_cast<std::uint32_t>(y * size.width + x), angle, angle,
                            angle * (0.01f + gradient_at(outside.color, x, y)), true});
         }
 }
 
-// What area a pixel counts with: the outside like surfaces a few times as far as the room's, as people look out from
-// across the room; by its true area a window would take nearly all points.
+// The area that a pixel counts with: for the outside that of surfaces a few times as far away as the room's, since
+// people look out from across the room; by its true area a window would take nearly all points.
 std::vector<float> counted_areas(const std::vector<Candidate>& candidates) {
     std::vector<float> per_angle;
     for (const Candidate& c : candidates)
@@ -257,8 +259,8 @@ std::vector<float> counted_areas(const std::vector<Candidate>& candidates) {
     const float usual = per_angle.empty() ? 1.f : *middle;
     std::vector<float> areas;
     areas.reserve(candidates.size());
-    constexpr float kHidden = 0.25f;  // hardly ever seen, and without detail
-    constexpr float kFarther = 6.f;   // areas grow with the square of the distance: 2.5 times as far
+    constexpr float kHidden = 0.25f;  // rarely seen, and without detail
+    constexpr float kFarther = 6.f;   // area grows with the square of the distance: 2.5 times as far
     for (const Candidate& c : candidates)
         areas.push_back(c.outside ? c.angle * usual *
                                         (c.panorama == kOutside ? kFarther
@@ -268,8 +270,8 @@ std::vector<float> counted_areas(const std::vector<Candidate>& candidates) {
     return areas;
 }
 
-// How many points each pixel gives in the mean: half of them by area, half by edges. More than one would stand where
-// the first does.
+// Expected number of points per pixel: half by area, half by edges; at most one, since a second would be at the same
+// position.
 std::vector<double> shares_of(const std::vector<Candidate>& candidates, int count) {
     const std::vector<float> areas = counted_areas(candidates);
     double area = 0, edge = 0;
@@ -280,7 +282,7 @@ std::vector<double> shares_of(const std::vector<Candidate>& candidates, int coun
     std::vector<double> shares(candidates.size());
     for (std::size_t i = 0; i < candidates.size(); ++i)
         shares[i] = 0.5 * static_cast<double>(areas[i]) / area + 0.5 * static_cast<double>(candidates[i].edge) / edge;
-    // What pixels cannot take goes to the others.
+    // What saturated pixels cannot take is redistributed.
     double scale = count;
     constexpr int kRounds = 12;
     for (int round = 0; round < kRounds; ++round) {
@@ -308,7 +310,7 @@ std::vector<SurfacePoint> sample_points(const std::vector<Panorama>& panoramas, 
     else outlook = outside_picture(panoramas[0].color, panoramas[0].range);
     if (!outlook.empty()) collect_hidden(panoramas[0], candidates);
     const std::vector<double> shares = shares_of(candidates, count);
-    // One walk along the sum of shares, with one jittered draw a step: spread more evenly than free draws.
+    // Stratified sampling along the cumulative sum, with one jittered sample per stratum.
     std::vector<SurfacePoint> points;
     points.reserve(static_cast<std::size_t>(count));
     std::vector<ImageMask> cuts(panoramas.size());
@@ -333,8 +335,7 @@ std::vector<SurfacePoint> sample_points(const std::vector<Panorama>& panoramas, 
             point.normal = panorama.world_from_pano.rotation * s.normal;
             point.color = srgb8_from_linear(color.at(x, y));
             const float area = far ? c.angle * sky_m * sky_m : c.area;
-            // Views see little of this: it stays as it starts, and is opaque from the first only where discs overlap
-            // well.
+            // Rarely trained, so it stays as initialized: discs must overlap enough to be opaque from the start.
             constexpr float kWide = 1.7f;
             point.radius_m = (far ? kWide : 1.f) * static_cast<float>(std::sqrt(static_cast<double>(area) / shares[i]));
             points.push_back(point);
@@ -345,10 +346,10 @@ std::vector<SurfacePoint> sample_points(const std::vector<Panorama>& panoramas, 
 }
 
 std::vector<SurfacePoint> backdrop_points(const std::vector<Panorama>& panoramas, int count, const Outside* outside) {
-    constexpr float kBehind = 1.1f;  // of the sky's distance
-    constexpr float kWide = 1.3f;    // of their spacing: they overlap well
+    constexpr float kBehind = 1.1f;  // times the sky's distance
+    constexpr float kWide = 1.3f;    // times their spacing: they overlap well
     const Panorama& first = panoramas[0];
-    // How far beside its center a disc still shows: three radii.
+    // Angular distance from its center at which a disc is still visible: three radii.
     const float reach = 3 * kWide * std::sqrt(4 * kPi / static_cast<float>(count));
     const bool known = outside && !outside->color.empty();
     const ImageF away = known ? angle_to(outside->seen) : ImageF{};
@@ -357,14 +358,14 @@ std::vector<SurfacePoint> backdrop_points(const std::vector<Panorama>& panoramas
         return picture.at(wrap_column(static_cast<int>(p.x), picture.width),
                           std::min(static_cast<int>(p.y), picture.height - 1));
     };
-    // Between the splats of the outside one sees more of it, not the floor that panorama 0 has there.
+    // Gaps between the splats of the outside show more of it, not the floor that panorama 0 sees in that direction.
     const auto color_of = [&](Vec3f d) {
         return known && at(away, d) <= reach ? at(outside->color, d) : at(first.color, d);
     };
     const float golden = kPi * (3.f - std::sqrt(5.f)), far = kBehind * sky_distance(panoramas),
                 n = static_cast<float>(count);
     std::vector<SurfacePoint> points;
-    for (int i = 0; i < count; ++i) {  // along a spiral, evenly spread
+    for (int i = 0; i < count; ++i) {  // a Fibonacci spiral
         const float y = 1.f - 2.f * (static_cast<float>(i) + 0.5f) / n, r = std::sqrt(1.f - y * y),
                     a = golden * static_cast<float>(i);
         const Vec3f d{r * std::cos(a), y, r * std::sin(a)};

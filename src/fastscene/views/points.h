@@ -1,4 +1,4 @@
-// Points: surface samples from range maps, from which the splats start.
+// Points: surface samples from range maps, which initialize the splats.
 #pragma once
 
 #include <vector>
@@ -10,16 +10,13 @@
 
 namespace fastscene {
 
-// `count` samples: half of them spread evenly over the surface that is seen, half where the picture has edges.
-// From the pixels of panorama 0 and of others that were given (nothing in them is carried or invented), and from what
-// walked ones invented.
-// The outside: from `outside` in every direction in which it can be seen; where that is null or empty, from what the
-// panoramas saw of it, gone on behind frames and walls.
+// `count` samples: half uniform over the visible surface, half at picture edges. From the given panoramas (whose pixels
+// are all observed), and from what walked ones invented. The outside comes from `outside`, in all directions where it
+// is visible; if that is null or empty, from the panoramas' own views of it, continued behind frames and walls.
 std::vector<SurfacePoint> sample_points(const std::vector<Panorama>& panoramas, int count, const Run& run,
                                         const Outside* outside = nullptr);
-// `count` points of a sphere behind everything, so that nothing is left transparent: behind the outside, and wherever
-// surfaces leave a gap. In each direction it has the color of `outside` where that is known, else the one that panorama 0
-// sees there.
+// `count` points on a sphere behind everything, so that no pixel stays transparent where surfaces leave a gap. Colored
+// by `outside` in and near the directions where it is visible, elsewhere by what panorama 0 sees.
 std::vector<SurfacePoint> backdrop_points(const std::vector<Panorama>& panoramas, int count,
                                           const Outside* outside = nullptr);
 

@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::size_t kNeighbours = 3, kLeaf = 12;
 
-// A tree of boxes halved at the median of their longest side; the order of the points is the tree.
+// A k-d tree split at the median of the longest side; the order of the points encodes the tree.
 class Tree {
   public:
     explicit Tree(const std::vector<Vec3f>& points) : points_(points), order_(points.size()) {
@@ -22,7 +22,7 @@ class Tree {
         build(0, order_.size());
     }
 
-    // Squared distances of the nearest others, ascending; infinite where there are none.
+    // Squared distances of the nearest neighbours, ascending; infinite if there are fewer.
     std::array<float, kNeighbours> nearest(std::uint32_t of) const {
         std::array<float, kNeighbours> best;
         best.fill(std::numeric_limits<float>::infinity());
@@ -76,7 +76,7 @@ class Tree {
 
     const std::vector<Vec3f>& points_;
     std::vector<std::uint32_t> order_;
-    std::vector<std::uint8_t> axis_;  // of the half at each middle
+    std::vector<std::uint8_t> axis_;  // split axis at each median
 };
 
 }  // namespace

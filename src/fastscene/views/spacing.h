@@ -1,4 +1,4 @@
-// How far apart points lie: the size that a splat started from each of them should have.
+// Point spacing: the initial size of the splat at each point.
 #pragma once
 
 #include <vector>
@@ -7,8 +7,8 @@
 
 namespace fastscene {
 
-// Root mean square distance of each point to its three nearest others (Kerbl et al. 2023); to fewer where there are
-// fewer, 0 for a point alone.
+// Root mean square distance of each point to its three nearest neighbours (Kerbl et al. 2023), or to fewer if there are
+// fewer; 0 for a single point.
 std::vector<float> spacings(const std::vector<Vec3f>& points);
 
 }  // namespace fastscene

@@ -14,16 +14,16 @@ namespace fastscene {
 namespace {
 
 constexpr int kLookWidth =
-    256;  // pixels: what views agree on is seen at this size; noise and slight errors of poses are not
+    256;  // pixels: views are compared at this size, which suppresses noise and small pose errors
 constexpr int kDistances = 64;
-constexpr int kWitnesses = 8;  // other views that are asked about a ray
-constexpr int kTries = 100;    // to find them
+constexpr int kWitnesses = 8;  // other views compared per ray
+constexpr int kTries = 100;    // attempts to find them
 constexpr float kSure =
-    0.3f;  // of the typical disagreement along a ray: less at its best distance tells that one from the others
-constexpr float kAgrees = 45;  // sum of the three colors' differences, of 255 each
+    0.3f;  // share of the median disagreement along a ray: the best distance must be below this to be distinct
+constexpr float kAgrees = 45;  // maximum sum of three channel differences, of 255 each
 constexpr float kLeastSure = 0.02f;
 
-// A view, small.
+// A downsampled view.
 struct Look {
     const View* view = nullptr;
     Rigid camera_from_world;
@@ -46,12 +46,12 @@ struct Look {
     }
     EquirectSize size() const { return {view->camera.width, view->camera.height}; }
     bool is_sphere() const { return view->model == CameraModel::equirectangular; }
-    // In the world, of length 1.
+    // In world coordinates, unit length.
     Vec3f direction(Vec2f pixel) const {
         return view->world_from_camera.rotation *
                normalize(is_sphere() ? direction_at(pixel, size()) : view->camera.direction_at(pixel));
     }
-    // The color seen at a place of the world, if it is in the picture.
+    // The color at a world point, if it is in the picture.
     std::optional<Vec3f> seen(Vec3f place) const {
         const Vec3f there = camera_from_world * place;
         const std::optional<Vec2f> pixel = is_sphere() ? std::optional(pixel_of_direction(there, size()))
@@ -74,10 +74,10 @@ struct Look {
 struct Ray {
     std::size_t view = 0;
     int x = 0, y = 0;
-    float distance = 0;  // 0: not told
+    float distance = 0;  // 0: unknown
 };
 
-// How much another view's picture of a patch differs from this one's, if it has all of it.
+// Mean difference between the patch in this view and in another one, if that shows all of it.
 std::optional<float> disagreement(const Look& other, const std::array<Vec3f, 5>& places,
                                   const std::array<Vec3f, 5>& colors) {
     float sum = 0;
@@ -90,7 +90,7 @@ std::optional<float> disagreement(const Look& other, const std::array<Vec3f, 5>&
     return sum / static_cast<float>(places.size());
 }
 
-// The distance at which the witnesses agree with the ray's own view; 0 where none stands out.
+// The distance at which the other views agree with the ray's own; 0 if none is distinct.
 float swept_distance(const std::vector<Look>& looks, const Ray& ray, const std::vector<float>& distances,
                      Random& random) {
     const Look& own = looks[ray.view];
@@ -102,10 +102,10 @@ float swept_distance(const std::vector<Look>& looks, const Ray& ray, const std::
     for (std::size_t i = 0; i < patch.size(); ++i) {
         ways[i] = own.direction(patch[i]);
         const std::optional<Vec3f> c = own.seen(from + ways[i]);
-        if (!c) return 0;  // at the picture's rim
+        if (!c) return 0;  // at the picture's border
         colors[i] = *c;
     }
-    // From elsewhere, and with some of the ray in the picture.
+    // From another position, and with part of the ray in the picture.
     const auto may_know = [&](const Look& other) {
         if (!(length(other.view->world_from_camera.translation - from) > 0.02f * distances.front())) return false;
         for (std::size_t i = kDistances / 8; i < kDistances; i += kDistances / 8)
@@ -126,7 +126,7 @@ float swept_distance(const std::vector<Look>& looks, const Ray& ray, const std::
         for (const Look* other : witnesses)
             if (const auto cost = disagreement(*other, places, colors)) asked.push_back(*cost);
         if (asked.empty()) continue;
-        // Some of them may have something before it.
+        // Robust to occlusion: some of them may see something in front.
         std::sort(asked.begin(), asked.end());
         asked.resize((3 * asked.size() + 3) / 4);
         float mean = 0;
@@ -144,8 +144,8 @@ float difference(Rgb8 a, Rgb8 b) {
     return static_cast<float>(std::abs(a.r - b.r) + std::abs(a.g - b.g) + std::abs(a.b - b.b));
 }
 
-// Each ray of one view that was not told takes the distance of the told one of its color that is nearest to it. Where
-// there is none, as for the black behind an object on a table, nothing stands.
+// Rays without a distance copy that of the nearest similar-colored ray in their view. If there is none, as for the
+// black behind an object on a table, they stay empty.
 void take_from_neighbours(std::vector<Ray>& rays, std::size_t begin, std::size_t end, const Look& look) {
     const View& view = *look.view;
     std::vector<Ray> sure;
@@ -183,7 +183,7 @@ std::vector<SurfacePoint> swept_points(const ViewSet& set, int count, float near
         for (std::int64_t i = begin; i < end; ++i) {
             Random random(run.seed, "views/sweep", static_cast<std::uint64_t>(i));
             Ray& ray = rays[static_cast<std::size_t>(i)];
-            // View by view, so that those of one lie together.
+            // Grouped by view.
             ray.view = static_cast<std::size_t>(i) * looks.size() / static_cast<std::size_t>(count);
             const View& view = *looks[ray.view].view;
             for (int tries = 0; tries < 16; ++tries) {

@@ -1,4 +1,4 @@
-// Where a capture has no points to start from: places on whose color its views agree.
+// Initial points for captures without any, by plane sweeping: positions on whose color the views agree.
 #pragma once
 
 #include <vector>
@@ -8,11 +8,10 @@
 
 namespace fastscene {
 
-// At most `count` points in the views' world, metres. Rays through pixels drawn by lot are followed between the two
-// distances; something stands where the other views show what this one does (plane sweep: Collins, CVPR 1996). A ray
-// that no distance explains better than others, as on an even wall, takes that of the nearest sure one of its color in
-// its picture; without one it gives no point. Empty where views are hardly sure of anything: those of one place,
-// pictures of nothing. Deterministic in run.seed.
+// At most `count` points in the views' world, metres. Rays through random pixels are searched between the two distances
+// for a position where other views show the same patch (plane sweep: Collins, CVPR 1996). A ray without a distinct best
+// distance, as on a uniform wall, copies that of the nearest confident one of similar color in its view, or gives no
+// point. Empty if the views hardly agree anywhere: all from one position, or of nothing. Deterministic in run.seed.
 std::vector<SurfacePoint> swept_points(const ViewSet& set, int count, float nearest_m, float farthest_m,
                                        const Run& run);
 

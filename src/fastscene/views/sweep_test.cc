@@ -1,4 +1,4 @@
-// Points of captures that have none: they lie on what the views show, or are not there.
+// Points for captures without any: they lie on visible surfaces, or are absent.
 #include "fastscene/views/sweep.h"
 
 #include <gtest/gtest.h>
@@ -17,10 +17,10 @@ constexpr EquirectSize kSphere{256, 128};
 
 ViewSet spheres(const SyntheticWorld& world, float spread_m) {
     ViewSet set;
-    Random dice(3, "places");
+    Random rng(3, "places");
     for (int i = 0; i < 12; ++i) {
-        const Vec3f place{dice.uniform(-spread_m, spread_m), dice.uniform(-spread_m, spread_m),
-                          dice.uniform(-spread_m, spread_m)};
+        const Vec3f place{rng.uniform(-spread_m, spread_m), rng.uniform(-spread_m, spread_m),
+                          rng.uniform(-spread_m, spread_m)};
         View view;
         view.camera.width = kSphere.width, view.camera.height = kSphere.height;
         view.model = CameraModel::equirectangular;
@@ -44,7 +44,7 @@ TEST(Sweep, PointsLieOnWhatTheViewsShow) {
                                       std::min(static_cast<int>(at.y), kSphere.height - 1));
         near += std::abs(std::log(length(p.position_m) / wanted)) < 0.15f;
     }
-    EXPECT_GT(near, 0.7 * static_cast<double>(points.size()));  // by lot, evenly in the logarithm, it were a twentieth
+    EXPECT_GT(near, 0.7 * static_cast<double>(points.size()));  // uniform in the logarithm it would be a twentieth
 }
 
 TEST(Sweep, ViewsOfOnePlaceTellNoDistance) {

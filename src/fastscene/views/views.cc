@@ -17,7 +17,7 @@ namespace {
 
 constexpr std::size_t kViewsAPanorama = 14;
 
-// Six faces and eight corners of the cube. Corner cameras keep the horizon level.
+// Six faces and eight corners of the cube. Corner cameras are kept level.
 std::array<Mat3f, kViewsAPanorama> view_rotations() {
     std::array<Mat3f, kViewsAPanorama> out;
     std::size_t n = 0;
@@ -30,7 +30,7 @@ std::array<Mat3f, kViewsAPanorama> view_rotations() {
     return out;
 }
 
-// How much each pixel of a panorama counts; empty = all fully.
+// Weight of each pixel of a panorama; empty = all full.
 ImageMask weights_of(const Panorama& panorama, const ViewsParams& params) {
     const bool all_original = panorama.known.empty() ||
                               std::all_of(panorama.known.pixels.begin(), panorama.known.pixels.end(),
@@ -45,7 +45,7 @@ ImageMask weights_of(const Panorama& panorama, const ViewsParams& params) {
             int weight = known == Known::original || known == Known::looked ? 255
                          : known == Known::carried                          ? params.weight_carried
                                                                             : params.weight_invented;
-            // A warped silhouette is right to a pixel at best.
+            // A warped silhouette is accurate to a pixel at best.
             if (cuts.at(x, y) & (kFarSide | kNearSide)) weight = std::min(weight, params.weight_silhouette);
             out.at(x, y) = static_cast<std::uint8_t>(std::clamp(weight, 0, 255));
         }
@@ -66,8 +66,8 @@ ImageMask cut_weights(const ImageMask& weights, const Pinhole& camera, const Mat
     return out;
 }
 
-// The same cuts through every panorama of one size, planned once. Cubic: what bilinear cuts lose in sharpness no
-// trainer brings back.
+// The cutouts of panoramas of one size, with precomputed resampling. Bicubic: no trainer recovers the sharpness that
+// bilinear resampling loses.
 class Cuts {
   public:
     Cuts(EquirectSize size, const Pinhole& camera, const std::array<Mat3f, kViewsAPanorama>& rotations) : size_(size) {
@@ -91,7 +91,7 @@ ViewSet project_views(std::vector<Panorama> panoramas, const ViewsParams& params
     ViewSet set;
     const std::vector<SurfacePoint> behind = panoramas.empty() ? std::vector<SurfacePoint>{}
                                                                : backdrop_points(panoramas, params.backdrop, outside);
-    // First: it needs all panoramas at once, cutting one after the other.
+    // First, because it needs all panoramas at once, while cutting frees them one by one.
     set.points = sample_points(panoramas, params.points, run, outside);
     set.points.insert(set.points.end(), behind.begin(), behind.end());
     const Pinhole camera = Pinhole::with_fov(params.size, params.size, params.fov_deg);
@@ -104,7 +104,7 @@ ViewSet project_views(std::vector<Panorama> panoramas, const ViewsParams& params
         const ImageMask weights = weights_of(panorama, params);
         if (!cuts || cuts->size().width != panorama.color.width) cuts.emplace(panorama.size(), camera, rotations);
         const ImageColor color = unit_from_linear(
-            panorama.color);  // a cubic through linear light would ring darkly about every lamp
+            panorama.color);  // in sRGB: bicubic interpolation in linear light would ring darkly around lamps
         for (std::size_t i = 0; i < rotations.size(); ++i) {
             View view;
             view.name = fmt::format("{:03}_{:02}.png", p, i);

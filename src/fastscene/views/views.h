@@ -1,5 +1,5 @@
-// Views: panoramas become perspective pictures with known cameras, and starting points for the splats.
-// Paper: MVP (multi-view projection). COLMAP is not needed: the poses are known by construction.
+// Views: cuts panoramas into perspective pictures with known cameras, plus initial points for the splats. Paper: MVP
+// (multi-view projection). COLMAP is not needed, since the poses are known by construction.
 #pragma once
 
 #include <string>
@@ -16,12 +16,12 @@ namespace fastscene {
 struct ViewsParams {
     int size = 640;  // width and height of a view
     float fov_deg = 90;
-    int points = 200000;          // starting points
-    int backdrop = 0;             // … and so many of a sphere behind everything
-    std::string sfm = "known";    // who says where the cameras are
-    int weight_carried = 200;     // of 255: painted at an earlier viewpoint
-    int weight_invented = 110;    // of 255: painted at this one
-    int weight_silhouette = 130;  // of 255: most that a pixel beside a warped silhouette counts
+    int points = 200000;          // number of initial points
+    int backdrop = 0;             // … plus this many on a sphere behind everything
+    std::string sfm = "known";    // source of the camera poses
+    int weight_carried = 200;     // of 255: inpainted at an earlier viewpoint
+    int weight_invented = 110;    // of 255: inpainted at this one
+    int weight_silhouette = 130;  // of 255: maximum for pixels next to a warped silhouette
 };
 template <class V>
 void visit_fields(ViewsParams& p, V&& v) {
@@ -40,10 +40,9 @@ void visit_fields(ViewsParams& p, V&& v) {
       "The most that a pixel beside a warped silhouette counts, of 255.");
 }
 
-// Cuts every panorama into overlapping views that cover the whole sphere, floor and ceiling too (14 at 90 degrees).
-// Deterministic in (panoramas, params, run.seed). Who moves the panoramas in has the memory of each back when its views
-// are cut: twenty of 4096 columns are 3 GB.
-// `outside`: what lies beyond the windows, where that is known (null: what the panoramas saw of it).
+// Cuts every panorama into overlapping views that cover the whole sphere (14 at 90 degrees). Deterministic in
+// (panoramas, params, run.seed). If the panoramas are moved in, each is freed once its views are cut: twenty of 4096
+// columns are 3 GB. `outside`: the view through the windows, if known (null: as seen by the panoramas).
 ViewSet project_views(std::vector<Panorama> panoramas, const ViewsParams& params, const Run& run,
                       const Outside* outside = nullptr);
 

@@ -56,8 +56,8 @@ TEST(Views, CoverTheWholeSphereAndShowTheRoom) {
         }
 }
 
-// Stripes four columns wide, cut at the panorama's own scale: bilinear cuts are off by 18 of 255, and the trainer would
-// learn that.
+// Stripes four columns wide at the panorama's own scale: bilinear resampling is off by 18 of 255, which the splats
+// would learn.
 TEST(Views, FineStripesStaySharp) {
     const auto stripes = [](float column) { return 0.5f + 0.4f * std::sin(0.5f * std::numbers::pi_v<float> * column); };
     Panorama panorama = render_synthetic(room(), {}, kSize, 1);
@@ -67,7 +67,7 @@ TEST(Views, FineStripesStaySharp) {
             panorama.color.at(x, y) = {v, v, v};
         }
     ViewsParams params = small_params();
-    params.size = 163;  // 512 columns a turn are 81.5 a radian
+    params.size = 163;  // 512 columns per turn are 81.5 per radian
     const ViewSet set = project_views({panorama}, params, {});
     double squares = 0, count = 0;
     const View& front = set.views[0];
@@ -105,13 +105,13 @@ TEST(Points, LieOnTheSurfacesTheyName) {
         EXPECT_LT(dot(p.normal, d), 0);
         area += static_cast<double>(p.radius_m * p.radius_m);
     }
-    // The squared spacings together are the seen surface: about that of the room.
+    // The sum of squared spacings is the visible surface: about that of the room.
     EXPECT_GT(area, 60);
     EXPECT_LT(area, 140);
 }
 
-// What two panoramas see gives points once: together they cover no more than the room, and each bit comes from the one
-// that is nearer.
+// A surface seen by two panoramas is sampled once: their points together cover no more than the room, and each surface
+// comes from the nearer panorama.
 TEST(Points, OfOverlappingPanoramasComeFromTheFinestView) {
     const Vec3f aside{1.2f, 0, -1.f};
     const std::vector<Panorama> both{render_synthetic(room(), {}, kSize, 1), render_synthetic(room(), aside, kSize, 1)};
@@ -168,11 +168,11 @@ TEST(Points, ComeFromEveryGivenPanorama) {
     std::fill(second.color.pixels.begin(), second.color.pixels.end(), Vec3f{1, 0, 0});
     second.known = Image<Known>(kSize.width, kSize.height, Known::original);
     EXPECT_GT(of_color(project_views({first, second}, small_params(), {}), {255, 0, 0}), 1000);
-    second.known.at(3, 3) = Known::carried;  // walked: it repeats what the first has seen
+    second.known.at(3, 3) = Known::carried;  // walked: repeats what the first has seen
     EXPECT_EQ(of_color(project_views({first, second}, small_params(), {}), {255, 0, 0}), 0);
 }
 
-// A strip of the outside beside a window's frame, seen past it for the first time.
+// A strip of the outside next to a window frame, visible past it for the first time.
 TEST(Points, NarrowPaintedStripsHaveTheirOwn) {
     const Panorama first = render_synthetic(room(), {}, kSize, 1);
     Panorama walked = first;
@@ -185,7 +185,7 @@ TEST(Points, NarrowPaintedStripsHaveTheirOwn) {
     EXPECT_GT(of_color(project_views({first, walked}, small_params(), {}), {0, 255, 0}), 2);
 }
 
-// Windows: a twentieth of the sphere, far away, took half of all points, many of them at one place.
+// Windows: a twentieth of the sphere, but distant, so they used to take half of all points, many at the same position.
 TEST(Points, TheOutsideTakesNoMoreThanItsPartOfThePicture) {
     Panorama panorama = render_synthetic(room(), {}, kSize, 1);
     int outside = 0;
@@ -200,7 +200,7 @@ TEST(Points, TheOutsideTakesNoMoreThanItsPartOfThePicture) {
     EXPECT_LT(far, 2.5 * part * static_cast<double>(points.size()));
 }
 
-// A step aside shows what a frame hid, and it must not be black.
+// A step sideways reveals what a frame hid; it must not be black.
 TEST(Points, TheOutsideGoesOnBehindFrames) {
     Panorama panorama = render_synthetic(room(), {}, kSize, 1);
     for (int y = kSize.height * 3 / 8; y < kSize.height * 5 / 8; ++y)
@@ -216,12 +216,12 @@ TEST(Points, TheOutsideGoesOnBehindFrames) {
         if (length(p.position_m) < 300) continue;
         const Vec2f at = pixel_of_direction(p.position_m, kSize);
         behind += at.x > 31 && at.x < 35 && std::fabs(at.y - 0.5f * kSize.height) < 0.1f * kSize.height;
-        EXPECT_GT(p.color.b, p.color.r + 20);  // the sky's, nowhere the frame's or the wall's
+        EXPECT_GT(p.color.b, p.color.r + 20);  // the sky's color, never the frame's or the wall's
     }
     EXPECT_GT(behind, 2);
 }
 
-// How far the outside goes on behind a wall hangs on how far a step moves the wall.
+// How far the outside continues behind a wall depends on how far a step shifts the wall.
 TEST(Points, NearWallsHideMoreOfTheOutsideThanFarOnes) {
     const auto points_behind = [](float wall_m) {
         Panorama panorama = render_synthetic(room(), {}, kSize, 1);
@@ -256,13 +256,13 @@ TEST(Points, NothingStandsBehindTheSky) {
         EXPECT_LE(length(p.position_m), 400.1f);
 }
 
-// The sky has no parallax: half a metre aside it must not have moved by a pixel of a panorama of 2048.
+// The sky has no parallax: half a metre sideways must not move it by a pixel of a 2048 column panorama.
 TEST(Points, SkyStandsTooFarToMove) {
     Panorama panorama = render_synthetic(room(), {}, {64, 32}, 1);
     for (float& r : panorama.range.pixels) r = std::numeric_limits<float>::infinity();
     for (const SurfacePoint& p : project_views({panorama}, small_params(), {}).points) {
         EXPECT_LT(0.5f / length(p.position_m), 0.5f * 2 * std::numbers::pi_v<float> / 2048);
-        EXPECT_LT(length(p.position_m), 990);  // viewers clip at a thousand
+        EXPECT_LT(length(p.position_m), 990);  // viewers clip at a thousand metres
     }
 }
 

@@ -8,7 +8,7 @@
 
 namespace fastscene {
 
-// Their median is trusted only where they share this much of the sphere.
+// Minimum share of the sphere that two panoramas must both see.
 constexpr double kLeastShared = 0.05;
 
 float scale_to_agree(const Panorama& first, const Panorama& other) {

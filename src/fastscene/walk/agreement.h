@@ -1,14 +1,14 @@
-// Panoramas of one place whose ranges were estimated one by one, made to agree: their poses are known, so what two of
-// them see of the same wall says how much too large or small one of them was guessed.
+// Makes the independently estimated ranges of several panoramas of one place consistent. Their poses are known, so a
+// wall seen in two of them tells by how much one range map is too large or too small.
 #pragma once
 
 #include "fastscene/scene/panorama.h"
 
 namespace fastscene {
 
-// By what `other`'s range is to be multiplied so that it agrees with `first`'s: the median, over the pixels of `other`
-// that the first sees too, of the one over the other. 1 where they share too little. Both in one orientation, with
-// positions in world_from_pano.
+// The factor to multiply `other`'s range by so that it agrees with `first`'s: the median ratio over the pixels of
+// `other` that `first` sees too. 1 if they share too little. Both in the same orientation, with positions in
+// world_from_pano.
 float scale_to_agree(const Panorama& first, const Panorama& other);
 
 }  // namespace fastscene

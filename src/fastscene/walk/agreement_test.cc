@@ -62,7 +62,7 @@ TEST(WalkWithMore, GivenPanoramasAreObservedAndViewpointsAreShared) {
         const Vec3f p = walked[i].world_from_pano.translation;
         near_second += length(p - second.world_from_pano.translation) < length(p);
         const Panorama truth = box_from(p);
-        int wrong = 0;  // in a corner the coarse pixels of the two differ
+        int wrong = 0;  // in corners the coarse pixels of the two differ
         for (std::size_t k = 0; k < truth.range.size(); ++k)
             wrong += std::fabs(walked[i].range.pixels[k] / truth.range.pixels[k] - 1) > 0.05f;
         EXPECT_LT(wrong, 0.002 * static_cast<double>(truth.range.size()));

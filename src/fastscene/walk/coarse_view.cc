@@ -12,16 +12,19 @@
 namespace fastscene {
 namespace {
 
-constexpr int kBandRows = 32;            // rows of the target that one piece of work owns
-constexpr float kEdgeSlack = 0.01f;      // triangles overlap by a hundredth, so that rounding opens no cracks
-constexpr float kDeepestFold_m = 0.25f;  // chosen on walked rooms with known truth, as is the next
-constexpr float kDeepestGuess_m = 0.6f;  // before the sky: a gap between a curtain's folds is rarely a window
-constexpr float kBridgeYields = 1.05f;   // of the jump: the far surface of the same cell, and a little of its slope
+constexpr int kBandRows = 32;        // rows of the target per task
+constexpr float kEdgeSlack = 0.01f;  // in pixels: triangles overlap slightly, so that rounding opens no cracks
+// largest depth jump that is bridged by a surface; tuned on walks through rooms with ground truth, as is the next
+constexpr float kDeepestFold_m = 0.25f;
+// the same where the far side is sky: a gap in a curtain's folds is rarely a window
+constexpr float kDeepestGuess_m = 0.6f;
+// times the jump: a bridge yields to the far surface of its own cell, allowing for a little slope
+constexpr float kBridgeYields = 1.05f;
 constexpr float kSkyRange = 0.5f * kFarthestRange;
 
-// Directions of all pixels, from the sines of rows and columns.
+// Directions of all pixels, from precomputed sines and cosines of rows and columns.
 struct Directions {
-    std::vector<Vec2f> column, row;  // sine and cosine of longitude and latitude
+    std::vector<Vec2f> column, row;  // (sine, cosine) of longitude and latitude
 
     explicit Directions(EquirectSize size)
         : column(static_cast<std::size_t>(size.width)), row(static_cast<std::size_t>(size.height)) {
@@ -43,25 +46,28 @@ struct Directions {
 };
 
 struct Corner {
-    Vec3f point;  // from the target position
-    Vec2f pixel;  // where the target sees it
-    Vec2f uv;     // place in the cell of four colors
+    Vec3f point;  // relative to the target position
+    Vec2f pixel;  // its projection in the target
+    Vec2f uv;     // position within the cell of four colors
 };
-// Four colors (left top, right top, left bottom, right bottom); inside one surface also where their neighbours are.
+// Four corner colors (top left, top right, bottom left, bottom right); within a surface also their outer neighbours,
+// for cubic interpolation.
 struct Colors {
     std::array<Vec3f, 4> corners;
     const WarpSource* around = nullptr;
     int x = 0, y = 0;
-    Cover cover = Cover::front;  // a bridge between two surfaces: each keeps its own color up to the middle
-    float behind_m = 0;          // a bridge yields to what lies no farther behind it: the surfaces that it joins
+    Cover cover = Cover::front;  // a bridge between two surfaces: each color extends up to the middle
+    // depth tolerance: a bridge yields to surfaces up to this far behind it, such as those that it joins
+    float behind_m = 0;
 };
 bool is_bridge(Cover c) { return c == Cover::bridge || c == Cover::guess; }
 
-// What the target looks at: the middle of every pixel, or the four quarters of some.
+// Sample positions of the target: every pixel's center, or the four quarters of some pixels.
 struct Looks {
     EquirectSize size;
-    Directions directions;              // of pixels; in quarters: of a picture of twice the size
-    Image<std::int32_t> first_quarter;  // in quarters: where the view keeps a pixel's four, or -1; else empty
+    Directions directions;  // per pixel; for quarters: of a picture of twice the size
+    // for quarters: index of a pixel's four samples in the view, or -1; otherwise empty
+    Image<std::int32_t> first_quarter;
 
     explicit Looks(EquirectSize s) : size(s), directions(s) {}
     explicit Looks(const ImageMask& marked)
@@ -72,7 +78,7 @@ struct Looks {
             if (marked.pixels[i]) first_quarter.pixels[i] = std::exchange(count_, count_ + 4);
     }
     bool in_quarters() const { return !first_quarter.empty(); }
-    // Of a view that holds what was seen.
+    // Size of the resulting view.
     EquirectSize view_size() const { return in_quarters() ? EquirectSize{count_, 1} : size; }
 
   private:
@@ -81,18 +87,19 @@ struct Looks {
 
 struct Band {
     CoarseView& view;
-    ImageF& order;  // range plus behind_m of what was drawn: the least wins
+    ImageF& order;  // depth buffer: range plus behind_m of what was drawn
     const Looks& looks;
     int begin, end;
 };
 
-// Rows and columns that a triangle can touch. Columns may lie outside the picture: they wrap.
+// Rows and columns that a triangle may touch. Columns may lie outside the picture: they wrap.
 struct Box {
     int x0, x1, y0, y1;
 };
 Box box_of(const Corner& a, const Corner& b, const Corner& c, const Looks& looks) {
     const EquirectSize size = looks.size;
-    const float early = looks.in_quarters() ? 0.76f : 0.51f, late = 1.f - early;  // a look lies so far within its pixel
+    // margin: samples lie this far within their pixel
+    const float early = looks.in_quarters() ? 0.76f : 0.51f, late = 1.f - early;
     const float w = static_cast<float>(size.width), h = static_cast<float>(size.height);
     const auto near_a = [&](float x) {
         return x - a.pixel.x > 0.5f * w ? x - w : a.pixel.x - x > 0.5f * w ? x + w : x;
@@ -100,7 +107,7 @@ Box box_of(const Corner& a, const Corner& b, const Corner& c, const Looks& looks
     const float bx = near_a(b.pixel.x), cx = near_a(c.pixel.x);
     const float x0 = std::min({a.pixel.x, bx, cx}), x1 = std::max({a.pixel.x, bx, cx});
     float y0 = std::min({a.pixel.y, b.pixel.y, c.pixel.y}), y1 = std::max({a.pixel.y, b.pixel.y, c.pixel.y});
-    // A straight edge bulges towards the pole; next to a pole a triangle may even hold it.
+    // A straight edge curves towards the pole; a triangle may even contain the pole.
     const float turn = (x1 - x0) / w;
     const float bulge = turn * turn * h * 2.f;
     if (y0 < 0.5f * h) y0 -= bulge;
@@ -114,13 +121,13 @@ Box box_of(const Corner& a, const Corner& b, const Corner& c, const Looks& looks
             static_cast<int>(std::ceil(y0 - early)), static_cast<int>(std::floor(y1 - late))};
 }
 
-// Catmull-Rom weights of the four pixels about a place t between the middle two.
+// Catmull-Rom weights of the four pixels around a position t between the middle two.
 std::array<float, 4> cubic_weights(float t) {
     return {t * (-0.5f + t * (1.f - 0.5f * t)), 1.f + t * t * (-2.5f + 1.5f * t), t * (0.5f + t * (2.f - 1.5f * t)),
             t * t * (-0.5f + 0.5f * t)};
 }
 
-// Five pixels of three channels and one channel more; of the sums over them only the first four pixels are used.
+// Five pixels of three channels plus padding; only the first four pixels of sums are used.
 using Lanes = float __attribute__((vector_size(64)));
 
 Vec3f cubic_in_cell(const ImageColor& image, int x, int y, const std::array<float, 4>& wu,
@@ -146,14 +153,14 @@ Vec3f cubic_in_cell(const ImageColor& image, int x, int y, const std::array<floa
     return {std::max(0.f, sum.x), std::max(0.f, sum.y), std::max(0.f, sum.z)};
 }
 
-// Cubic inside a surface: a panorama warped with bilinear values is visibly softer than the one it came from.
+// Bicubic within a surface: bilinear interpolation would make warped panoramas visibly softer.
 Vec3f color_in_cell(const Colors& c, float u, float v) {
     if (c.around) return cubic_in_cell(c.around->color, c.x, c.y, cubic_weights(u), cubic_weights(v));
     if (is_bridge(c.cover)) return c.corners[(u > 0.5f ? 1 : 0) + (v > 0.5f ? 2 : 0)];
     return lerp(lerp(c.corners[0], c.corners[1], u), lerp(c.corners[2], c.corners[3], u), v);
 }
 
-// Each pixel's ray d meets the triangle where the three volumes d . (P_j x P_k) have one sign.
+// A pixel's ray d hits the triangle if the three volumes d . (P_j x P_k) have the same sign.
 void draw(const Band& band, const Corner& a, const Corner& b, const Corner& c, const Colors& colors,
           std::int16_t plane) {
     const Looks& looks = band.looks;
@@ -197,14 +204,14 @@ void draw(const Band& band, const Corner& a, const Corner& b, const Corner& c, c
         }
 }
 
-// One source as seen from the target: corners' places, and the rows of the target that each row of cells touches.
+// A source transformed to the target: corner positions, and the range of target rows of each row of cells.
 struct Placed {
     const WarpSource& source;
     EquirectSize source_size, size;
-    Vec3f shift;  // source position seen from the target
+    Vec3f shift;  // source position relative to the target
     Image<Vec3f> point;
     Image<Vec2f> pixel;
-    std::vector<Vec2f> rows;  // least and greatest picture row of a source row's corners
+    std::vector<Vec2f> rows;  // minimum and maximum target row of a source row's corners
     Directions directions;
 
     Placed(const WarpSource& s, EquirectSize target, Vec3f position)
@@ -239,7 +246,7 @@ struct Placed {
     }
 };
 
-// The slope of the inverse range at a pixel, from the neighbours on its own surface.
+// Gradient of the inverse range at a pixel, from neighbours on the same surface.
 Vec2f slope_at(const WarpSource& s, int x, int y) {
     const int w = s.color.width, h = s.color.height;
     const float q = s.inverse_range.at(x, y);
@@ -250,7 +257,7 @@ Vec2f slope_at(const WarpSource& s, int x, int y) {
          has_after = !(s.cuts.at(x, y) & kCutRight) && used(right, y);
     if (has_before) before = q - s.inverse_range.at(left, y);
     if (has_after) after = s.inverse_range.at(right, y) - q;
-    // Of two slopes the flatter one: a crease must not be flung outward.
+    // The smaller of two slopes: at a crease, the larger one would extrapolate outward.
     const auto choose = [](bool b, float vb, bool a, float va) {
         if (a && b) return va * vb <= 0 ? 0.f : std::fabs(va) < std::fabs(vb) ? va : vb;
         return a ? va : b ? vb : 0.f;
@@ -265,16 +272,15 @@ Vec2f slope_at(const WarpSource& s, int x, int y) {
     return slope;
 }
 
-// A cell that silhouettes cross: where they run. Its four pixels are numbered as Colors has them; places are in the
-// cell, 0 to 1.
+// A cell crossed by silhouettes. Its four pixels are numbered as in Colors; positions in the cell are 0 to 1.
 struct CutCell {
     float top = 0.5f, bottom = 0.5f, left = 0.5f,
-          right = 0.5f;        // where two pixels' parts meet, on the cell's four sides
+          right = 0.5f;        // positions on the cell's four sides where the parts of two pixels meet
     Vec2f middle{0.5f, 0.5f};  // where all parts meet
 };
 
-// Where between two pixels the cut runs, seen from the first. A thing a pixel wide is cut on both sides, and shares
-// what it lacks among them.
+// Position of the cut between two pixels, measured from the first. An object one pixel wide is cut on both sides; its
+// missing coverage is divided between them.
 float place_of_cut(const WarpSource& s, int x0, int y0, int x1, int y1) {
     if (s.share.empty()) return 0.5f;
     const int w = s.color.width;
@@ -302,11 +308,12 @@ CutCell cut_cell(const WarpSource& s, int x, int y) {
     if (cut(x, y, x, y + 1)) met({0.f, cell.left = place_of_cut(s, x, y, x, y + 1)});
     if (cut(r, y, r, y + 1)) met({1.f, cell.right = place_of_cut(s, r, y, r, y + 1)});
     if (count >= 2)
-        cell.middle = sum * (1.f / static_cast<float>(count));  // a silhouette crosses the cell in a straight line
+        // a single silhouette crosses the cell in a straight line
+        cell.middle = sum * (1.f / static_cast<float>(count));
     return cell;
 }
 
-// At a silhouette every pixel keeps its own part of the cell, a piece of its tangent plane in its own color.
+// At a silhouette each pixel keeps its own part of the cell: a piece of its tangent plane in its own color.
 void draw_part(const Band& band, const Placed& placed, int x, int y, int cell_x, int cell_y, bool right, bool below,
                const CutCell& cell) {
     const WarpSource& s = placed.source;
@@ -324,7 +331,7 @@ void draw_part(const Band& band, const Placed& placed, int x, int y, int cell_x,
     const Vec3f color = s.color.at(x, y);
     const Colors colors{{color, color, color, color}};
     const std::int16_t plane = s.plane.empty() ? kNoPlane : s.plane.at(x, y);
-    // In picture order, so that the front stays the front.
+    // In winding order, so that front faces stay front faces.
     if (right == below) {
         draw(band, a, b, c, colors, plane);
         draw(band, a, c, d, colors, plane);
@@ -334,7 +341,7 @@ void draw_part(const Band& band, const Placed& placed, int x, int y, int cell_x,
     }
 }
 
-// The surface between four pixels.
+// The surface spanned by four pixels.
 void draw_whole(const Band& band, const Placed& placed, int x, int y, Cover cover, float jump_m) {
     const WarpSource& s = placed.source;
     const int r = wrap_column(x + 1, s.color.width);
@@ -348,8 +355,8 @@ void draw_whole(const Band& band, const Placed& placed, int x, int y, Cover cove
     draw(band, b, d, c, colors, plane);
 }
 
-// When the jump in a cell is no deeper than a fold or a frame, the two surfaces are most likely joined by a third,
-// and what shows between them is that, not the world behind.
+// A jump no deeper than a fold or a frame is most likely spanned by a surface, which then shows in the gap instead of
+// the background.
 float jump_in_cell(const WarpSource& s, int x, int y) {
     const int r = wrap_column(x + 1, s.color.width);
     const auto [low, high] = std::minmax({s.inverse_range.at(x, y), s.inverse_range.at(r, y),
@@ -357,7 +364,7 @@ float jump_in_cell(const WarpSource& s, int x, int y) {
     return 1.f / low - 1.f / high;
 }
 
-// May the cell touch the band? Its edges bulge towards the poles as in box_of.
+// Conservative test whether the cell touches the band; its edges curve towards the poles as in box_of.
 bool touches(const Band& band, const Placed& placed, int x, int r, int y) {
     const Vec2f a = placed.pixel.at(x, y), b = placed.pixel.at(r, y), c = placed.pixel.at(x, y + 1),
                 d = placed.pixel.at(r, y + 1);
@@ -369,7 +376,7 @@ bool touches(const Band& band, const Placed& placed, int x, int r, int y) {
     return bottom + margin >= static_cast<float>(band.begin) && top - margin <= static_cast<float>(band.end);
 }
 
-// `guesses`: only the bridges over deeper jumps, which must wait until all surfaces are drawn.
+// `guesses`: draws only the bridges over deeper jumps, which must wait until all surfaces are drawn.
 void draw_cell(const Band& band, const Placed& placed, int x, int y, bool guesses) {
     const WarpSource& s = placed.source;
     const int r = x + 1 == s.color.width ? 0 : x + 1;
@@ -395,7 +402,7 @@ void draw_cell(const Band& band, const Placed& placed, int x, int y, bool guesse
     if (jump < kDeepestFold_m) draw_whole(band, placed, x, y, Cover::bridge, jump);
 }
 
-// Between the outermost row and the pole: a fan about the row's mean.
+// Closes the hole at the pole: a fan from the outermost row to its mean.
 void draw_cap(const Band& band, const Placed& placed, bool top) {
     const WarpSource& s = placed.source;
     const int w = s.color.width, y = top ? 0 : s.color.height - 1;
@@ -434,7 +441,7 @@ void draw_source(const Band& band, const Placed& placed, bool guesses) {
     draw_cap(band, placed, false);
 }
 
-// A view that sources are drawn into one after the other.
+// Render target into which sources are drawn one after the other.
 class Drawing {
   public:
     Drawing(Looks looks, Vec3f position) : looks_(std::move(looks)), position_(position) {

@@ -10,16 +10,16 @@
 namespace fastscene {
 namespace {
 
-constexpr float kNearShare = 0.8f;  // of the rim's far range: what is nearer belongs to the foreground
-constexpr int kRim = 2;             // pixels about a hole that make its rim
+constexpr float kNearShare = 0.8f;  // share of the rim's far range: anything nearer counts as foreground
+constexpr int kRim = 2;             // width in pixels of a hole's rim
 constexpr std::size_t kMostHits = 64;
-constexpr int kOpeningSteps = 6;  // looks on the way through a wall
+constexpr int kOpeningSteps = 6;  // samples along the way through a wall
 constexpr float kThickestWall_m = 0.6f;
 constexpr float kNearer_m =
-    0.02f;  // of planes side by side the one that was seen nearer by goes on, if it was nearer by so much
-constexpr float kFaceFov_deg = 100.f;  // faces overlap, so that no border of a face shows in a fill
+    0.02f;  // of side-by-side planes the one seen at closer range is preferred, if by at least this much
+constexpr float kFaceFov_deg = 100.f;  // cube faces overlap, so that their borders do not show in a fill
 
-// Would panorama 0 have seen this point, had it been a surface? Then there is none.
+// Whether panorama 0 would have seen this point if it were on a surface: then the space there is empty.
 bool is_known_free(Vec3f p, const ImageF& range) {
     const EquirectSize size{range.width, range.height};
     const Vec2f at = pixel_of_direction(p, size);
@@ -28,7 +28,7 @@ bool is_known_free(Vec3f p, const ImageF& range) {
     return length(p) < 0.97f * seen - 0.02f;
 }
 
-// Where the ray ends, as far as the planes can tell.
+// Where a ray ends, according to the planes.
 struct Ending {
     enum What { unknown, surface, sky } what = unknown;
     float range = 0;
@@ -40,7 +40,7 @@ Ending on_surface(Vec3f p, float range, std::size_t plane, const WalkWorld& worl
     return {Ending::surface, range, static_cast<std::int16_t>(plane), world.planes[plane].color_at(p)};
 }
 
-// What a ray meets that has passed wall `index` through an opening at range t: the opening's side, or the outside.
+// What a ray hits after it has passed wall `index` through an opening at range t: the opening's reveal, or the outside.
 Ending beyond_opening(Vec3f position, Vec3f d, float t, std::size_t index, const WalkWorld& world) {
     const PlanePicture& wall = world.planes[index];
     const float towards = -dot(wall.plane.normal, d);
@@ -55,14 +55,14 @@ Ending beyond_opening(Vec3f position, Vec3f d, float t, std::size_t index, const
     return sky ? Ending{Ending::sky, std::numeric_limits<float>::infinity(), kNoPlane, {}} : Ending{};
 }
 
-using Hits = std::array<std::pair<float, std::size_t>, kMostHits>;  // range, plane; nearest first
+using Hits = std::array<std::pair<float, std::size_t>, kMostHits>;  // (range, plane index), nearest first
 
 bool is_open(Vec3f p, std::size_t index, const WalkWorld& world) {
     return is_known_free(p, world.first_range) ||
            (world.planes[index].plane.hull && world.planes[index].wall_at(p) != Wall::solid);
 }
 
-// A ray ends at hit k, or at one just behind it that is likelier to be there.
+// Index of hit k, or of one just behind it that is more likely to be there.
 std::size_t likeliest(const Hits& hits, std::size_t count, std::size_t k, Vec3f position, Vec3f d,
                       const WalkWorld& world) {
     const ScenePlane& first = world.planes[hits[k].second].plane;
@@ -77,8 +77,8 @@ std::size_t likeliest(const Hits& hits, std::size_t count, std::size_t k, Vec3f 
     return best;
 }
 
-// Follows a ray from plane to plane. Furniture's faces end where they were last seen; the room ends at its first wall,
-// unless panorama 0 saw through that.
+// Follows a ray through the planes. Furniture faces end where they were last seen; the room ends at the first wall,
+// unless panorama 0 saw through it.
 Ending follow(Vec3f position, Vec3f d, const WalkWorld& world) {
     Hits hits;
     std::size_t count = 0;
@@ -119,8 +119,8 @@ bool fill_from_planes(CoarseView& view, int x, int y, Vec3f position, const Walk
     return true;
 }
 
-// Known pixels on the rim of each connected hole that are clearly nearer than most of the rim: foreground, which
-// must not run into the hole.
+// Marks known pixels on the rim of each connected hole that are clearly nearer than most of the rim: foreground, which
+// must not be extended into the hole.
 void mark_foreground(const CoarseView& view, const ImageMask& rest, const ImageMask& unknown, ImageMask& foreground) {
     const int w = rest.width, h = rest.height;
     ImageMask visited(w, h);
@@ -152,7 +152,7 @@ void mark_foreground(const CoarseView& view, const ImageMask& rest, const ImageM
         }
 }
 
-// Of a face's pixels, those that no surface is known at: holes, and the outside.
+// Of a face's pixels, those without a known surface: holes and the outside.
 ImageMask without_outside(const ImageMask& hole, const ImageColor& inverse) {
     ImageMask out = hole;
     for (std::size_t i = 0; i < out.size(); ++i) out.pixels[i] |= inverse.pixels[i].x <= 1.f / kFarthestRange;
@@ -162,9 +162,9 @@ bool has(const ImageMask& mask, bool value) {
     return std::any_of(mask.pixels.begin(), mask.pixels.end(), [=](std::uint8_t v) { return (v != 0) == value; });
 }
 
-// The pixels that no plane explains: color and inverse range go on from the far rim, cube face by cube face. Nothing
-// stands between a frame and the outside: where both are about, a pixel belongs to the one that the mean of the two is
-// nearer to.
+// Fills the pixels that no plane explains: color and inverse range are extended from the far rim, one cube face at a
+// time. Nothing exists between a window frame and the outside, so where both are near, a pixel gets assigned to the one
+// that the interpolated value is closer to.
 void fill_rest(CoarseView& view, const ImageMask& rest, const WalkWorld& world, const Run& run) {
     const int w = rest.width, h = rest.height;
     const EquirectSize size{w, h};
@@ -174,13 +174,13 @@ void fill_rest(CoarseView& view, const ImageMask& rest, const WalkWorld& world, 
         mark_foreground(view, rest, rest, foreground);
         for (std::size_t i = 0; i < avoid.size(); ++i) avoid.pixels[i] |= foreground.pixels[i];
     }
-    // Faces that hold a hole, be it narrower than the face's own pixels.
+    // Faces that contain a hole, even one narrower than a pixel of the face.
     std::array<bool, std::size(kCubeFaces)> needed{};
     for (int y = 0; y < h; ++y)
         for (int x = 0; x < w; ++x)
             if (rest.at(x, y))
                 needed[static_cast<std::size_t>(face_of_direction(direction_of_pixel(x, y, size)))] = true;
-    const auto reference = make_inpainter("harmonic");  // range is geometry, not paint
+    const auto reference = make_inpainter("harmonic");  // range is always interpolated, never painted
     const int face_size = std::max(16, w / 4);
     const Pinhole camera = Pinhole::with_fov(face_size, face_size, kFaceFov_deg);
     for (const CubeFace face : kCubeFaces) {
@@ -202,7 +202,7 @@ void fill_rest(CoarseView& view, const ImageMask& rest, const WalkWorld& world, 
                 hole.at(x, y) = avoid.at(px, py);
             }
         color = world.inpainter->fill(color, hole, run);
-        ImageColor surfaces;  // inverse range without the outside; empty where there is none, or nothing else
+        ImageColor surfaces;  // inverse range without the outside; empty if there is no outside, or nothing else
         if (const ImageMask open = without_outside(hole, inverse);
             !world.outside.empty() && open != hole && has(open, false))
             surfaces = reference->fill(inverse, open, run);
@@ -238,7 +238,7 @@ void complete_holes(CoarseView& view, const ImageMask& hole, Vec3f position, con
         for (int y = static_cast<int>(begin); y < end; ++y)
             for (int x = 0; x < hole.width; ++x) {
                 if (!hole.at(x, y) || (view.cover.at(x, y) != Cover::hole && view.cover.at(x, y) != Cover::guess))
-                    continue;  // backs and bridges keep what they have
+                    continue;  // backs and bridges keep their values
                 rest.at(x, y) = !fill_from_planes(view, x, y, position, world);
             }
     });

@@ -1,4 +1,4 @@
-// Complete: gives every hole of a coarse view a surface and a color.
+// Completion: assigns a surface and a color to every hole of a coarse view.
 #pragma once
 
 #include "fastscene/walk/coarse_view.h"
@@ -6,7 +6,7 @@
 
 namespace fastscene {
 
-// What is known about the world while walking; all in the frame of panorama 0.
+// What the walk knows about the world; all in panorama 0's frame.
 struct WalkWorld {
     ImageF first_range;  // panorama 0's
     std::vector<PlanePicture> planes;
@@ -14,8 +14,8 @@ struct WalkWorld {
     const Inpainter* inpainter = nullptr;
 };
 
-// Fills `hole` (nonzero) pixels of `view`, seen from `position`: where a plane of the scene goes on there, hidden
-// from panorama 0, the nearest such plane; elsewhere the far side of the rim goes on. Other pixels stay as they are.
+// Fills the pixels of `view`, seen from `position`, where `hole` is nonzero: with the nearest plane of the scene that
+// continues there hidden from panorama 0, or else by extending the far side of the rim. Other pixels stay unchanged.
 void complete_holes(CoarseView& view, const ImageMask& hole, Vec3f position, const WalkWorld& world, const Run& run);
 
 }  // namespace fastscene

@@ -1,4 +1,4 @@
-// Holes that no plane explains are closed however narrow they are.
+// Holes that no plane explains are filled however narrow they are.
 #include "fastscene/walk/complete.h"
 
 #include <gtest/gtest.h>
@@ -11,7 +11,7 @@ namespace {
 
 constexpr float kSky = std::numeric_limits<float>::infinity();
 
-// A wall two metres away, the outside to the right of it.
+// A wall two metres away, with the outside to its right.
 CoarseView half_outside(int width, int height) {
     CoarseView view{ImageColor(width, height, Vec3f{0.8f, 0.2f, 0.2f}), ImageF(width, height, 2.f),
                     Image<std::int16_t>(width, height, kNoPlane), Image<Cover>(width, height, Cover::front)};
@@ -43,8 +43,7 @@ Filled filled(int width, int height, const std::vector<std::pair<int, int>>& col
 }
 
 TEST(Complete, HolesNarrowerThanAFacesPixelAreFilled) {
-    for (int at = 3; at < 60;
-         at += 4) {  // one column a picture: where a face's pixels miss it, nothing else opens that face
+    for (int at = 3; at < 60; at += 4) {  // a single column: a face whose pixels miss it must still be processed
         const Filled f = filled(256, 128, {{at, at + 1}});
         for (std::size_t i = 0; i < f.hole.size(); ++i)
             if (f.hole.pixels[i]) {

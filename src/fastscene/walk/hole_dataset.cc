@@ -79,8 +79,8 @@ void settle_settings(const Plan& plan) {
                 path.string(), name, value.dump(), found.contains(name) ? found[name].dump() : "none");
 }
 
-// Nothing, with a warning, when the picture cannot be read or walked in: its trouble is its own. (A disk that cannot be
-// written is not.)
+// Empty, with a warning, if the panorama cannot be read or has no room to walk in: such a file is skipped. (An
+// unwritable disk is a hard error.)
 std::optional<Panorama> readable(const PanoramaFiles& files, const Run& run) {
     try {
         return ready_to_walk(load_panorama(files), {run.seed, nullptr, run.stop});
@@ -165,7 +165,7 @@ HoleDatasetState make_hole_dataset(const std::vector<PanoramaFiles>& panoramas, 
             ++state.made;
         }
         const Json about = read_json(plan.done(i));
-        // Records of before say the whole path.
+        // Older records contain the absolute path.
         if (const std::string made = about.value("color", ""); made != files.name && made != files.color.string())
             throw UsageError(
                 "{}: expected panorama {} of the same list, {}, found {}: the input has changed; give another folder",

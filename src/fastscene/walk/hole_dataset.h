@@ -1,5 +1,5 @@
-// Hole dataset (paper, "Panoramic Inpainting Dataset"): panoramas with range -> the holes that a walk would tear into
-// them, on cube faces: what an inpainting network is trained with. The holes come from the code that walks.
+// Hole dataset (paper, "Panoramic Inpainting Dataset"): from panoramas with range, the disocclusion holes of a walk, on
+// cube faces, as training data for inpainting. Uses the same code as the walk.
 #pragma once
 
 #include <cstdint>
@@ -35,19 +35,18 @@ void visit_fields(HoleDatasetParams& p, V&& v) {
 
 struct HoleDatasetState {
     std::int64_t panoramas = 0, there = 0, made = 0, broken = 0;
-    std::int64_t faces = 0, masks = 0;  // of what is there
+    std::int64_t faces = 0, masks = 0;  // currently in the folder
 };
-// DIR/train and DIR/held-out hold
-//     images/shard-00000/00000042-front.png           a face, without holes
-//     masks/shard-00000/00000042-front-03.png         white = hole; the number counts (distance, direction), the
-//     paper's warp first
-// and DIR/done/00000042.json says, last, that panorama 42 of the folder's list is complete. What is there is kept; a
-// panorama that cannot be read is skipped with a warning, counted, and tried again next time. Throws UsageError when
-// DIR holds a set with other settings, Error when no panorama at all could be read.
+// DIR/train and DIR/held-out contain
+// images/shard-00000/00000042-front.png: a face without holes;
+// masks/shard-00000/00000042-front-03.png: white = hole, numbered by (distance, direction), the paper's warp first;
+// and DIR/done/00000042.json, written last, marks panorama 42 as complete. Existing results are kept; unreadable
+// panoramas are skipped with a warning, counted, and retried next time. Throws UsageError if DIR holds a set with other
+// settings, Error if no panorama at all could be read.
 HoleDatasetState make_hole_dataset(const std::vector<PanoramaFiles>& panoramas, const HoleDatasetParams& params,
                                    const std::filesystem::path& folder, const Run& run);
 
-// All hole masks of one panorama (nonzero = hole), in the dataset's order.
+// All hole masks of a panorama (nonzero = hole), in the dataset's order.
 std::vector<ImageMask> walk_holes(const Panorama& panorama, const HoleDatasetParams& params);
 
 }  // namespace fastscene

@@ -1,4 +1,4 @@
-// The inpainting dataset: counts and holes as the paper says, nothing twice, nothing lost to a broken picture.
+// The inpainting dataset: counts and holes as in the paper, no duplicates, robust against a broken picture.
 #include "fastscene/walk/hole_dataset.h"
 
 #include <gtest/gtest.h>
@@ -30,7 +30,7 @@ struct Folder {
     ~Folder() { fs::remove_all(path); }
 };
 
-// Stands in the middle of a box of 4 m; a post of 1 m ahead.
+// At the center of a box of 4 m; a post 1 m ahead.
 void save_post(const fs::path& stem, int width) {
     const EquirectSize size{width, width / 2};
     ImageRgb8 color(size.width, size.height);
@@ -111,7 +111,7 @@ TEST(HoleDataset, BothWarps) {
     for (const ImageMask& hole : holes)
         EXPECT_LT(std::count(hole.pixels.begin(), hole.pixels.end(), 255),
                   static_cast<std::ptrdiff_t>(hole.size() / 2));
-    // A step to the side shows what stood behind the post.
+    // A step sideways reveals what was behind the post.
     EXPECT_GT(std::count(holes[10].pixels.begin(), holes[10].pixels.end(), 255), 20);
     params.metres = "0.3,x";
     EXPECT_THROW(walk_holes(load_panorama(find_panoramas(folder.path / "in")[0]), params), UsageError);

@@ -16,7 +16,7 @@ constexpr int kPublishedWidth = 1024;
 
 struct PaperStep {
     char axis;
-    double share, hole;  // Table 1: "Pose (m)", which are shares of the greatest range, and "Mask (%)" as a share
+    double share, hole;  // Table 1: "Pose (m)", given as shares of the greatest range, and "Mask (%)", as a share
 };
 constexpr PaperStep kPaper[] = {
     {'x', 0.33, 0.643},  {'x', 0.27, 0.587},  {'x', 0.21, 0.519}, {'x', 0.15, 0.432},  {'x', 0.09, 0.332},
@@ -28,7 +28,8 @@ constexpr PaperStep kPaper[] = {
 
 ImageF at_published_size(const ImageF& range) {
     if (range.width <= kPublishedWidth) return range;
-    ImageF out(kPublishedWidth, kPublishedWidth / 2);  // picked: a mean of two surfaces lies on neither
+    // nearest neighbour: an interpolated range lies on neither surface
+    ImageF out(kPublishedWidth, kPublishedWidth / 2);
     for (int y = 0; y < out.height; ++y)
         for (int x = 0; x < out.width; ++x)
             out.at(x, y) = range.at((2 * x + 1) * range.width / (2 * out.width),
@@ -42,7 +43,7 @@ double share_of(const ImageMask& mask) {
            static_cast<double>(mask.size());
 }
 
-// Pixels of `a`, all and those with a pixel of `b` at most `reach` away.
+// Share of the pixels of `a` that have a pixel of `b` at most `reach` away, with the counts.
 double share_inside(const ImageMask& a, const ImageMask& b, int reach) {
     std::int64_t all = 0, inside = 0;
     for (int y = 0; y < a.height; ++y)
@@ -74,8 +75,7 @@ ImageMask true_holes(EquirectSize size, Vec3f position, const Distance& distance
             for (int x = 0; x < size.width; ++x) {
                 const Vec3f d = direction_of_pixel(x, y, size);
                 const float far = distance(position, d);
-                if (!std::isfinite(
-                        far)) {  // the sky: seen from the first viewpoint if nothing stands in that direction
+                if (!std::isfinite(far)) {  // sky: visible from the first viewpoint if nothing is in that direction
                     out.at(x, y) = std::isfinite(distance({}, d)) ? 255 : 0;
                     continue;
                 }
@@ -162,7 +162,7 @@ std::string hole_table_text(const std::vector<HoleRow>& rows) {
 Json hole_table_json(const std::vector<HoleRow>& rows) {
     const auto number = [](double v) {
         return shortest(static_cast<float>(v));
-    };  // seven digits say more than was measured
+    };  // more than seven digits would be false precision
     Json out = Json::array();
     for (const HoleRow& row : rows) {
         Json json{{"axis", std::string(1, row.axis)}, {"share", number(row.share)},

@@ -19,8 +19,8 @@ TEST(HoleTable, OurHolesAreTheTrueDisocclusions) {
     const Panorama first = render_synthetic(world(), {}, kTableSize, 1);
     const WarpSource source = make_warp_source(first.color, first.range, {}, {}, {});
     const float most = *std::max_element(first.range.pixels.begin(), first.range.pixels.end());
-    // A short step opens strips narrower than a pixel; where in its pixel a silhouette runs decides whether a grid
-    // point falls in.
+    // A short step opens strips narrower than a pixel; whether a grid point hits them depends on the silhouette's
+    // sub-pixel position.
     struct {
         float share;
         double precision, recall;
@@ -42,7 +42,7 @@ TEST(HoleTable, HasThePapersRowsAndOursLeavesFewerHoles) {
         EXPECT_LE(row.ours, 0.5 * row.published) << row.axis << row.share;
         EXPECT_EQ(row.truth.has_value(), row.in_room);
     }
-    EXPECT_GT(rows[0].published, rows[5].published);  // farther, more
+    EXPECT_GT(rows[0].published, rows[5].published);  // a longer step opens more
     const std::string text = hole_table_text(rows);
     EXPECT_NE(text.find("precision"), std::string::npos);
     const Json json = hole_table_json(rows);

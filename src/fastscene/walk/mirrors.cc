@@ -13,11 +13,11 @@ namespace {
 
 constexpr std::size_t kMostMirrors = 4;
 constexpr std::size_t kLeastPixels = 64;
-constexpr double kFlat_m = 0.01;         // root mean square of what is taken for one glass
-constexpr float kBeforeGlass_m = 0.04f;  // what is no farther before it is its frame, or the wall about it
+constexpr double kFlat_m = 0.01;         // maximum RMS distance of one glass's pixels from their plane
+constexpr float kBeforeGlass_m = 0.04f;  // anything less far in front of the glass is its frame or the wall around it
 constexpr Vec3f kSilver{0.92f, 0.93f, 0.92f};
 
-// Connected pixels that look into glass.
+// Connected components of pixels that look into glass.
 std::vector<std::vector<std::size_t>> parts_of(const ImageMask& glass) {
     const int w = glass.width, h = glass.height;
     ImageMask left = glass;
@@ -44,8 +44,8 @@ std::vector<std::vector<std::size_t>> parts_of(const ImageMask& glass) {
     return parts;
 }
 
-// The plane of the pixels' surfaces (m . p = 1 in the sense of least squares; panorama 0 is not on it). False: they lie
-// on none.
+// Fits a plane to the pixels' surfaces (m . p = 1, least squares; panorama 0 is not on it). False if they are not
+// planar.
 bool fit_plane(const Panorama& first, const std::vector<std::size_t>& pixels, Mirror& mirror) {
     Mat3d squares{{0, 0, 0}, {0, 0, 0}, {0, 0, 0}};
     Vec3d sum{};
@@ -74,7 +74,8 @@ bool fit_plane(const Panorama& first, const std::vector<std::size_t>& pixels, Mi
     return true;
 }
 
-// Panorama 0 as its mirror image behind the glass would have taken it, without what stands behind the glass or in it.
+// Panorama 0 as its mirror image behind the glass would have taken it, without the pixels behind the glass plane or in
+// the glass.
 WarpSource mirrored_room(const Panorama& first, Vec3f normal, float offset) {
     const EquirectSize size = first.size();
     const Vec3f n2 = normal * 2.f;
@@ -95,7 +96,8 @@ WarpSource mirrored_room(const Panorama& first, Vec3f normal, float offset) {
                             Image<std::int16_t>(size.width, size.height, kNoPlane), used, normal * (2 * offset));
 }
 
-// Of the mirrored room only what lies behind the glass as seen from `position`: a disc about it is quickly asked.
+// Keeps only the mirrored pixels that are behind the glass as seen from `position`; its bounding disc makes the test
+// fast.
 void keep_behind_glass(Mirror& mirror, Vec3f position) {
     WarpSource& image = mirror.image[0];
     const EquirectSize size{image.color.width, image.color.height};
@@ -114,8 +116,8 @@ void keep_behind_glass(Mirror& mirror, Vec3f position) {
     });
 }
 
-// The mirror's image in each marked pixel, the mean of its quarters that show something beyond the glass: take(pixel,
-// color, range).
+// Renders the mirror's image in each marked pixel, as the mean of the quarters that show something beyond the glass:
+// take(pixel, color, range).
 void draw_image(Mirror& mirror, const ImageMask& marked, Vec3f position,
                 const std::function<void(std::size_t, Vec3f, float)>& take) {
     keep_behind_glass(mirror, position);
@@ -135,7 +137,7 @@ void draw_image(Mirror& mirror, const ImageMask& marked, Vec3f position,
     }
 }
 
-// What of the room's colors the glass shows: measured where panorama 0 saw both.
+// The mirror's tint, measured where panorama 0 saw an object both directly and in the mirror.
 Vec3f tint_of(Mirror& mirror, const Panorama& first) {
     Vec3f both{}, squares{};
     draw_image(mirror, mirror.glass, {}, [&](std::size_t i, Vec3f color, float) {

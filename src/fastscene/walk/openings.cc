@@ -9,10 +9,11 @@
 namespace fastscene {
 namespace {
 
-constexpr float kBehind_m = 0.03f;        // a surface so far behind the wall was seen through it
-constexpr float kDeepestReveal_m = 0.6f;  // walls are not thicker
+constexpr float kBehind_m = 0.03f;        // a surface this far behind a wall was seen through it
+constexpr float kDeepestReveal_m = 0.6f;  // maximum wall thickness
 
-// Unknown places (no entry in `known`) take after the nearest known one: one step a round, the sources in order.
+// Propagates the nearest known value to unknown positions (those without an entry in `known`): one step per round,
+// sources in order.
 void spread(Image<Wall>& wall, ImageMask& known) {
     std::deque<std::pair<int, int>> queue;
     for (int y = 0; y < wall.height; ++y)
@@ -49,7 +50,7 @@ Openings find_openings(const ImageF& range, const ScenePlane& plane, EquirectSiz
             const Vec2f at = pixel_of_direction(p, size);
             const float seen = range.at(wrap_column(static_cast<int>(at.x), size.width),
                                         std::min(static_cast<int>(at.y), size.height - 1));
-            // How far behind the plane the seen surface lies; beyond a wall's own roughness, it is an opening.
+            // How far the visible surface lies behind the plane; beyond the wall's own roughness it is an opening.
             const float behind = (seen / length(p) - 1.f) * -plane.offset;
             if (behind < -plane_tolerance(length(p))) continue;
             known.at(x, y) = 1;
@@ -61,7 +62,7 @@ Openings find_openings(const ImageF& range, const ScenePlane& plane, EquirectSiz
     if (!any) return {};
     spread(out.wall, known);
     if (!depths.empty()) {
-        // Most of what is seen in a window's opening is its frame; the reveals are nearer.
+        // Most of what is visible in a window's opening is its frame; the reveals are nearer.
         const auto deep = depths.begin() + static_cast<std::ptrdiff_t>(depths.size() * 7 / 10);
         std::nth_element(depths.begin(), deep, depths.end());
         out.depth_m = *deep;

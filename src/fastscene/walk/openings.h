@@ -1,5 +1,5 @@
-// Openings: where a wall ends because panorama 0 looked through it: windows, open doors. A ray that leaves the room
-// there must not end on a wall continued outside.
+// Openings: where a wall ends because panorama 0 looked through it (windows, open doors). A ray that leaves the room
+// there must not end on a continuation of the wall.
 #pragma once
 
 #include "fastscene/image/image.h"
@@ -8,15 +8,15 @@
 
 namespace fastscene {
 
-enum class Wall : std::uint8_t { solid, open, sky };  // sky: panorama 0 saw nothing but the outside through it
+enum class Wall : std::uint8_t { solid, open, sky };  // sky: panorama 0 saw only the outside through it
 
 struct Openings {
-    Image<Wall> wall;   // on the grid of the plane's picture; what is hidden takes after the nearest place seen
-    float depth_m = 0;  // how far behind the wall the window's frame stands
+    Image<Wall> wall;   // on the grid of the plane's picture; hidden positions copy the nearest visible one
+    float depth_m = 0;  // distance of the window frame behind the wall
     bool any() const { return !wall.empty(); }
 };
-// `plane`: of the hull; its grid begins at `low`, and has the size of `grid`. Empty when panorama 0 saw through it
-// nowhere.
+// `plane`: a hull plane whose grid starts at `low` and has the size of `grid`. Empty if panorama 0 nowhere saw through
+// it.
 Openings find_openings(const ImageF& range, const ScenePlane& plane, EquirectSize grid, float metres_per_pixel);
 
 }  // namespace fastscene

@@ -14,7 +14,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// A picture of the set that `fastscene rooms dataset` makes: its JSON, written last.
+// A picture of a set made by `fastscene rooms dataset`, by its JSON, which is written last.
 std::optional<PanoramaFiles> from_our_set(const fs::path& json_path) {
     const Json about = read_json(json_path);
     if (!about.is_object() || about.value(Json::json_pointer("/camera/model"), "") != "EQUIRECTANGULAR" ||

@@ -1,4 +1,4 @@
-// Panoramas with range as they lie in folders: ours, Structured3D's as downloaded, or anybody's.
+// Finds panoramas with range in folders: our datasets, Structured3D as downloaded, or any others.
 #pragma once
 
 #include <filesystem>
@@ -12,20 +12,19 @@ namespace fastscene {
 struct PanoramaFiles {
     std::filesystem::path color, range;
     std::string
-        place;  // pictures of one room (ours), of one house (Structured3D) have one place; else the name of the file
-    std::string name;  // the color file's path below the folder that was searched: the same from wherever and however
-                       // that is named
+        place;         // identifies the room (our sets) or house (Structured3D) of the picture; otherwise the file name
+    std::string name;  // the color file's path relative to the searched folder, independent of where that is
 };
-// In the order of their paths:
-//   - what `fastscene rooms dataset` made: the panoramas among its pictures;
-//   - Structured3D: .../scene_NNNNN/2D_rendering/ROOM/panorama/full/ rgb_rawlight.png with depth.png;
-//   - NAME.png, .jpg, .webp or .tif beside NAME.range.exr, .pfm, .tif or .png (16 bit, millimetres along the ray; 0 =
-//   unknown or outside).
-// Throws UsageError when the folder is none or holds no such pair.
+// Sorted by path:
+// - sets made by `fastscene rooms dataset`: the panoramas among their pictures;
+// - Structured3D: .../scene_NNNNN/2D_rendering/ROOM/panorama/full/ rgb_rawlight.png with depth.png;
+// - NAME.png, .jpg, .webp or .tif beside NAME.range.exr, .pfm, .tif or .png (16 bit, millimetres along the ray; 0 =
+// unknown or outside).
+// Throws UsageError if it is not a folder or holds no such pair.
 std::vector<PanoramaFiles> find_panoramas(const std::filesystem::path& folder);
 
-// Throws Error naming the file: not readable, not twice as wide as high, range of another shape. A range map of another
-// size is picked from, pixel by pixel.
+// Throws Error naming the file: unreadable, not 2:1, or a range map of another aspect ratio. A range map of another
+// size is resampled with nearest neighbours.
 Panorama load_panorama(const PanoramaFiles& files);
 
 }  // namespace fastscene

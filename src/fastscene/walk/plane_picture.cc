@@ -13,12 +13,14 @@
 namespace fastscene {
 namespace {
 
-constexpr float kReach_m = 8.f;  // a plane's picture ends here on each side of panorama 0,
-constexpr float kReach = 2.f;    // or at so many times the plane's distance: a hall's walls are seen beyond 8 m
+constexpr float kReach_m = 8.f;  // metres: extent of a plane's picture on each side of panorama 0,
+// or this many times the plane's distance, if larger: walls of a hall are visible beyond 8 m
+constexpr float kReach = 2.f;
 constexpr int kLongestSide = 640;
 constexpr float kMargin_m =
-    0.3f;  // hidden part of a furniture face that we believe in; chosen on walked rooms with known truth
-constexpr float kWidestGap_m = 0.8f;  // hidden part between two seen ones
+    // metres: how far a furniture face is extended into its hidden part; tuned on walks through rooms with ground truth
+    0.3f;
+constexpr float kWidestGap_m = 0.8f;  // metres: widest hidden part that is bridged between two seen ones
 
 PlanePicture blank(ScenePlane plane) {
     PlanePicture picture{plane, 0.01f, {}, {}, {}, {}};
@@ -37,7 +39,8 @@ PlanePicture blank(ScenePlane plane) {
     return picture;
 }
 
-// Are all pixels about (x, y) on the plane? A pixel beside a crease or a silhouette holds some of what lies across it.
+// Whether all pixels around (x, y) are on the plane. Pixels next to a crease or silhouette contain color from across
+// it.
 bool is_inside(const Image<std::int16_t>& label, const ImageMask& cuts, int x, int y, std::int16_t index) {
     if (cuts.at(x, y) & kFarSide) return false;
     for (int j = std::max(0, y - 1); j <= std::min(label.height - 1, y + 1); ++j)
@@ -50,9 +53,10 @@ enum class Place : std::uint8_t {
     seen,
     hidden,
     empty
-};  // empty: panorama 0 looked past the plane there, or saw another close to it
+};  // empty: panorama 0 saw past the plane there, or saw another plane close to it
 
-// What panorama 0 says of the place `p` of a plane, which it sees, or what hides it, in pixel (x, y).
+// Classifies the point `p` of a plane by what panorama 0 shows in pixel (x, y): the plane itself, an occluder, or empty
+// space.
 Place place_at(Vec3f p, std::size_t index, const std::vector<ScenePlane>& planes, const ImageF& range,
                const Image<std::int16_t>& label, int x, int y) {
     const ScenePlane& plane = planes[index];
@@ -65,13 +69,13 @@ Place place_at(Vec3f p, std::size_t index, const std::vector<ScenePlane>& planes
     return beside || behind > plane_tolerance(far) ? Place::empty : Place::hidden;
 }
 
-// Metres from each place to the nearest one that is `goal`, on ways that cross nothing `barred` (infinite where there
-// is none): rounds of equal distance, steps of 3 and, across, of 4 thirds of a pixel (Borgefors 1986).
+// Distance in metres from each position to the nearest `goal` without crossing `barred` ones (infinite if there is
+// none): a chamfer distance transform with steps of 3 and, diagonally, 4 thirds of a pixel (Borgefors 1986).
 ImageF distance_to(Place goal, const Image<Place>& places, float metres_per_pixel, std::optional<Place> barred = {}) {
     constexpr int kStraight = 3, kDiagonal = 4;
     constexpr int kNever = std::numeric_limits<int>::max();
     Image<int> least(places.width, places.height, kNever);
-    std::array<std::vector<std::pair<int, int>>, kDiagonal + 1> rounds;  // by distance, modulo their number
+    std::array<std::vector<std::pair<int, int>>, kDiagonal + 1> rounds;  // circular buckets by distance
     std::size_t waiting = 0;
     for (int y = 0; y < places.height; ++y)
         for (int x = 0; x < places.width; ++x)
@@ -97,15 +101,16 @@ ImageF distance_to(Place goal, const Image<Place>& places, float metres_per_pixe
     return out;
 }
 
-// Several things may share a plane (the seats of two chairs): each goes on a little past where it was seen, and between
-// places seen that are not far apart, but never across a place where panorama 0 looked past it, and not to where such a
-// place is nearer than one that was seen: what hides the edge of a seat hides the air beyond it too. Only what lies on
-// a wall, the floor or the ceiling goes on there: frames are slender, panes are looked through.
+// Several objects may share a plane (the seats of two chairs). Each is extended slightly past where it was seen, and
+// gaps between seen parts are closed if narrow, but never across a position where panorama 0 saw past the plane, nor to
+// positions closer to such an empty one than to a seen one: the occluder of a seat's edge also hides the empty space
+// beyond. On a wall, floor or ceiling only things that lie on it are extended: frames are slender, and panes are seen
+// through.
 ImageMask face_of(const ScenePlane& plane, const Image<Place>& places, const ImageF& unseen_m, float metres_per_pixel) {
     const int gap = static_cast<int>(kWidestGap_m / metres_per_pixel);
     ImageMask face(places.width, places.height);
     for (std::size_t i = 0; i < face.size(); ++i) face.pixels[i] = unseen_m.pixels[i] <= kMargin_m;
-    const auto bridge = [&](int count, auto&& place, auto&& mark) {  // one line
+    const auto bridge = [&](int count, auto&& place, auto&& mark) {  // a single line
         for (int i = 0, last = -1; i < count; ++i) {
             if (place(i) == Place::empty) last = -1;
             if (place(i) != Place::seen) continue;

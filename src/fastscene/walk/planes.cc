@@ -10,22 +10,25 @@ namespace fastscene {
 namespace {
 
 constexpr int kMostPlanes = 28;
-constexpr int kDraws = 160;             // hypotheses a plane
-constexpr float kLeastShare = 0.0025f;  // of the sphere that a plane must cover
-constexpr float kAligned = 0.9f;        // cosine between a pixel's normal and its plane's
-constexpr float kHullShare = 0.03f;     // of the scene may lie behind a hull plane: what windows and doors show
+constexpr int kDraws = 160;             // RANSAC hypotheses per plane
+constexpr float kLeastShare = 0.0025f;  // minimum share of the sphere that a plane must cover
+constexpr float kAligned = 0.9f;        // minimum cosine between a pixel's normal and its plane's
+constexpr float kHullShare =
+    0.03f;  // maximum share of the scene behind a hull plane, as seen through windows and doors
 constexpr float kBehindPlane_m =
-    0.1f;  // what lies so far behind a plane does; in a hall, farther than points lie off their own plane
-// A door, a panel, a picture's glass: parallel to a wall and this near to it, so a thing on the wall and not where the
-// room ends.
+    // metres: farther behind a plane than this counts as behind; in a hall, farther than the tolerance of points on the
+    // plane
+    0.1f;
+// A door, a panel, a picture's glass: parallel to a wall and at most this far in front of it, so an object on the wall
+// and not the boundary of the room.
 constexpr float kOnWall_m = 0.2f;
-// The wall that shows beside its tiles or a little above the cupboards is a strip: layers behind a hull plane may be
-// small. What is before it is a thing.
+// Wall visible beside its tiles or above the cupboards forms narrow strips: layers behind a hull plane may be small.
+// Anything in front of it is an object.
 constexpr float kLeastLayer = 0.0005f;
-constexpr float kAllAlong = 0.9f;  // of the width or height of what was seen of the plane it lies on
+constexpr float kAllAlong = 0.9f;  // share of the width or height of what was seen of the plane it lies on
 constexpr int kMostLayers = 3, kLayerDraws = 64;
-// What is built is parallel to a larger plane when it nearly is. Leaning by more than kExact it must have that much
-// more support to be believed: of few normals, or in relief, it leans by chance.
+// Man-made surfaces are parallel to a larger plane if they nearly are. A plane tilted by more than kExact needs this
+// much more support to be accepted: with few normals, or on relief, its tilt is noise.
 constexpr float kExact = 0.9998f, kLeaning = 0.985f, kLeaningGains = 1.5f;
 
 struct Sample {
@@ -38,7 +41,7 @@ Vec3f point_at(const ImageF& range, int x, int y) {
     const int row = std::clamp(y, 0, range.height - 1), column = wrap_column(x, range.width);
     return direction_of_pixel(column, row, size) * range.at(column, row);
 }
-// Normal from the differences to both sides, towards the viewpoint; zero where there is no surface.
+// Normal from central differences, facing the viewpoint; zero where there is no surface.
 Vec3f normal_at(const ImageF& range, int x, int y) {
     const Vec3f across = point_at(range, x + 1, y) - point_at(range, x - 1, y);
     const Vec3f down = point_at(range, x, y + 1) - point_at(range, x, y - 1);
@@ -72,15 +75,14 @@ float support_of(const std::vector<Sample>& samples, Vec3f normal, float offset)
     return sum;
 }
 
-// The normal of the first larger plane from which this one leans little.
+// The normal of the first larger plane that is nearly parallel to this one.
 Vec3f straightened(Vec3f normal, const std::vector<ScenePlane>& larger, float least_cosine) {
     for (const ScenePlane& p : larger)
         if (const float c = dot(p.normal, normal); std::fabs(c) > least_cosine) return c > 0 ? p.normal : -p.normal;
     return normal;
 }
 
-// Weighted mean of normals, then of offsets: twice is enough.
-// What is parallel to a larger plane stays so.
+// Weighted mean of normals, then of offsets, iterated twice. Planes parallel to a larger one stay so.
 void refine(const std::vector<Sample>& samples, const std::vector<ScenePlane>& larger, ScenePlane& plane) {
     const bool parallel = std::any_of(larger.begin(), larger.end(), [&](const ScenePlane& p) {
         return std::fabs(dot(p.normal, plane.normal)) > kExact;
@@ -108,7 +110,7 @@ void measure_extent(const std::vector<Sample>& samples, ScenePlane& plane) {
     plane.low = {1e9f, 1e9f};
     plane.high = {-1e9f, -1e9f};
     for (const Sample& s : samples) {
-        // A wall goes on wherever the room does, and what lies on it may; a face of furniture only as far as it was
+        // A wall extends as far as the room, and things on it may too; a furniture face extends only as far as it was
         // seen.
         if (!plane.hull && !plane.on_hull && !belongs(s, plane.normal, plane.offset)) continue;
         const float a = dot(plane.u, s.point), b = dot(plane.v, s.point);
@@ -117,7 +119,7 @@ void measure_extent(const std::vector<Sample>& samples, ScenePlane& plane) {
     }
 }
 
-// Along the axes of `hull`: how far what was seen of a plane parallel to it spreads, metres.
+// Extent in metres, along the axes of `hull`, of what was seen of a plane parallel to it.
 Vec2f spread_of(const std::vector<Sample>& samples, const ScenePlane& hull, float offset) {
     ScenePlane plane = hull;
     plane.hull = plane.on_hull = false;
@@ -125,16 +127,16 @@ Vec2f spread_of(const std::vector<Sample>& samples, const ScenePlane& hull, floa
     measure_extent(samples, plane);
     return {std::max(0.f, plane.high.x - plane.low.x), std::max(0.f, plane.high.y - plane.low.y)};
 }
-// A wall behind its tiles that shows as wide as they do has no end beside a cupboard; things before a wall, however
-// many, end.
+// A wall behind tiles that is visible over their full width does not end beside a cupboard; objects in front of a wall,
+// however many, do.
 bool spreads_all_along(const std::vector<Sample>& samples, const ScenePlane& hull, float offset) {
     if (offset > hull.offset) return false;
     const Vec2f whole = spread_of(samples, hull, hull.offset), part = spread_of(samples, hull, offset);
     return part.x >= kAllAlong * whole.x || part.y >= kAllAlong * whole.y;
 }
 
-// The next layer of a hull plane: parallel, a little behind it, on samples that belong to no plane so far. False: there
-// is none.
+// Finds the next layer of a hull plane: parallel, slightly behind it, on samples that belong to no plane yet. False if
+// there is none.
 bool find_layer(const std::vector<Sample>& left, const ScenePlane& hull, ScenePlane& layer) {
     std::vector<Sample> near;
     for (const Sample& s : left) {
@@ -164,7 +166,7 @@ std::vector<ScenePlane> find_planes(const ImageF& range, std::uint64_t seed) {
     const float sphere = 4.f * std::numbers::pi_v<float>;
     while (static_cast<int>(planes.size()) < kMostPlanes && !left.empty()) {
         Random random(seed, "walk/planes", planes.size());
-        std::vector<Sample> few;  // every eighth sample judges the hypotheses
+        std::vector<Sample> few;  // every eighth sample scores the hypotheses
         for (std::size_t i = 0; i < left.size(); i += 8) few.push_back(left[i]);
         ScenePlane best;
         float most = 0;

@@ -1,5 +1,5 @@
-// Planes: walls, floor, ceiling and the flat faces of furniture, found in panorama 0. What a piece of furniture
-// hides is mostly the rest of such a plane.
+// Plane detection: walls, floor, ceiling and flat furniture faces in panorama 0. What an object hides is mostly the
+// continuation of such a plane.
 #pragma once
 
 #include <cstdint>
@@ -9,30 +9,31 @@
 
 namespace fastscene {
 
-// normal . p = offset, in the frame of panorama 0; the normal looks towards panorama 0, so offset < 0.
+// normal . p = offset, in panorama 0's frame; the normal faces panorama 0, so offset < 0.
 struct ScenePlane {
     Vec3f normal;
     float offset = 0;
-    bool hull = false;  // (nearly) nothing of the scene lies behind it: a wall, the floor, the ceiling
+    bool hull = false;  // (nearly) nothing of the scene is behind it: a wall, the floor, the ceiling
     bool on_hull =
-        false;  // parallel to such a plane and close to it: a door in a wall, the wall above its tiles, a rug
+        false;  // parallel to a hull plane and close to it: a door in a wall, the wall above its tiles, a rug
     bool all_along =
-        false;        // behind it and seen as wide or as high, so that it ends only where another was seen nearer by
-    Vec3f u, v;       // axes in the plane
+        // behind the hull plane and seen as wide or as high, so it ends only where another was seen at closer range
+        false;
+    Vec3f u, v;       // orthonormal axes within the plane
     Vec2f low, high;  // its extent along them, metres
     Vec3f at(Vec2f p) const { return normal * offset + u * p.x + v * p.y; }
 };
-// How far a point may lie off a plane and still belong to it.
+// Maximum distance of a point that still belongs to a plane.
 inline float plane_tolerance(float range) { return 0.012f + 0.006f * range; }
 
-// Tiles on a wall, a door in it: of planes so near to each other only one is there.
+// Tiles on a wall, a door in it: of planes this close to each other only one exists at any position.
 inline bool are_side_by_side(const ScenePlane& a, const ScenePlane& b) {
     return dot(a.normal, b.normal) > 0.97f && std::fabs(a.offset - b.offset) < 0.2f;
 }
 
-// Largest first, then the layers of hull planes. Deterministic: the draws are counted, not timed.
+// Largest first, then the layers of hull planes. Deterministic: the number of hypotheses is fixed, not time-limited.
 std::vector<ScenePlane> find_planes(const ImageF& range, std::uint64_t seed);
-// The plane of every pixel, or -1.
+// The plane index of every pixel, or -1.
 Image<std::int16_t> label_planes(const ImageF& range, const std::vector<ScenePlane>& planes);
 
 }  // namespace fastscene

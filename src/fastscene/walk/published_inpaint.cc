@@ -5,7 +5,7 @@
 namespace fastscene {
 namespace {
 
-constexpr int kMeantForTwice = 2;  // the way back is built for super-resolved faces, twice as long
+constexpr int kMeantForTwice = 2;  // the official inverse mapping assumes super-resolved faces of twice the size
 
 ImageColor unit_of(const ImageRgb8& image) {
     ImageColor out(image.width, image.height);

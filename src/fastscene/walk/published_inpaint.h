@@ -1,6 +1,6 @@
-// The official program's inpainting of a panorama (the paper's PNVI, one step): holes go to six cube faces, each face
-// is painted, and only hole pixels of the panorama are replaced by what comes back. Everything passes through 8 bits,
-// cut off, not rounded.
+// The official program's panorama inpainting (one step of the paper's PNVI): holes are projected to six cube faces,
+// each face is inpainted, and only the panorama's hole pixels are replaced by the result. All values pass through 8
+// bits by truncation.
 #pragma once
 
 #include <array>
@@ -12,16 +12,16 @@ namespace fastscene {
 
 struct PublishedFace {
     ImageRgb8 color;  // holes white
-    ImageMask hole;   // nonzero = a hole: any face pixel that a hole's pixel touches
+    ImageMask hole;   // nonzero = hole: any face pixel touched by a hole pixel
 };
-// In the order of kPublishedFaces. `hole`: nonzero = a hole.
-// The masks alone.
+// In the order of kPublishedFaces. `hole`: nonzero = hole. Masks only.
 std::array<ImageMask, 6> published_hole_faces(const ImageMask& hole, int face_size);
 std::array<PublishedFace, 6> published_faces(const ImageRgb8& color, const ImageMask& hole, int face_size);
-// `painted` goes back with the official's factor of two between the size that is meant and the size that is there.
+// Projects `painted` back, with the official program's mismatch of a factor of two between the assumed and the actual
+// face size.
 ImageRgb8 published_merge(const ImageRgb8& color, const ImageMask& hole, const std::array<ImageRgb8, 6>& painted);
 
-// Paints a flat picture; may change known pixels too (they are dropped in the merge, but for the faces' seams).
+// Inpaints a perspective picture. May change known pixels, which the merge drops except at face borders.
 using Painter = std::function<ImageRgb8(const ImageRgb8& color, const ImageMask& hole)>;
 ImageRgb8 published_inpaint(const ImageRgb8& color, const ImageMask& hole, int face_size, const Painter& paint);
 

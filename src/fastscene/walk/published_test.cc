@@ -15,17 +15,17 @@ Panorama furnished(EquirectSize size) {
 }
 
 TEST(PublishedWarp, LandsWhereTheOfficialFrameSays) {
-    // One near pixel on a far sphere; a move by half its distance towards the middle, the zenith and the right.
+    // One near pixel in front of a far sphere; moves by half its distance towards the center, the zenith and the right.
     const int w = 64, h = 32;
     const Image<double> range(w, h, 1.0);
     const ImageRgb8 color(w, h, Rgb8{10, 20, 30});
     const PublishedWarp ahead = published_warp(color, range, {0.5, 0, 0});
-    // Towards the middle of the picture everything spreads away from it: what was beside the middle lands farther out.
+    // Moving towards the picture's center, everything spreads away from it.
     EXPECT_EQ(ahead.source.at(w / 2, h / 2), ahead.source.at(w / 2, h / 2));
     int left = 0;
     for (int x = 1; x < w / 2; ++x)
         if (ahead.source.at(x, h / 2) != kNoSource) left = std::max(left, ahead.source.at(x, h / 2) % w - x);
-    EXPECT_GT(left, 2);  // from nearer the middle
+    EXPECT_GT(left, 2);  // from closer to the center
     EXPECT_NEAR(ahead.range.at(w / 2, h / 2), 0.5, 0.02);
     const PublishedWarp up = published_warp(color, range, {0, 0.5, 0});
     EXPECT_NEAR(up.range.at(5, 1), 0.5, 0.02);
@@ -91,7 +91,7 @@ TEST(PublishedWalk, WalksEightWaysAtTheStepsItSays) {
         const Walked walked = walked_through(first, params, {});
         const bool far = params.kind == "paper-far";
         ASSERT_EQ(walked.panoramas.size(), far ? 9u : 17u);
-        const Panorama& last = walked.panoramas[far ? 1 : 2];  // towards the middle of the picture
+        const Panorama& last = walked.panoramas[far ? 1 : 2];  // towards the picture's center
         EXPECT_NEAR(last.world_from_pano.translation.z, 2 * params.step * most, 0.02f * most * 0.1f);
         EXPECT_EQ(walked.about.at("kind"), kind);
         EXPECT_NE(walked.about.at("depth").get<std::string>().find("stands in"), std::string::npos);
@@ -104,7 +104,7 @@ TEST(PublishedWalk, WalksEightWaysAtTheStepsItSays) {
         EXPECT_GT(original, 256 * 128 / 2);
         EXPECT_GT(invented, 500);
         EXPECT_EQ(carried > 0, !far);
-        // Still the same room: a published step is rough, not wrong.
+        // Still the same room: a published step is imprecise, but not wrong.
         const Panorama truth = render_synthetic(
             SyntheticWorld::furnished(SyntheticPaint::smooth, SyntheticPaint::planks), last.world_from_pano.translation,
             {256, 128}, 1);

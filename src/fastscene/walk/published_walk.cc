@@ -14,9 +14,9 @@
 namespace fastscene {
 namespace {
 
-constexpr int kFaceSize = 512;  // as published for 1024 columns; fewer columns need no more than half of them
+constexpr int kFaceSize = 512;  // as published for 1024 columns; narrower panoramas use half their width
 
-// What the driver carries from step to step.
+// The state carried from step to step.
 struct Frame {
     ImageRgb8 color;
     Image<double> range;  // metres; sky: +inf
@@ -32,7 +32,7 @@ T greatest_range(const Image<T>& range) {
     return most;
 }
 
-// A step's warp, with what the official program does not keep: the sky and where each pixel is from.
+// The warp of a step, plus what the official program does not track: sky, and each pixel's origin.
 struct Stepped {
     PublishedWarp warp;  // range in metres
     Image<Known> known;
@@ -64,8 +64,8 @@ ImageF in_float(const Image<double>& image) {
     return out;
 }
 
-// Stands in for an estimator: the warped range, its holes filled smoothly from their surroundings, among which the sky
-// counts as the farthest thing.
+// Without an estimator: the warped range with its holes smoothly interpolated, where the sky counts as the farthest
+// range.
 Image<double> filled_range(const PublishedWarp& warp) {
     ImageF range = in_float(warp.range);
     const float most = greatest_range(range);
@@ -101,8 +101,8 @@ Json walk_as_published(const Panorama& first, const WalkParams& params, const Ru
         const Vec3d along = world_from_published(direction.move);
         const Vec3f toward = normalize(
             Vec3f{static_cast<float>(along.x), static_cast<float>(along.y), static_cast<float>(along.z)});
-        // The official step is a share of the greatest range, found anew each time; here it also has to stay in the
-        // room.
+        // The official step length is a share of the greatest range, recomputed each time; here it also has to stay
+        // inside the room.
         const double free_m = kMostOfTheWay * static_cast<double>(distance_ahead(first.range, toward));
         double reached_m = 0, wanted_m = 0;
         for (int step = 0; step < steps; ++step) {
@@ -116,7 +116,7 @@ Json walk_as_published(const Panorama& first, const WalkParams& params, const Ru
             const ImageRgb8 painted = direct ? paint(next.warp.color, next.hole)
                                              : published_inpaint(next.warp.color, next.hole, face_size, paint);
             frame.color = painted;
-            if (direct)  // of the painted picture too only the holes are taken
+            if (direct)  // in direct mode, too, only hole pixels are taken from the painted picture
                 for (std::size_t i = 0; i < next.hole.size(); ++i)
                     if (!next.hole.pixels[i]) frame.color.pixels[i] = next.warp.color.pixels[i];
             frame.range = estimate ? in_double(estimate(linear_from_srgb8(frame.color), run)) : filled_range(next.warp);

@@ -5,8 +5,8 @@
 
 namespace fastscene {
 
-// params.kind: "paper", "paper-direct" or "paper-far". Panorama 0 comes first (the official program drops it); then one
-// panorama a step, direction by direction. Returns what the record should say.
+// params.kind: "paper", "paper-direct" or "paper-far". Emits panorama 0 first (the official program drops it), then one
+// panorama per step, direction by direction. Returns the record for stage.json.
 Json walk_as_published(const Panorama& first, const WalkParams& params, const Run& run, const TakePanorama& take,
                        const RangeEstimator& estimate);
 

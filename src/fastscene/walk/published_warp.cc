@@ -11,7 +11,7 @@
 namespace fastscene {
 namespace {
 
-// Sines and cosines of the rows' latitudes and the columns' longitudes.
+// Sines and cosines of row latitudes and column longitudes.
 struct Angles {
     std::vector<double> sine, cosine;
     template <class AngleOf>
@@ -34,7 +34,7 @@ struct OfficialDirections {
     }
 };
 
-// Where a source pixel lands, and how far it is from there.
+// Where a source pixel is projected to, and its new range.
 struct Landing {
     std::int32_t target = kNoSource;
     double range = 0;
@@ -62,7 +62,7 @@ PublishedWarp published_warp(const ImageRgb8& color, const Image<double>& range,
     Image<Landing> landing(w, h);
     parallel_for(h, 16, [&](std::int64_t begin, std::int64_t end) {
         const auto columns = static_cast<std::size_t>(w);
-        // Of a row: where its pixels lie seen from the new position, and at which angles.
+        // Per row: the pixels' positions relative to the new viewpoint, and their angles.
         std::vector<double> far(columns), up(columns), flat(columns), ahead(columns), left(columns), theta(columns),
             phi(columns);
         for (auto y = static_cast<std::size_t>(begin); y < static_cast<std::size_t>(end); ++y) {

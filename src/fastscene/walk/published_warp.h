@@ -1,7 +1,7 @@
-// The official program's coarse view (the paper's CVS), with its habits: a pixel's direction is that of its upper left
-// corner; each pixel of the source lands on one pixel of the target, found by floor, the nearest wins; row 0 and column
-// 0 are never written and nothing wraps. So cracks open even where nothing was hidden, and the far shines through the
-// near. docs/decisions/0010 lists what was observed.
+// The official program's coarse view (the paper's CVS), reproduced with its quirks: a pixel's direction is that of its
+// top left corner; each source pixel is forward-mapped to one target pixel by floor, nearest range wins; row 0 and
+// column 0 are never written, and nothing wraps. This opens cracks where nothing is disoccluded, and background shows
+// through foreground. docs/decisions/0010 lists the observations.
 #pragma once
 
 #include <algorithm>
@@ -15,16 +15,16 @@ inline constexpr std::int32_t kNoSource = -1;
 
 struct PublishedWarp {
     ImageRgb8 color;             // holes white
-    Image<double> range;         // from the new position; holes 0
-    Image<std::int32_t> source;  // index of the pixel that landed here, or kNoSource: a hole
+    Image<double> range;         // from the new position; 0 in holes
+    Image<std::int32_t> source;  // index of the source pixel, or kNoSource for a hole
     double hole_ratio() const;
 };
 
-// `move` in the units of `range`, in the official frame: x towards the middle of the picture, y up, z to its right.
-// Sizes must agree; ranges > 0. A tie in distance goes to the first pixel in reading order.
+// `move`: in units of `range`, in the official frame: x towards the picture's center, y up, z to its right. Sizes must
+// match; ranges > 0. Ties in distance go to the first pixel in reading order.
 PublishedWarp published_warp(const ImageRgb8& color, const Image<double>& range, Vec3d move);
 
-// The official program computes in double.
+// The official program computes in double precision.
 inline Image<double> in_double(const ImageF& image) {
     Image<double> out(image.width, image.height);
     std::copy(image.pixels.begin(), image.pixels.end(), out.pixels.begin());
@@ -34,11 +34,10 @@ inline Image<double> in_double(const ImageF& image) {
 // Unit directions of a picture's pixels, official frame.
 Image<Vec3d> published_directions(int width, int height);
 
-// The official units: a share of the greatest range; what is unknown (0) lies at the greatest. Not finite: likewise.
+// Range in official units, as a share of the greatest range; unknown (0) and non-finite pixels get the greatest.
 Image<double> published_units(const Image<double>& range);
 
-// The eight ways in which the official program walks, in its order; diagonals are longer by a square root of two, as
-// published.
+// The eight directions of the official program, in its order; diagonals are longer by sqrt(2), as published.
 struct PublishedDirection {
     const char* name;
     Vec3d move;  // official frame

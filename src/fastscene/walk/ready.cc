@@ -9,11 +9,12 @@
 namespace fastscene {
 namespace {
 
-constexpr float kNearest_m = 0.001f;  // nothing that a picture shows is nearer to its lens: a fault of what measured
-constexpr float kNoRoom_m = 0.1f;     // half of all surfaces nearer: inside a thing, or other units
-constexpr float kTooFar_m = 1000.f;   // no room is so wide: other units
+constexpr float kNearest_m = 0.001f;  // metres: smaller ranges are measurement errors
+// metres: if the median range is smaller, the camera is inside an object or the units are wrong
+constexpr float kNoRoom_m = 0.1f;
+constexpr float kTooFar_m = 1000.f;  // metres: no room is this large, so the units are wrong
 
-// Half of the sphere's directions with a range see farther.
+// Median over the sphere of the known ranges.
 float median_range(const ImageF& range) {
     const EquirectSize size{range.width, range.height};
     std::vector<std::pair<float, double>> seen;

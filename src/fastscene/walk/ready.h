@@ -1,4 +1,4 @@
-// Ready: the first panorama, looked at with suspicion before a walk begins.
+// Validates the first panorama before a walk.
 #pragma once
 
 #include "fastscene/base/run.h"
@@ -6,9 +6,9 @@
 
 namespace fastscene {
 
-// Pixels without a range (0, negative, NaN, infinite, less than a millimetre) become sky, with a warning unless they
-// were sky already; `known` is set. Throws Error when color and range do not fit together, nothing has a range, or
-// there is no free space to walk in.
+// Pixels without a valid range (0, negative, NaN, infinite, below a millimetre) become sky, with a warning unless they
+// were sky already; sets `known`. Throws Error if color and range do not match, no pixel has a range, or there is no
+// free space to walk in.
 Panorama ready_to_walk(Panorama first, const Run& run);
 
 }  // namespace fastscene

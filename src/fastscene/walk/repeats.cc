@@ -12,25 +12,27 @@
 namespace fastscene {
 namespace {
 
-constexpr float kCell_m = 0.04f;  // motions are looked for on a coarse picture of such cells, then made exact
+// metres per pixel of the coarse picture on which motions are searched, before refinement
+constexpr float kCell_m = 0.04f;
 constexpr int kMostCells =
-    256;  // a side of the coarse picture: there are as many shifts as cells; halls have larger ones
-constexpr float kAbout_m = 0.4f;  // what is seen so near to a hidden place judges the motions
+    256;  // maximum side of the coarse picture, since the search is quadratic in it; halls get larger cells
+constexpr float kAbout_m = 0.4f;  // metres: seen pixels this close to a hidden one are used to test motions
 constexpr float kPattern =
-    0.002f;  // least variance there (linear color, three channels): plain surfaces need no motion
+    0.002f;  // minimum variance there (linear color, three channels): uniform surfaces need no motion
 constexpr float kAgrees =
-    0.4f;  // of that variance may be left between a picture and its moved self; chance leaves twice it
-constexpr std::size_t kFirst = 60;  // questions: who answers none of these is asked no further
+    0.4f;  // maximum residual, as a share of that variance; unrelated patches leave about twice the variance
+constexpr std::size_t kFirst = 60;  // a motion that explains none of the first few queries is rejected
 constexpr int kMostQuestions = 240, kMostWitnesses = 40, kMostMotions = 8;
-constexpr int kMirrors = 90;            // directions of a mirror's axis over half a turn
-constexpr float kLeastOfWindow = 0.1f;  // of a window must bear witness
-// The nearest witnesses that there are judge each pixel; the farther off they are, the better a motion must agree.
+constexpr int kMirrors = 90;            // mirror axis directions tested over 180 degrees
+constexpr float kLeastOfWindow = 0.1f;  // minimum share of a window's pixels that must be comparable
+// Each pixel is judged by the smallest window with enough comparable pixels; the larger the window, the better a motion
+// must agree.
 struct Window {
     float reach_m, agrees;
 };
 constexpr std::array<Window, 3> kWindows{{{0.3f, kAgrees}, {0.6f, 0.25f}, {1.2f, 0.15f}}};
 
-// A shift, or a mirror image and a shift: where the axes of the picture go, and its origin; pixels.
+// A translation, or a reflection with translation: images of the picture's axes and origin; pixels.
 struct Motion {
     Vec2f x{1, 0}, y{0, 1}, shift;
     Vec2f operator()(Vec2f p) const { return x * p.x + y * p.y + shift; }
@@ -39,12 +41,12 @@ struct Motion {
 Vec2f turned(Vec2f v, float by) {
     return {std::cos(by) * v.x - std::sin(by) * v.y, std::sin(by) * v.x + std::cos(by) * v.y};
 }
-// At an axis of this angle, so far from the origin.
+// A reflection at an axis with this angle and distance from the origin.
 Motion mirror(float axis, float distance) {
     return {turned({1, 0}, 2 * axis), turned({0, -1}, 2 * axis), turned({0, 2 * distance}, axis)};
 }
 
-// Colors with a place for "not seen".
+// Colors with a mask of seen pixels.
 struct SeenPart {
     ImageColor color;
     ImageMask hole;
@@ -55,7 +57,7 @@ struct SeenPart {
     Vec3f at(Vec2f p) const { return color.at(static_cast<int>(p.x), static_cast<int>(p.y)); }
 };
 
-// Means of `factor` x `factor` pixels, seen where most of them are.
+// Downsampled by `factor`; a pixel is seen if most of its source pixels are.
 SeenPart shrunk(const SeenPart& fine, int factor) {
     const int w = fine.hole.width / factor, h = fine.hole.height / factor;
     SeenPart out{ImageColor(w, h), ImageMask(w, h)};
@@ -72,7 +74,7 @@ SeenPart shrunk(const SeenPart& fine, int factor) {
     return out;
 }
 
-// A hidden place and the seen ones about it; centers of cells, in cells.
+// A hidden position and the seen ones around it; cell centers, in cells.
 struct Question {
     Vec2f place;
     std::vector<Vec2f> witnesses;
@@ -87,7 +89,7 @@ float variance_of(const std::vector<Vec2f>& places, const SeenPart& seen) {
     return squares * one - dot(mean, mean) * one * one;
 }
 
-// Every n-th of `all`, so that at most `most` stay.
+// Every n-th element of `all`, so that at most `most` remain.
 template <class T>
 std::vector<T> thinned(const std::vector<T>& all, int most) {
     std::vector<T> out;
@@ -119,8 +121,8 @@ std::vector<Question> questions_of(const SeenPart& seen, int reach) {
     return questions;
 }
 
-// What a motion leaves of the variance about the question's place, kAgrees at most: so much where it fails or says
-// nothing of the place.
+// The residual of a motion around the query's position, as a share of the variance, at most kAgrees; kAgrees if it
+// fails or has no data there.
 float left_by(const Motion& motion, const Question& q, const SeenPart& seen) {
     if (!seen.has(motion(q.place))) return kAgrees;
     float sum = 0;
@@ -144,7 +146,8 @@ float gain_of(const Motion& motion, const std::vector<Question>& questions, cons
     return gain;
 }
 
-// Of all shifts by whole cells and all mirrors: to each question the one that answers it and most others.
+// Searches all whole-cell translations and all reflections: for each query, the motion that explains it and the most
+// others.
 std::vector<Motion> find_motions(const std::vector<Question>& questions, const SeenPart& seen) {
     struct Answer {
         float gain = 0;
@@ -166,7 +169,7 @@ std::vector<Motion> find_motions(const std::vector<Question>& questions, const S
         for (int x = -w / 2; x <= w / 2; ++x) judge({{1, 0}, {0, 1}, {static_cast<float>(x), static_cast<float>(y)}});
     const int longest = static_cast<int>(std::hypot(static_cast<float>(w), static_cast<float>(h)));
     for (int turn = 0; turn < kMirrors; ++turn)
-        for (int k = -2 * longest; k <= 2 * longest; ++k)  // half cells
+        for (int k = -2 * longest; k <= 2 * longest; ++k)  // in half cells
             judge(mirror(kPi * static_cast<float>(turn) / kMirrors, 0.5f * static_cast<float>(k)));
     std::sort(best.begin(), best.end(), [](const Answer& a, const Answer& b) { return a.gain > b.gain; });
     std::vector<Motion> motions;
@@ -175,7 +178,7 @@ std::vector<Motion> find_motions(const std::vector<Question>& questions, const S
     return motions;
 }
 
-// The same motion on the picture that is `factor` times finer, made exact by halving steps.
+// Refines a motion on a picture `factor` times finer, by a pattern search with halving steps.
 Motion refined(Motion motion, std::vector<Question> questions, const SeenPart& fine, int factor) {
     const auto scale = static_cast<float>(factor);
     motion.shift = motion.shift * scale;
@@ -194,11 +197,11 @@ Motion refined(Motion motion, std::vector<Question> questions, const SeenPart& f
     for (float step = 0.5f * scale; step >= 0.25f; step *= 0.5f)
         for (bool better = true; better;) {
             better = false;
-            const float turn = motion.mirrors() ? step / 100 : 0;  // a step at a hundred pixels
+            const float turn = motion.mirrors() ? step / 100 : 0;  // one step at a distance of a hundred pixels
             const std::array<std::array<float, 3>, 6> tries{
                 {{step, 0, 0}, {-step, 0, 0}, {0, step, 0}, {0, -step, 0}, {0, 0, turn}, {0, 0, -turn}}};
             for (const auto& [x, y, by] : tries) {
-                if (x == 0 && y == 0 && by == 0) continue;  // shifts do not turn
+                if (x == 0 && y == 0 && by == 0) continue;  // translations have no angle
                 Motion other{turned(motion.x, by), turned(motion.y, by), {}};
                 other.shift = motion(pivot) - other(pivot) + Vec2f{x, y};
                 if (const float gain = gain_of(other, questions, fine); gain > most)
@@ -208,7 +211,7 @@ Motion refined(Motion motion, std::vector<Question> questions, const SeenPart& f
     return motion;
 }
 
-// Sums over windows in constant time: pairs of a pixel and its moved self, both seen.
+// Constant-time box sums over pairs of a pixel and its image under the motion, both seen.
 class Witnesses {
   public:
     Witnesses(const Motion& motion, const SeenPart& seen) : sums_(seen.hole.width + 1, seen.hole.height + 1) {
@@ -224,8 +227,8 @@ class Witnesses {
                 sums_.at(x + 1, y + 1) = s;
             }
     }
-    // What the motion leaves of the variance within `reach` pixels; nothing where too few bear witness, infinite where
-    // there is no pattern.
+    // The motion's residual, as a share of the variance, within `reach` pixels; none with too few comparable pixels,
+    // infinite without texture.
     std::optional<float> left(int x, int y, int reach) const {
         const int x0 = std::max(0, x - reach), y0 = std::max(0, y - reach),
                   x1 = std::min(sums_.width - 1, x + reach + 1), y1 = std::min(sums_.height - 1, y + reach + 1);
@@ -238,7 +241,7 @@ class Witnesses {
     }
 
   private:
-    struct Sum : std::array<double, 6> {  // count, color, its square, the squared difference
+    struct Sum : std::array<double, 6> {  // count, color, squared color, squared difference
         friend Sum operator+(Sum a, const Sum& b) {
             for (std::size_t i = 0; i < 6; ++i) a[i] += b[i];
             return a;
@@ -264,7 +267,7 @@ void fill_from_repeats(ImageColor& color, ImageMask& hole, float metres_per_pixe
     const std::vector<Motion> motions = find_motions(questions, coarse);
     ImageF least(hole.width, hole.height);
     ImageMask window(hole.width, hole.height,
-                     static_cast<std::uint8_t>(kWindows.size()));  // that judged the pixel so far
+                     static_cast<std::uint8_t>(kWindows.size()));  // window size that the pixel was last judged by
     for (const Motion& coarse_motion : motions) {
         const Motion motion = refined(coarse_motion, questions, fine, factor);
         const Witnesses witnesses(motion, fine);

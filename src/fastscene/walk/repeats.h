@@ -1,15 +1,14 @@
-// Repeats: what a picture of a plane repeats. A rug's pattern comes back a lozenge further and, mirrored, at its other
-// end; tiles and a wall's panels do. A hidden part that such a motion carries onto a seen one is copied from there, rim
-// and all.
+// Repeats: fills hidden parts of a plane's picture by its symmetries. Patterns of rugs, tiles and wall panels recur,
+// translated or mirrored. A hidden part that such a motion maps to a seen one is copied from there.
 #pragma once
 
 #include "fastscene/image/image.h"
 
 namespace fastscene {
 
-// Fills pixels of `hole` (nonzero) that are close to what is seen, where a shift or a mirror image of the picture
-// agrees with what is seen about them, and takes them out of `hole`. What has no pattern is left. The picture is head
-// on, `metres_per_pixel` the side of a pixel. Deterministic.
+// Fills `hole` (nonzero) pixels near seen ones where a translation or reflection of the picture agrees with the seen
+// surroundings, and clears them in `hole`. Untextured parts are left. The picture is rectified, with
+// `metres_per_pixel`. Deterministic.
 void fill_from_repeats(ImageColor& color, ImageMask& hole, float metres_per_pixel);
 
 }  // namespace fastscene

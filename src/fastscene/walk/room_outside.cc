@@ -9,24 +9,26 @@
 namespace fastscene {
 namespace {
 
-constexpr EquirectSize kDirections{256, 128};      // 1.4 degrees apart; what lies between is taken as seen too
-constexpr int kEyes = 160;                         // over the floor
-constexpr float kLowest_m = 0.7f, kTop_m = 1.85f;  // eyes above the floor: who crouches, a tall adult
+constexpr EquirectSize kDirections{256,
+                                   128};  // 1.4 degrees apart; directions in between are assumed to be visible, too
+constexpr int kEyes = 160;                // random viewpoints over the floor
+constexpr float kLowest_m = 0.7f, kTop_m = 1.85f;  // viewpoint heights above the floor: crouching, and a tall adult
 
-std::vector<Vec3f> eyes_over(const StandableFloor& floor, const Run& run) {
+std::vector<Vec3f> viewpoints_over(const StandableFloor& floor, const Run& run) {
     const std::vector<FloorCell> cells = standable_cells(floor);
     Random random(run.seed, "walk.outside");
-    std::vector<Vec3f> eyes;
+    std::vector<Vec3f> viewpoints;
     for (int i = 0; i < kEyes && !cells.empty(); ++i) {
         const FloorCell cell = cells[static_cast<std::size_t>(random.index(static_cast<int>(cells.size())))];
         const Vec2f at = floor.center(cell.column, cell.row);
-        eyes.push_back({at.x, floor.floor_y - random.uniform(kLowest_m, kTop_m), at.y});
+        viewpoints.push_back({at.x, floor.floor_y - random.uniform(kLowest_m, kTop_m), at.y});
     }
-    return eyes;
+    return viewpoints;
 }
 
-// Directions in which one of the eyes sees out, and those beside them.
-ImageMask directions_out(const TracedRoom& room, const std::vector<Vec3f>& eyes, const Mat3f& pano, const Run& run) {
+// Directions in which any viewpoint sees the outside, dilated by one.
+ImageMask directions_out(const TracedRoom& room, const std::vector<Vec3f>& viewpoints, const Mat3f& pano,
+                         const Run& run) {
     const int w = kDirections.width, h = kDirections.height;
     ImageMask out(w, h);
     parallel_for(h, 2, [&](std::int64_t begin, std::int64_t end) {
@@ -34,8 +36,9 @@ ImageMask directions_out(const TracedRoom& room, const std::vector<Vec3f>& eyes,
         for (auto y = static_cast<int>(begin); y < end; ++y)
             for (int x = 0; x < w; ++x) {
                 const Vec3f d = pano * direction_of_pixel(x, y, kDirections);
-                const bool seen = std::any_of(eyes.begin(), eyes.end(),
-                                              [&](Vec3f eye) { return !std::isfinite(room.surface(eye, d).distance); });
+                const bool seen = std::any_of(viewpoints.begin(), viewpoints.end(), [&](Vec3f viewpoint) {
+                    return !std::isfinite(room.surface(viewpoint, d).distance);
+                });
                 out.at(x, y) = seen ? 255 : 0;
             }
     });
@@ -51,8 +54,8 @@ ImageMask directions_out(const TracedRoom& room, const std::vector<Vec3f>& eyes,
 
 Outside outside_of_room(const TracedRoom& room, const StandableFloor& floor, const Mat3f& pano, EquirectSize size,
                         const Run& run) {
-    const std::vector<Vec3f> eyes = eyes_over(floor, run);
-    const ImageMask seen = directions_out(room, eyes, pano, run);
+    const std::vector<Vec3f> viewpoints = viewpoints_over(floor, run);
+    const ImageMask seen = directions_out(room, viewpoints, pano, run);
     if (std::none_of(seen.pixels.begin(), seen.pixels.end(), [](std::uint8_t s) { return s != 0; })) return {};
     Outside outside{room.outside(pano, size), ImageMask(size.width, size.height)};
     for (int y = 0; y < size.height; ++y)

@@ -1,5 +1,5 @@
-// What visitors see through the windows of a known room. No standpoint need look there: close to a window one sees
-// the ground below it, which from the middle of the room is hidden by the wall.
+// The outside of a known room as seen through its windows. No viewpoint of the walk need see all of it: close to a
+// window the ground below is visible, which the wall hides from the middle of the room.
 #pragma once
 
 #include "fastscene/base/run.h"
@@ -9,8 +9,8 @@
 
 namespace fastscene {
 
-// `pano`: world from panorama 0's axes. The room's light must have been gathered. Empty pictures where nobody can look
-// out. Deterministic in run.seed.
+// `pano`: rotation from panorama 0's frame to the world. The room's light must have been gathered. Empty pictures if
+// the outside is not visible from anywhere. Deterministic in run.seed.
 Outside outside_of_room(const TracedRoom& room, const StandableFloor& floor, const Mat3f& pano, EquirectSize size,
                         const Run& run);
 

@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <cmath>
 
-#include "fastscene/walk/standpoints.h"
+#include "fastscene/walk/room_viewpoints.h"
 
 namespace fastscene {
 namespace {
 
-// Columns crowd towards the poles: of so many pixels of a row one is traced and stands for all.
+// Columns crowd towards the poles: one of this many pixels in a row is traced and copied to the others.
 int columns_a_ray(int y, EquirectSize size) {
     const float latitude = kPi * (0.5f - (static_cast<float>(y) + 0.5f) / static_cast<float>(size.height));
     return std::clamp(static_cast<int>(1.f / std::max(1e-3f, std::cos(latitude))), 1, size.width);
@@ -37,14 +37,14 @@ Panorama seen_from(const TracedRoom& room, const Rigid& world_from_pano, Equirec
                    const Run& run) {
     parts.range = parts.object = false;
     ImageColor color = evenly_traced(room, world_from_pano, size, parts, run);
-    // Ranges as the trainer needs them: where a flat mirror is looked into, that of the image behind it.
+    // Range for the trainer: through flat mirrors, to the virtual image.
     ImageF range = room.panorama(world_from_pano, size, {.color = false, .range = false, .mirrored_range = true}, run)
                        .mirrored_range;
     return {std::move(color), std::move(range), {}, world_from_pano};
 }
 
-// The width of the sharpest reflection that harmonics of degree 2 can hold. A sharper one differs between neighbouring
-// standpoints by more than the splats between can show: steel fronts and polished floors came out in patches.
+// GGX width of the sharpest reflection that SH of degree 2 can represent. Sharper ones differ between neighbouring
+// viewpoints by more than the splats can interpolate, and left patches on steel fronts and polished floors.
 constexpr float kMinAlpha = 0.3f;
 
 }  // namespace
@@ -55,32 +55,32 @@ Json walk_through_room(const Panorama& given, const TracedRoom& room, const Stan
     if (!first.mirrored_range.empty()) first.range = std::move(first.mirrored_range);
     first.mirrored_range = {};
     Json about{{"kind", kRoomWalk}, {"standable_m2", standable_area_m2(floor)}};
-    Standpoints standpoints = choose_standpoints(room, floor, {.most = params.standpoints}, run);
-    if (standpoints.samples == 0) {
+    RoomViewpoints viewpoints = choose_room_viewpoints(room, floor, {.most = params.room_viewpoints}, run);
+    if (viewpoints.samples == 0) {
         run.warn(
             "nobody can stand in this room: it is looked at from around the first panorama only, and breaks where one "
             "goes farther");
-        standpoints.positions_m = choose_viewpoints(first, params);
+        viewpoints.positions_m = choose_viewpoints(first, params);
     } else {
-        about["unseen_share"] = standpoints.unseen_share;
-        about["coarse_share"] = standpoints.coarse_share;
-        about["one_sided_share"] = standpoints.one_sided_share;
+        about["unseen_share"] = viewpoints.unseen_share;
+        about["coarse_share"] = viewpoints.coarse_share;
+        about["one_sided_share"] = viewpoints.one_sided_share;
     }
-    about["standpoints"] = standpoints.positions_m.size();
+    about["viewpoints"] = viewpoints.positions_m.size();
     ShotParts parts = shot;
     parts.pixel_samples = params.pixel_samples;
-    parts.contacts = parts.denoise = false;  // what is noise in one view is averaged by the splats
+    parts.contacts = parts.denoise = false;  // noise of single views averages out in the splats
     parts.noise = 0;
     parts.frugal = true;
     parts.min_alpha = kMinAlpha;
     const int width = params.width > 0 ? params.width / 2 * 2 : first.color.width;
     const Rigid pose = first.world_from_pano;
     take(std::move(first));
-    Progress progress(run, "walk", static_cast<std::int64_t>(standpoints.positions_m.size()));
-    for (std::size_t i = 0; i < standpoints.positions_m.size(); ++i) {
+    Progress progress(run, "walk", static_cast<std::int64_t>(viewpoints.positions_m.size()));
+    for (std::size_t i = 0; i < viewpoints.positions_m.size(); ++i) {
         run.check_stop();
-        // Other camera rays at each standpoint: what is noise in one panorama is not in the next.
-        take(seen_from(room, {pose.rotation, standpoints.positions_m[i]}, {width, width / 2}, parts,
+        // Different camera rays at each viewpoint, so that noise is independent between panoramas.
+        take(seen_from(room, {pose.rotation, viewpoints.positions_m[i]}, {width, width / 2}, parts,
                        Run{run.seed + i + 1, nullptr, run.stop}));
         progress.advance();
     }

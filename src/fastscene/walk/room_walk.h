@@ -1,5 +1,5 @@
-// Room walk: behind a prompt stands a room of which everything is known. It is looked at from standpoints all over it,
-// so that visitors may walk wherever one can stand. Nothing is warped and nothing is painted.
+// Room walk: a scene from a prompt has a known room, which is rendered from viewpoints all over it, so that visitors
+// may walk wherever one can stand. Nothing is warped or inpainted.
 #pragma once
 
 #include "fastscene/base/json.h"
@@ -11,9 +11,9 @@
 
 namespace fastscene {
 
-// Panorama 0 and then one panorama a standpoint (standpoints.h), each with range, all known, in panorama 0's
-// orientation. `shot`: how panorama 0 was shot. The room's light must have been gathered. Where nobody can stand, the
-// standpoints are those of choose_viewpoints. Returns what the record of the stage should say.
+// Emits panorama 0, then one panorama per viewpoint (room_viewpoints.h), each with range, all pixels known, in panorama
+// 0's orientation. `shot`: the settings panorama 0 was rendered with. The room's light must have been gathered. If
+// nobody can stand in the room, falls back to choose_viewpoints. Returns the record for stage.json.
 Json walk_through_room(const Panorama& first, const TracedRoom& room, const StandableFloor& floor,
                        const WalkParams& params, const ShotParts& shot, const Run& run, const TakePanorama& take);
 

@@ -10,8 +10,7 @@
 namespace fastscene {
 namespace {
 
-constexpr float kFaint =
-    0.03f;  // surfaces whose colors differ by less, in shares of the brighter one, are not told apart
+constexpr float kFaint = 0.03f;  // colors that differ by less, relative to the brighter one, cannot be separated
 
 bool beside_a_cut(std::uint8_t bits) { return bits & (kFarSide | kNearSide); }
 
@@ -28,7 +27,7 @@ struct Around {
     std::array<int, 2> pixel(std::size_t side, int steps) const {
         return {wrap_column(x + steps * kSteps[side][0], cuts.width), y + steps * kSteps[side][1]};
     }
-    // Is there a cut between the pixels `steps` - 1 and `steps` away?
+    // Whether there is a cut between the pixels at distance `steps` - 1 and `steps`.
     bool cut(std::size_t side, int steps) const {
         const bool backward = side == 0 || side == 2;
         const auto [cx, cy] = pixel(side, backward ? steps : steps - 1);
@@ -43,8 +42,8 @@ struct Sum {
     Vec3f mean() const { return sum / static_cast<float>(count); }
 };
 
-// What a pixel is mixed of: its own surface's color, from neighbours that show nothing else, and that of the surfaces
-// across its cuts.
+// The two colors mixed in a pixel: that of its own surface, from neighbours showing nothing else, and that of the
+// surfaces across its cuts.
 struct Parts {
     Sum own, other;
 };
@@ -56,7 +55,7 @@ Parts parts_of(const ImageColor& color, const ImageMask& cuts, int x, int y) {
         const auto [x1, y1] = around.pixel(side, 1);
         if (!around.cut(side, 1)) {
             if (!beside_a_cut(cuts.at(x1, y1))) parts.own.add(color.at(x1, y1));
-        } else if (around.exists(side, 2) && !around.cut(side, 2)) {  // the pixel right behind the cut is mixed too
+        } else if (around.exists(side, 2) && !around.cut(side, 2)) {  // the pixel just behind the cut is mixed too
             const auto [x2, y2] = around.pixel(side, 2);
             if (!beside_a_cut(cuts.at(x2, y2))) parts.other.add(color.at(x2, y2));
         }
@@ -79,8 +78,8 @@ Silhouettes find_silhouettes(const ImageColor& color, const ImageMask& cuts) {
                 const Vec3f own = parts.own.mean(), here = color.at(x, y);
                 if (bits & kFarSide) out.color.at(x, y) = own;
                 if (!parts.other.count) continue;
-                // here = share own + (1 - share) other, as near as can be; what is left over, and what is faint, speak
-                // against it.
+                // Least-squares fit of color = share * own + (1 - share) * other; a large residual or low contrast
+                // makes it unreliable.
                 const Vec3f other = parts.other.mean(), apart = own - other;
                 const float contrast = dot(apart, apart);
                 const float brightest = std::max({own.x, own.y, own.z, other.x, other.y, other.z, 0.01f});

@@ -1,6 +1,6 @@
-// Silhouettes: pixels that show two surfaces, told apart. A range map says which surface the middle of a pixel lies on;
-// how much of the pixel that surface covers stands in its color, and with it where within the pixel the silhouette
-// runs.
+// Silhouettes: separates the two surfaces mixed in a pixel (alpha matting). The range map tells which surface the
+// pixel's center is on; the color tells how much of the pixel it covers, and thus where within the pixel the silhouette
+// is.
 #pragma once
 
 #include "fastscene/image/image.h"
@@ -8,17 +8,16 @@
 namespace fastscene {
 
 struct Silhouettes {
-    ImageColor color;  // of each pixel its own surface's
-    // How much of the pixel its own surface covers, from 0 (half of it) to 255 (all of it); what color does not tell
-    // stands at kUsualShare.
+    ImageColor color;  // each pixel's own surface color
+    // Coverage of the pixel by its own surface, from 0 (half) to 255 (all); kUsualShare where the color does not tell.
     ImageMask share;
 };
-// The cut between two pixels, seen from the first one's middle towards the second's, runs at 0.5 + own_share(first) -
-// own_share(second) of the way.
+// The cut between two pixels, as a fraction of the way from the first center to the second: 0.5 + own_share(first) -
+// own_share(second).
 inline constexpr std::uint8_t kUsualShare = 128;
 inline float own_share(std::uint8_t share) { return 0.5f + 0.5f / 255.f * static_cast<float>(share); }
 
-// `color` linear in light, W x H, columns wrap; `cuts` by range_edges.
+// `color`: linear, W x H, columns wrap; `cuts`: from range_edges.
 Silhouettes find_silhouettes(const ImageColor& color, const ImageMask& cuts);
 
 }  // namespace fastscene

@@ -14,8 +14,7 @@ namespace {
 constexpr int kWidth = 128, kHeight = 64;
 const Vec3f kNear{0.6f, 0.2f, 0.1f}, kFar{0.1f, 0.3f, 0.8f};
 
-// A near surface to the left of a slanted line and a far one to its right; a second line, at `kBack`, leads back to the
-// near one.
+// A near surface left of a slanted line, a far one right of it; a second line at `kBack` leads back to the near one.
 constexpr float kBack = 100.5f;
 float line_at(float y) { return 40.f + 0.37f * y; }
 
@@ -42,7 +41,7 @@ TwoSurfaces two_surfaces(Vec3f near_color, Vec3f far_color) {
     return out;
 }
 
-// In each row the cut's place against the line's, both in pixels: the mean of the differences' sizes.
+// Mean absolute error of the cut's position per row, in pixels.
 double mean_miss(const Silhouettes& found, const ImageMask& cuts) {
     double miss = 0;
     int rows = 0;
@@ -62,7 +61,7 @@ TEST(Silhouettes, RunWhereTheColorsSay) {
     const TwoSurfaces seen = two_surfaces(kNear, kFar);
     const ImageMask cuts = range_edges(seen.range);
     const Silhouettes found = find_silhouettes(seen.color, cuts);
-    EXPECT_LT(mean_miss(found, cuts), 0.05);  // the middle between two pixels misses by a quarter of a pixel
+    EXPECT_LT(mean_miss(found, cuts), 0.05);  // cutting at the midpoint between pixels is off by a quarter of a pixel
 }
 
 TEST(Silhouettes, RunMidwayWhereColorsSayNothing) {
@@ -83,7 +82,7 @@ TEST(Silhouettes, EachPixelHasTheColorOfItsOwnSurface) {
             EXPECT_LT(length(found.color.at(x, y) - (seen.range.at(x, y) < 2 ? kNear : kFar)), 0.01f) << x << ' ' << y;
 }
 
-// The quarters of the pixels are the pixels of a view twice as fine.
+// The quarter samples equal the pixels of a view of twice the resolution.
 TEST(Silhouettes, QuartersAreTheFinerView) {
     const SyntheticWorld world = SyntheticWorld::furnished(SyntheticPaint::smooth, SyntheticPaint::smooth);
     const EquirectSize size{256, 128}, fine{512, 256};

@@ -1,5 +1,5 @@
-// A room has no seam and no favourite side: a panorama that is turned about the vertical or mirrored, seen from the
-// place that moved with it, shows the turned or mirrored view.
+// Equivariance: a panorama rotated about the vertical or mirrored, seen from the correspondingly moved position, gives
+// the rotated or mirrored view.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -13,7 +13,7 @@ namespace {
 
 constexpr EquirectSize kTurnedSize{256, 128};
 
-// Which pixel of the given picture the changed one shows at (x, y).
+// Maps pixel (x, y) of the transformed picture to the original.
 struct Change {
     const char* name;
     int turned = 0;  // columns to the right
@@ -52,7 +52,7 @@ TEST(CoarseView, TurnsAndMirrorsWithThePanorama) {
             const ImageColor color = change.of(plain.color);
             const ImageF range = change.of(plain.range);
             const Image<Cover> cover = change.of(plain.cover);
-            std::size_t other = 0;  // where a ray meets an edge, the last bit decides
+            std::size_t other = 0;  // where a ray hits an edge, rounding decides
             for (std::size_t i = 0; i < color.size(); ++i)
                 other += view.cover.pixels[i] != cover.pixels[i] ||
                          std::fabs(view.range.pixels[i] - range.pixels[i]) > 0.01f * range.pixels[i] ||

@@ -9,7 +9,7 @@
 
 #ifdef FASTSCENE_LIBMVEC
 #include <immintrin.h>
-extern "C" {  // the names that the x86-64 vector ABI gives them: d for AVX2, b for SSE
+extern "C" {  // names by the x86-64 vector ABI: d for AVX2, b for SSE
 __m256d _ZGVdN4v_sin(__m256d);
 __m256d _ZGVdN4v_cos(__m256d);
 __m256d _ZGVdN4vv_atan2(__m256d, __m256d);
@@ -26,8 +26,8 @@ namespace {
 constexpr std::size_t kAtOnce = 4;
 using Four = std::array<double, kAtOnce>;
 
-// The variants differ in the last bit of a tenth of the sines (AVX2 has fused multiply-adds); both in that of more than
-// half from the scalar ones.
+// The variants differ in the last bit of a tenth of the sines (AVX2 uses fused multiply-add), and both from the scalar
+// function in more than half.
 [[gnu::target("avx2,fma")]] void sines_avx2(const double* a, double* out) {
     _mm256_storeu_pd(out, _ZGVdN4v_sin(_mm256_loadu_pd(a)));
 }
@@ -48,7 +48,7 @@ void arc_tangents_sse(const double* y, const double* x, double* out) {
 }
 bool has_avx2() { return isa() >= Isa::avx2; }
 
-// The numbers behind the last four; ones fill up, which no function minds.
+// The trailing numbers, padded with ones, which are valid arguments for all functions.
 Four last_of(std::span<const double> numbers, std::size_t at) {
     Four some{1, 1, 1, 1};
     std::copy(numbers.begin() + static_cast<std::ptrdiff_t>(at), numbers.end(), some.begin());

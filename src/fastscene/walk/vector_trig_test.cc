@@ -13,8 +13,8 @@
 namespace fastscene {
 namespace {
 
-// Some units in the last place: ten times what the instruction sets differ by, which is one (1.1e-16 below 1, 4.4e-16
-// near pi).
+// A few units in the last place: ten times the difference between instruction sets, which is one (1.1e-16 below 1,
+// 4.4e-16 near pi).
 constexpr double kLastDigits = 1.2e-15, kLastDigitsNearPi = 4.5e-15;
 
 TEST(VectorTrig, AgreesWithTheScalarFunctionsForAnyCount) {

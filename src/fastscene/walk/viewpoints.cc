@@ -6,10 +6,10 @@
 namespace fastscene {
 namespace {
 
-constexpr float kUpDown = 0.6f;  // people stand and bend, they do not fly
+constexpr float kUpDown = 0.6f;  // vertical scale of the viewpoint pattern: people stand and bend, they do not fly
 constexpr float kFarthest = 1e9f;
 
-// Evenly spread directions. 8: the corners of a cube; 14: and the middles of its faces; else a spiral.
+// Evenly distributed directions. 8: a cube's corners; 14: also its face centers; otherwise a spiral.
 std::vector<Vec3f> spread_directions(int count) {
     std::vector<Vec3f> out;
     if (count == 8 || count == 14) {
@@ -44,7 +44,7 @@ std::vector<Vec3f> choose_viewpoints(const Panorama& first, const WalkParams& pa
         const float longest = std::fabs(d.y) > 0.99f ? kUpDown * params.reach_m : params.reach_m;
         left.push_back(step * std::min(longest, params.clearance * free_distance(first.range, step)));
     }
-    // Each next one is the nearest to any visited one, the start included.
+    // Ordered so that each viewpoint is the nearest to any visited one, the start included.
     std::vector<Vec3f> visited{{}};
     while (!left.empty()) {
         const auto distance = [&](const Vec3f& p) {

@@ -15,18 +15,18 @@
 namespace fastscene {
 namespace {
 
-// An invented surface must stand clearly in front of an observed one to hide it.
+// An invented surface must be clearly in front of an observed one to occlude it.
 constexpr float kObservedWins = 1.03f;
 constexpr float kObservedWins_m = 0.02f;
 
-// What the observed and the invented surfaces show together; `known` says which pixel came from where.
+// Composites observed and invented surfaces; `known` records each pixel's origin.
 CoarseView compose(CoarseView view, const CoarseView& other, Image<Known>& known) {
     known = Image<Known>(view.color.width, view.color.height, Known::invented);
     for (std::size_t i = 0; i < view.color.size(); ++i) {
         const bool seen = view.cover.pixels[i] != Cover::hole && view.cover.pixels[i] != Cover::guess;
         const bool guessed = view.cover.pixels[i] == Cover::guess &&
-                             other.range.pixels[i] > kFarthestRange;             // as good as sky painted earlier
-        const bool painted = other.cover.pixels[i] == Cover::front && !guessed;  // what we made up has no back
+                             other.range.pixels[i] > kFarthestRange;             // equivalent to sky inpainted earlier
+        const bool painted = other.cover.pixels[i] == Cover::front && !guessed;  // invented surfaces have no back side
         if (painted && (!seen || other.range.pixels[i] * kObservedWins + kObservedWins_m < view.range.pixels[i])) {
             view.color.pixels[i] = other.color.pixels[i];
             view.range.pixels[i] = other.range.pixels[i];
@@ -40,8 +40,8 @@ CoarseView compose(CoarseView view, const CoarseView& other, Image<Known>& known
     return view;
 }
 
-// One look a pixel makes stairs of silhouettes. Beside them a pixel becomes the mean of its quarters; a quarter that
-// shows nothing known is of what was painted here: in this pixel, or in those next to it on that side.
+// One sample per pixel aliases silhouettes. Pixels next to them become the mean of four quarters; a quarter without
+// known content takes the inpainted color of this pixel, or of a neighbour on that side.
 ImageColor smooth_silhouettes(const Panorama& next, const std::vector<WarpSource>& observed,
                               const std::vector<PackedSource>& invented, Vec3f position) {
     const int w = next.color.width, h = next.color.height;
@@ -73,8 +73,8 @@ ImageColor smooth_silhouettes(const Panorama& next, const std::vector<WarpSource
     return out;
 }
 
-// What the next viewpoints see of a painting: pixels that are part of a surface, however small. One without neighbours
-// would be a speck in front of whatever lies behind it.
+// The part of an inpainted region that later viewpoints see: pixels connected to others. An isolated one would be a
+// speck in front of the background.
 ImageMask carried_part(const ImageMask& painted) {
     ImageMask out(painted.width, painted.height);
     for (int y = 0; y + 1 < painted.height; ++y)
@@ -86,7 +86,7 @@ ImageMask carried_part(const ImageMask& painted) {
     return out;
 }
 
-// A reach longer than the room is wide somewhere: said once, with what became of it, and written down.
+// A reach larger than the room is clipped; this is reported once, with the result, and recorded.
 Json what_was_clipped(const Panorama& first, const std::vector<Vec3f>& positions, const WalkParams& params,
                       const Run& run) {
     float nearest = std::numeric_limits<float>::infinity(), reached = 0;
@@ -108,7 +108,7 @@ Json what_was_clipped(const Panorama& first, const std::vector<Vec3f>& positions
     return about;
 }
 
-// Around every given panorama its share of the viewpoints.
+// Divides the viewpoints among all given panoramas.
 std::vector<Vec3f> all_viewpoints(const Panorama& first, const std::vector<Panorama>& more, const WalkParams& params) {
     if (more.empty()) return choose_viewpoints(first, params);
     WalkParams share = params;
@@ -123,14 +123,14 @@ std::vector<Vec3f> all_viewpoints(const Panorama& first, const std::vector<Panor
     return all;
 }
 
-// Mirrors are windows: what they show stands behind them, and moves with whoever steps aside as a mirror's image does.
+// Mirrors act like windows: the virtual image is behind them and moves accordingly.
 Panorama looking_into_mirrors(Panorama panorama) {
     if (!panorama.mirrored_range.empty()) panorama.range = std::move(panorama.mirrored_range);
     panorama.mirrored_range = {};
     return panorama;
 }
 
-// The holes as the room itself has them.
+// Fills the holes with renderings of the known room.
 void look_into_room(CoarseView& view, const ImageMask& hole, const RoomLook& look, const Rigid& world_from_pano,
                     const Run& run) {
     const RoomSight sight = look(world_from_pano, hole, {run.seed, nullptr, run.stop});
@@ -147,7 +147,8 @@ void look_into_room(CoarseView& view, const ImageMask& hole, const RoomLook& loo
 Json walk_our_way(const Panorama& given, const std::vector<Panorama>& more, const WalkParams& params, const Run& run,
                   const TakePanorama& take, const RoomLook& look) {
     const EquirectSize size = given.size();
-    const std::vector<Vec3f> positions = all_viewpoints(given, more, params);  // nobody steps into a mirror
+    // viewpoints must not be inside a mirror's virtual space
+    const std::vector<Vec3f> positions = all_viewpoints(given, more, params);
     Json about = what_was_clipped(given, choose_viewpoints(given, params), params, run);
     about["viewpoints"] = positions.size();
     const bool looks = params.inpainter == kLookIntoRoom;
@@ -160,7 +161,7 @@ Json walk_our_way(const Panorama& given, const std::vector<Panorama>& more, cons
     std::vector<WarpSource> observed;
     std::vector<PackedSource> invented;
     observed.push_back(make_warp_source(first.color, first.range, label, {}, {}));
-    const Image<std::int16_t> no_planes(size.width, size.height, kNoPlane);  // the planes are the first's
+    const Image<std::int16_t> no_planes(size.width, size.height, kNoPlane);  // planes are known for the first only
     for (const Panorama& one : more)
         observed.push_back(make_warp_source(one.color, one.range, no_planes, {},
                                             inverse(first.world_from_pano) * one.world_from_pano.translation));
@@ -180,7 +181,7 @@ Json walk_our_way(const Panorama& given, const std::vector<Panorama>& more, cons
         CoarseView view = compose(coarse_view(observed, size, position), coarse_view(invented, size, position),
                                   next.known);
         look_into(mirrors, position, view, next.known);
-        run.check_stop();  // a large picture's steps take long
+        run.check_stop();  // steps on large pictures take long
         ImageMask hole(size.width, size.height);
         for (std::size_t i = 0; i < hole.size(); ++i) hole.pixels[i] = next.known.pixels[i] == Known::invented;
         next.world_from_pano = {first.world_from_pano.rotation, world_position};
@@ -190,7 +191,7 @@ Json walk_our_way(const Panorama& given, const std::vector<Panorama>& more, cons
         next.color = std::move(view.color);
         next.range = std::move(view.range);
         next.color = smooth_silhouettes(next, observed, invented, position);
-        invented.push_back(std::move(painted));  // later viewpoints cut silhouettes themselves
+        invented.push_back(std::move(painted));  // later viewpoints process silhouettes themselves
         for (std::size_t i = 0; looks && i < hole.size(); ++i)
             if (hole.pixels[i]) next.known.pixels[i] = Known::looked;
         take(std::move(next));

@@ -1,5 +1,5 @@
-// Walk: one panorama with range becomes many, at exactly known positions. Paper: CVS (coarse view
-// synthesis: warp to a new position, mark holes) and PNVI (progressive novel view inpainting).
+// Walk: from one panorama with range to many, at exactly known positions. Paper: CVS (coarse view synthesis: warp to a
+// new position, mark holes) and PNVI (progressive novel view inpainting).
 #pragma once
 
 #include <functional>
@@ -16,23 +16,23 @@ namespace fastscene {
 
 struct WalkParams {
     std::string kind = "auto";
-    // "room": panoramas of a known room.
-    int standpoints = 24;    // most, besides panorama 0
-    int width = 0;           // of a standpoint's panorama; 0: of panorama 0
-    int pixel_samples = 16;  // camera rays a pixel; the splats average over views
+    // "room": renderings of a known room.
+    int room_viewpoints = 24;  // maximum number, besides panorama 0
+    int width = 0;             // of a viewpoint's panorama; 0: as panorama 0
+    int pixel_samples = 16;    // camera rays per pixel; noise averages out over the splats' views
     // "ours": panoramas around the first one, holes inpainted.
-    int viewpoints = 14;     // new ones, besides panorama 0
-    float reach_m = 0.7f;    // farthest viewpoint from panorama 0
-    float clearance = 0.5f;  // never farther than this share of the free distance
-    // The published kinds.
-    float step = 0.02f;  // of the greatest range
+    int viewpoints = 14;     // number of new ones, besides panorama 0
+    float reach_m = 0.7f;    // maximum distance of a viewpoint from panorama 0
+    float clearance = 0.5f;  // and at most this share of the free distance
+    // "paper", "paper-direct", "paper-far".
+    float step = 0.02f;  // share of the greatest range
     int steps = 6;
     std::string inpainter = "auto";
     std::string inpaint_weights;
 };
-// The room behind a prompt is looked at from standpoints all over it: nothing is painted (room_walk.h).
+// A scene from a prompt is rendered from viewpoints all over its room; nothing is inpainted (room_walk.h).
 inline constexpr const char* kRoomWalk = "room";
-// Not painted at all: where panorama 0's room is known, what it hid is looked at.
+// Fills holes by rendering the known room instead of inpainting.
 inline constexpr const char* kLookIntoRoom = "room";
 inline std::vector<std::string> hole_fillers() {
     std::vector<std::string> names = inpainters();
@@ -46,17 +46,16 @@ inline std::vector<std::string> walk_kinds() {
 template <class V>
 void visit_fields(WalkParams& p, V&& v) {
     v("kind", p.kind, Choices{walk_kinds()},
-      "How to walk: room, panoramas of the room behind a prompt from standpoints all over it; ours, around the first "
+      "How to walk: room, panoramas of the room behind a prompt from viewpoints all over it; ours, around the first "
       "panorama with holes "
       "inpainted; as published, eight directions step by step, holes inpainted on cube faces (paper), on the panorama "
       "itself (paper-direct), "
       "or in one large step (paper-far); auto, room where one stands behind a prompt and no inpainter is named, else "
       "ours.");
-    v("standpoints", p.standpoints, Bounds{0, 400},
-      "Room: most standpoints besides the first panorama; fewer where fewer see all.");
-    v("width", p.width, Bounds{0, 8192},
-      "Room: width of a standpoint's panorama in pixels; 0 = as the first panorama.");
-    v("pixel-samples", p.pixel_samples, Bounds{1, 4096}, "Room: camera rays a pixel of a standpoint's panorama.");
+    v("room-viewpoints", p.room_viewpoints, Bounds{0, 400},
+      "Room: most viewpoints besides the first panorama; fewer where fewer see all.");
+    v("width", p.width, Bounds{0, 8192}, "Room: width of a viewpoint's panorama in pixels; 0 = as the first panorama.");
+    v("pixel-samples", p.pixel_samples, Bounds{1, 4096}, "Room: camera rays a pixel of a viewpoint's panorama.");
     v("viewpoints", p.viewpoints, Bounds{0, 200}, "Ours: new viewpoints besides the first panorama.");
     v("reach", p.reach_m, Bounds{0.01, 10}, "Ours: greatest distance in metres from the first viewpoint.");
     v("clearance", p.clearance, Bounds{0.05, 0.95},
@@ -71,41 +70,40 @@ void visit_fields(WalkParams& p, V&& v) {
       "Weights for --walk-inpainter aotgan: the official G*.pt or a .safetensors; empty: those that come with the "
       "program.");
 }
-// With "auto" resolved. `known_room`: a room stands behind the panorama, and its range is exact.
+// Resolves "auto". `known_room`: the panorama was rendered from a room, and its range is exact.
 WalkParams resolved(WalkParams params, bool known_room);
 
-// Positions (world, metres) in the order in which they are visited: each close to the ones before it, spread over
-// the free space around panorama 0, up and down too.
+// Positions (world, metres) in the order of visits: each close to the ones before, distributed over the free space
+// around panorama 0, including up and down.
 std::vector<Vec3f> choose_viewpoints(const Panorama& first, const WalkParams& params);
 
-// Takes one panorama after the other as each is complete in color and range, with `known` set: panorama 0, those given
-// besides, then one a viewpoint. None is kept here: twenty of 4096 columns are 3 GB.
+// Receives each panorama when its color, range and `known` are complete: panorama 0, further given ones, then one per
+// viewpoint. The walk does not keep them: twenty of 4096 columns are 3 GB.
 using TakePanorama = std::function<void(Panorama panorama)>;
-// Range from color alone: what the published walk asks after each step. Metres along each ray, > 0, of the picture's
+// Range from color alone: used by the published walk after each step. Metres along each ray, > 0, of the picture's
 // size.
 using RangeEstimator = std::function<ImageF(const ImageColor& color, const Run& run)>;
-// What a known room shows of the nonzero pixels of a mask from some place in it: color as panorama 0 has it, and metres
-// along the ray, on through flat mirrors, +inf = outside. Both of the mask's size; pixels that were not asked for may
-// hold anything.
+// Renders a known room for the nonzero pixels of a mask, from a given pose: color as in panorama 0, and metres along
+// the ray, through flat mirrors, +inf = outside. Both of the mask's size; other pixels are undefined.
 struct RoomSight {
     ImageColor color;
     ImageF range;
 };
 using RoomLook = std::function<RoomSight(const Rigid& world_from_pano, const ImageMask& asked, const Run& run)>;
-// What a walk may ask; what it does not need may be empty.
+// Callbacks that a walk may use; those that it does not need are optional.
 struct WalkAdvice {
     RangeEstimator range;
     RoomLook room;  // for the inpainter "room"
 };
 
-// Returns what the record of the stage should say: what stood in, what was clipped.
-// `more`: further panoramas of the same place with ranges, in the first's orientation; "ours" alone can use them: they
-// are observed as the first is, and the viewpoints are shared out among all. Pixels of `first` without a range (0, NaN,
-// infinite) are far background. Throws Error when there is no room to walk in.
+// Returns the record for stage.json: fallbacks used, clipped settings. `more`: further panoramas of the same place with
+// range, in the first's orientation; used by "ours" only, as observed surfaces, with the viewpoints divided among all.
+// Pixels of `first` without a range (0, NaN, infinite) are far background. Throws Error if there is no free space to
+// walk in.
 Json walk_through(const Panorama& first, const WalkParams& params, const Run& run, const TakePanorama& take,
                   const WalkAdvice& advice = {}, const std::vector<Panorama>& more = {});
 
-// The same, with all panoramas kept.
+// The same, collecting all panoramas.
 struct Walked {
     std::vector<Panorama> panoramas;
     Json about;

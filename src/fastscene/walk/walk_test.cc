@@ -27,7 +27,7 @@ WarpSource source_of(const Panorama& p) {
     return make_warp_source(p.color, p.range, {}, {}, p.world_from_pano.translation);
 }
 
-// Nonzero where a window of +-`reach` pixels holds a range edge.
+// Nonzero where a window of +-`reach` pixels contains a range edge.
 ImageMask near_edges(const ImageF& range, int reach) {
     const ImageMask cuts = range_edges(range);
     ImageMask out(range.width, range.height);
@@ -39,7 +39,7 @@ ImageMask near_edges(const ImageF& range, int reach) {
     return out;
 }
 
-// Pixels of a true panorama at `position` whose surface the one at the origin did not see.
+// Pixels of a true panorama at `position` whose surface is hidden from the origin.
 ImageMask true_holes(const SyntheticWorld& world, const Panorama& truth, Vec3f position) {
     ImageMask out(truth.color.width, truth.color.height);
     for (int y = 0; y < out.height; ++y)
@@ -109,7 +109,7 @@ TEST(CoarseView, PackedSourcesShowTheSame) {
     std::vector<PackedSource> packed;
     for (const Vec3f position : {Vec3f{}, Vec3f{0.2f, 0.1f, 0}}) {
         const Panorama first = render_synthetic(world, position, kSize, 1);
-        ImageMask used(kSize.width, kSize.height);  // a few stretches a row, another share of each picture
+        ImageMask used(kSize.width, kSize.height);  // a few intervals per row, different for each picture
         std::size_t count = 0;
         for (int y = 0; y < kSize.height; ++y)
             for (int x = 0; x < kSize.width; ++x)
@@ -148,7 +148,7 @@ TEST(Viewpoints, StayInFreeSpaceNearEarlierOnes) {
     }
 }
 
-// Holes as a careless program fills them: the farther end of each row's gap goes on.
+// Naive hole filling: extends the farther end of each row's gap.
 ImageColor naive_fill(const CoarseView& view) {
     ImageColor out = view.color;
     const int w = out.width;
@@ -186,7 +186,7 @@ TEST(Walk, FillsHolesBetterThanTheFarSideAndKeepsItsWord) {
             silhouettes.pixels[i] = !holes.pixels[i] && edges.pixels[i];
             ASSERT_GT(panorama.range.pixels[i], 0.f);
             if (holes.pixels[i]) continue;
-            // Observed pixels are the warp's, bit for bit, but that silhouettes are smooth.
+            // Observed pixels equal the warp's, bit for bit, except for antialiased silhouettes.
             ASSERT_EQ(panorama.range.pixels[i], alone.range.pixels[i]);
             if (!silhouettes.pixels[i]) {
                 ASSERT_EQ(panorama.color.pixels[i], alone.color.pixels[i]);
@@ -235,8 +235,8 @@ TEST(Walk, AWallAndFloorBehindABoxContinue) {
     }
 }
 
-// In a hall too the walls end what a screen hides, and have the color there that they have around it: at 100 m normals
-// are rough to many centimetres.
+// In a hall, too, walls continue behind a screen, in the color around it: at 100 m normals are accurate only to several
+// centimetres.
 TEST(Walk, AHallsWallsContinueBehindAScreen) {
     SyntheticWorld world;
     world.room = {{-100, -100, -100}, {100, 100, 100}, {0.5f, 0.5f, 0.5f}, SyntheticPaint::plain};
@@ -263,8 +263,7 @@ TEST(Walk, AHallsWallsContinueBehindAScreen) {
     EXPECT_GE(good, all * 95 / 100) << all;
 }
 
-// A brown door stands 5 cm before a pale wall that a wardrobe hides: what shows above the wardrobe from elsewhere is
-// wall.
+// A brown door 5 cm in front of a pale wall that a wardrobe hides: above the wardrobe, other viewpoints must see wall.
 TEST(Walk, ADoorIsNotWhereTheRoomEnds) {
     SyntheticWorld world = SyntheticWorld::furnished(SyntheticPaint::plain, SyntheticPaint::plain);
     const float wall = world.room.high.z, floor = world.room.high.y;
@@ -300,7 +299,8 @@ bool evenly_colored(const ImageColor& color, int x, int y) {
     return true;
 }
 
-// Of the pixels that a walk invents where truly the wall at z = `wall` is: how many, and how many have its color.
+// Among the pixels that a walk invents where the true surface is the wall at z = `wall`: how many, and how many have
+// its color.
 struct WallPainted {
     int all = 0, right = 0;
 };
@@ -319,7 +319,7 @@ WallPainted invented_wall(const SyntheticWorld& world, float wall, float reach_m
                 if (edges.at(x, y) || panorama.known.at(x, y) == Known::original) continue;
                 if ((from + direction_of_pixel(x, y, kSize) * truth.range.at(x, y)).z < wall - 0.01f) continue;
                 if (!evenly_colored(truth.color, x, y))
-                    continue;  // a corner where a side meets the wall: a mixed pixel, and no edge of the range
+                    continue;  // a corner where a side meets the wall: mixed pixels without a range edge
                 ++out.all;
                 out.right += length(panorama.color.at(x, y) - truth.color.at(x, y)) < 0.05f;
             }
@@ -327,7 +327,7 @@ WallPainted invented_wall(const SyntheticWorld& world, float wall, float reach_m
     return out;
 }
 
-// Dark tiles as wide as the wall end behind cupboards; above those a strip of the pale wall shows, 5 cm behind the
+// Dark tiles as wide as the wall end behind cupboards; above those a strip of pale wall is visible, 5 cm behind the
 // tiles.
 TEST(Walk, TheWallAboveItsTilesGoesOnBehindACupboard) {
     SyntheticWorld world = SyntheticWorld::furnished(SyntheticPaint::plain, SyntheticPaint::plain);
@@ -343,8 +343,8 @@ TEST(Walk, TheWallAboveItsTilesGoesOnBehindACupboard) {
     EXPECT_GE(painted.right, painted.all * 9 / 10) << painted.all;
 }
 
-// Between a cupboard and the hood beside it, which stands back, the wall is seen: there the hood ends, and behind the
-// cupboard's edge is wall too.
+// Between a cupboard and the recessed hood beside it, the wall is visible: so the hood ends there, and behind the
+// cupboard's edge is wall.
 TEST(Walk, AFaceDoesNotGoOnBeyondAGapThatWasLookedThrough) {
     SyntheticWorld world = SyntheticWorld::furnished(SyntheticPaint::plain, SyntheticPaint::plain);
     const float wall = world.room.high.z;
@@ -356,7 +356,7 @@ TEST(Walk, AFaceDoesNotGoOnBeyondAGapThatWasLookedThrough) {
     EXPECT_GE(painted.right, painted.all * 9 / 10) << painted.all;
 }
 
-// A bench with a tall side, which hides the air beyond it as it would hide more bench: there the bench ends.
+// A bench whose tall side hides the air beyond it just as it would hide more bench: the bench must end there.
 TEST(Walk, ASeatEndsWhereItIsNoLongerSeen) {
     SyntheticWorld world = SyntheticWorld::furnished(SyntheticPaint::plain, SyntheticPaint::plain);
     const Vec3f seat{0.5f, 0.05f, 0.05f};
@@ -383,7 +383,8 @@ TEST(Walk, ASeatEndsWhereItIsNoLongerSeen) {
     EXPECT_LE(bench, all / 400);
 }
 
-// A rug, woven alike on both halves and nowhere else, on a floor; `grain`: of both, as in a photograph. 1 cm a pixel.
+// A rug whose two halves have the same non-repeating pattern, on a floor; `grain`: noise on both, as in a photograph. 1
+// cm per pixel.
 ImageColor picture_of_rug(float grain) {
     ImageColor out(320, 240);
     Random random(1, "walk/test-rug");
@@ -402,8 +403,7 @@ ImageColor picture_of_rug(float grain) {
     return out;
 }
 
-// A round hole in the picture is filled from its repeats: most of it, far better than by the smoothest fill, and
-// nothing else is touched.
+// Fills a round hole from repeats: most of it, far better than smooth interpolation, and nothing else changes.
 void expect_filled(const ImageColor& truth, int x0, int y0, float radius, float metres_per_pixel) {
     ImageColor color = truth;
     ImageMask hole(truth.width, truth.height);
@@ -434,7 +434,7 @@ void expect_filled(const ImageColor& truth, int x0, int y0, float radius, float 
 
 TEST(Repeats, ARugsHiddenEndIsTheMirrorImageOfItsOther) { expect_filled(picture_of_rug(0.05f), 240, 150, 45, 0.01f); }
 
-// A patch of 0.6 m that no mirror image matches, again and again; also where a pixel is larger, as in a hall.
+// A 0.6 m motif without mirror symmetry, repeated; also with larger pixels, as in a hall.
 TEST(Repeats, AWallpapersMotifIsThatOfItsNeighbour) {
     for (const int period : {60, 24}) {
         Random random(5, "walk/test-wallpaper");
@@ -455,7 +455,7 @@ TEST(Repeats, AWallpapersMotifIsThatOfItsNeighbour) {
 }
 
 TEST(Repeats, WhatHasNoPatternIsLeft) {
-    for (const float grain : {0.f, 0.05f, 0.8f}) {  // a plain floor, its grain, and gravel
+    for (const float grain : {0.f, 0.05f, 0.8f}) {  // a uniform floor, its grain, and gravel
         ImageColor color(200, 200);
         Random random(2, "walk/test-gravel");
         for (Vec3f& c : color.pixels)
@@ -469,7 +469,7 @@ TEST(Repeats, WhatHasNoPatternIsLeft) {
     }
 }
 
-// A box room whose far wall (0.25 m thick, with a bar across) has a window; outside, the color is the direction's.
+// A box room with a window in its far wall (0.25 m thick, with a crossbar); the outside's color encodes the direction.
 struct Seen {
     Vec3f color;
     float range;
@@ -502,8 +502,8 @@ Panorama panorama_of_window_room(Vec3f from) {
     return out;
 }
 
-// What was invented between a frame and the outside floated in mid-air, and other viewpoints saw it as scratches on the
-// panes.
+// Surfaces invented between a frame and the outside used to float in mid-air, and appeared as scratches on the panes
+// from other viewpoints.
 TEST(Walk, NothingStandsBetweenAFrameAndTheOutside) {
     WalkParams params;
     params.viewpoints = 8;
@@ -523,7 +523,7 @@ TEST(Walk, NothingStandsBetweenAFrameAndTheOutside) {
     EXPECT_EQ(floating, 0);
 }
 
-// Single pixels without a range: an outside of which no pixel is free of something else.
+// Single pixels without range: an outside in which no pixel is clear of other surfaces.
 TEST(Walk, AnOutsideOfSpecksIsWalkedToo) {
     WalkParams params;
     params.viewpoints = 2;
@@ -559,7 +559,7 @@ TEST(Walk, ThroughAWindowHolesAreTheOutside) {
 }
 
 TEST(CoarseView, AFoldStaysClosedButADeepJumpOpens) {
-    for (const float depth : {0.1f, 1.f}) {  // a wall in two halves, the right one `depth` behind
+    for (const float depth : {0.1f, 1.f}) {  // a wall in two halves, the right one `depth` farther back
         Panorama first{
             ImageColor(kSize.width, kSize.height, Vec3f{0.5f, 0.5f, 0.5f}), ImageF(kSize.width, kSize.height), {}, {}};
         for (int y = 0; y < kSize.height; ++y)
@@ -593,7 +593,7 @@ TEST(Walk, SameBytesForAnyNumberOfThreads) {
     }
 }
 
-// What the library says while it works.
+// Records the library's events.
 struct Heard : EventSink {
     std::string warnings;
     void tell(const Event& event) override {
@@ -633,7 +633,7 @@ TEST(Walk, RefusesWhatIsNoRoom) {
 TEST(Walk, WhatHasNoRangeIsFarBackground) {
     Panorama first = render_synthetic(SyntheticWorld::furnished(SyntheticPaint::plain, SyntheticPaint::plain), {},
                                       {128, 64}, 1);
-    // 1e-45 to 5e-4 are what a failed measurement leaves: not a surface before the lens at which every step would end.
+    // 1e-45 to 5e-4 are failed measurements, not surfaces in front of the lens that would end every step.
     const float nothing[] = {0.f,    -1.f,   std::nanf(""), std::numeric_limits<float>::infinity(),
                              1e-45f, 1e-30f, 5e-4f,         -0.f};
     for (int y = 20; y < 28; ++y)
@@ -662,8 +662,7 @@ TEST(Walk, WhatHasNoRangeIsFarBackground) {
     }
 }
 
-// Nobody has to keep them all: each is handed over before the next viewpoint is begun, also when the walk is stopped
-// there.
+// Panoramas need not be kept: each is handed over before the next viewpoint starts, even if the walk is stopped there.
 TEST(Walk, HandsOverEachPanoramaWhenItIsComplete) {
     const Panorama first = render_synthetic(SyntheticWorld::furnished(SyntheticPaint::plain, SyntheticPaint::plain), {},
                                             {128, 64}, 1);

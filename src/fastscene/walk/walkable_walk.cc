@@ -8,15 +8,14 @@
 namespace fastscene {
 namespace {
 
-constexpr float kLowestEye_m = 0.6f, kTallestEye_m = 1.9f;  // a crouch, a tall adult
-// Painted pixels are right in the mean and wrong in detail: where they are more than this share of what one sees, it
-// shows.
+constexpr float kLowestEye_m = 0.6f, kTallestEye_m = 1.9f;  // eye heights: crouching, and a tall adult
+// Inpainted pixels have the right mean but wrong details: beyond this share of the view it becomes visible.
 constexpr double kHolds = 0.15;
-constexpr float kBeyond_m = 0.1f;  // past the viewpoints that hold
+constexpr float kBeyond_m = 0.1f;  // margin in metres beyond the acceptable viewpoints
 
 float turn(Vec2f a, Vec2f b, Vec2f c) { return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x); }
 
-// Convex hull by monotone chains (Andrew 1979), counterclockwise with x to the right and z up.
+// Convex hull by Andrew's monotone chain (1979), counterclockwise with x to the right and z up.
 std::vector<Vec2f> convex_hull(std::vector<Vec2f> points) {
     std::sort(points.begin(), points.end(), [](Vec2f a, Vec2f b) { return a.x != b.x ? a.x < b.x : a.y < b.y; });
     std::vector<Vec2f> hull;
@@ -26,7 +25,7 @@ std::vector<Vec2f> convex_hull(std::vector<Vec2f> points) {
             while (hull.size() >= start + 2 && turn(hull[hull.size() - 2], hull.back(), *it) <= 0) hull.pop_back();
             hull.push_back(*it);
         }
-        hull.pop_back();  // the next chain begins with it
+        hull.pop_back();  // the next chain starts with it
     };
     chain(points.begin(), points.end());
     chain(points.rbegin(), points.rend());
@@ -67,7 +66,7 @@ Json to_json(const std::vector<Invention>& inventions) {
 }
 
 WalkableArea walkable_of(const std::vector<Invention>& inventions, float floor_y) {
-    // A square about each point that holds; panorama 0 always does.
+    // A square around each acceptable viewpoint; panorama 0 always counts.
     std::vector<Vec2f> corners;
     float low = 0, high = 0;
     const auto add = [&](Vec3f p) {
@@ -84,7 +83,7 @@ WalkableArea walkable_of(const std::vector<Invention>& inventions, float floor_y
 
 float floor_below(const Panorama& first) {
     const ImageF& range = first.range;
-    constexpr float kUsual_m = 1.5f;  // where the range straight down says nothing
+    constexpr float kUsual_m = 1.5f;  // camera height in metres if the range straight down is unknown
     std::vector<float> down;
     for (int y = range.height - std::max(1, range.height / 36); y < range.height; ++y)
         for (int x = 0; x < range.width; ++x) {

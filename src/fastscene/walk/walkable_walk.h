@@ -1,4 +1,4 @@
-// Walkable: how far a visitor may walk in what a walk has made.
+// Walkable area: where visitors may move in the result of a walk.
 #pragma once
 
 #include <vector>
@@ -10,20 +10,20 @@
 
 namespace fastscene {
 
-// Of a known room: its floor, from a crouch to a tall adult's eyes. The floor must have a standable cell.
+// For a known room: its floor, with eye heights from crouching to a tall adult. The floor must have a standable cell.
 WalkableArea walkable_room(const StandableFloor& floor);
 
-// How much of what one of the walk's panoramas shows was not observed, as shares of the sphere.
+// How much of a panorama of the walk was not observed, as shares of the sphere.
 struct Invention {
     Vec3f position_m;           // world
-    double invented_share = 0;  // painted there
-    double carried_share = 0;   // painted at an earlier viewpoint
+    double invented_share = 0;  // inpainted in this panorama
+    double carried_share = 0;   // inpainted at an earlier viewpoint
 };
 Invention invention_of(const Panorama& panorama);
 Json to_json(const std::vector<Invention>& inventions);
 
-// Of a picture whose room nobody knows: the scene holds at viewpoints where little had to be invented, and between
-// them. The convex hull of those, grown by a hand's breadth. `floor_y`: of the floor, world.
+// For a walk around a picture: the convex hull of the viewpoints where little had to be invented, with a small margin.
+// `floor_y`: of the floor, world.
 WalkableArea walkable_of(const std::vector<Invention>& inventions, float floor_y);
 // Where the floor is, as far as panorama 0's range straight down tells.
 float floor_below(const Panorama& first);

@@ -1,4 +1,4 @@
-#include "fastscene/nn/team.h"
+#include "fastscene/nn/process_group.h"
 
 #include <ATen/core/grad_mode.h>
 #include <ATen/ops/cat.h>
@@ -15,7 +15,8 @@ namespace fastscene::nn {
 namespace {
 
 using Patience = std::chrono::milliseconds;
-constexpr double kPatience_s = 3600;  // the first may look at many held-out pictures while the others wait
+// long enough for the first process to evaluate many held-out pictures while the others wait
+constexpr double kPatience_s = 3600;
 
 struct Place {
     std::string host;
@@ -32,7 +33,7 @@ Place place_from(const std::string& text) {
     return {text.substr(0, colon), static_cast<std::uint16_t>(port)};
 }
 
-// One long vector and back: one message instead of one a tensor.
+// Flattened into one vector and back: one message instead of one per tensor.
 at::Tensor together(const std::vector<at::Tensor>& tensors) {
     std::vector<at::Tensor> flat;
     for (const at::Tensor& t : tensors) flat.push_back(t.detach().to(at::kCPU, at::kFloat).reshape(-1));
@@ -48,7 +49,7 @@ void apart(const at::Tensor& all, const std::vector<at::Tensor>& tensors) {
 
 }  // namespace
 
-struct Team::Group {
+struct ProcessGroup::Connection {
     c10::intrusive_ptr<c10d::TCPStore> store;
     c10::intrusive_ptr<c10d::ProcessGroupGloo> gloo;
 
@@ -62,17 +63,17 @@ struct Team::Group {
     }
 };
 
-Team::Team(std::unique_ptr<Group> group, int size, int process)
+ProcessGroup::ProcessGroup(std::unique_ptr<Connection> group, int size, int process)
     : group_(std::move(group)), size_(size), process_(process) {}
-Team::~Team() = default;
+ProcessGroup::~ProcessGroup() = default;
 
-std::unique_ptr<Team> Team::meet(const TrainingParams& params, double patience_s) {
+std::unique_ptr<ProcessGroup> ProcessGroup::meet(const TrainingParams& params, double patience_s) {
     if (params.processes == 1) return nullptr;
     if (params.process >= params.processes)
         throw UsageError("--process: expected 0 to {}, found {}", params.processes - 1, params.process);
     const Place place = place_from(params.meet);
     const auto in_ms = [](double s) { return Patience(static_cast<std::int64_t>(1000 * s)); };
-    auto group = std::make_unique<Group>();
+    auto group = std::make_unique<Connection>();
     try {
         c10d::TCPStoreOptions where;
         where.port = place.port;
@@ -88,10 +89,10 @@ std::unique_ptr<Team> Team::meet(const TrainingParams& params, double patience_s
         throw Error("training: expected {} processes at {}, found no meeting within {:.0f} s: {}", params.processes,
                     params.meet, patience_s, e.what());
     }
-    return std::unique_ptr<Team>(new Team(std::move(group), params.processes, params.process));
+    return std::unique_ptr<ProcessGroup>(new ProcessGroup(std::move(group), params.processes, params.process));
 }
 
-void Team::mean(const std::vector<at::Tensor>& tensors) const {
+void ProcessGroup::mean(const std::vector<at::Tensor>& tensors) const {
     if (tensors.empty()) return;
     const at::NoGradGuard no_gradients;
     std::vector<at::Tensor> all{together(tensors)};
@@ -99,7 +100,7 @@ void Team::mean(const std::vector<at::Tensor>& tensors) const {
     apart(all[0] / size_, tensors);
 }
 
-void Team::from_first(const std::vector<at::Tensor>& tensors) const {
+void ProcessGroup::from_first(const std::vector<at::Tensor>& tensors) const {
     if (tensors.empty()) return;
     const at::NoGradGuard no_gradients;
     std::vector<at::Tensor> all{together(tensors)};
@@ -107,7 +108,7 @@ void Team::from_first(const std::vector<at::Tensor>& tensors) const {
     apart(all[0], tensors);
 }
 
-std::int64_t Team::from_first(std::int64_t number) const {
+std::int64_t ProcessGroup::from_first(std::int64_t number) const {
     std::vector<at::Tensor> one{at::tensor(number, at::kLong)};
     group_->wait("listen to the first", [&] { return group_->gloo->broadcast(one); });
     return one[0].item<std::int64_t>();

@@ -1,4 +1,4 @@
-#include "fastscene/walk/standpoints.h"
+#include "fastscene/walk/room_viewpoints.h"
 
 #include <algorithm>
 #include <cmath>
@@ -9,29 +9,29 @@
 namespace fastscene {
 namespace {
 
-// Eyes of visitors, metres above the floor: a child to a tall adult, and some who crouch.
+// Visitors' eye heights, metres above the floor: from a child to a tall adult, and a share who crouch.
 constexpr float kEyeLow_m = 1.2f, kEyeHigh_m = 1.8f, kCrouch_m = 0.7f, kCrouchShare = 0.15f;
-// Heights at which a panorama may be taken.
+// Camera heights for panoramas.
 constexpr std::array<float, 4> kHeights_m{0.65f, 1.15f, 1.5f, 1.85f};
-constexpr float kEyeAir_m = 0.15f;  // nobody looks from nearer to a surface
-constexpr float kLean_m = 0.6f;     // as far one leans in over a counter or a bed
+constexpr float kEyeAir_m = 0.15f;  // minimum clearance of a viewpoint from any surface
+constexpr float kLean_m = 0.6f;     // how far a viewpoint may lean in over a counter or bed
 constexpr int kMostCandidates = 420;
 constexpr int kVisitors = 640, kRaysAVisitor = 20;
-constexpr float kCloseUp_m = 0.6f;    // nearer a visitor wants no finer picture
-constexpr float kSecondView = 0.35f;  // what a second view of a surface is worth, of a first one
-constexpr float kImage_m = 0.03f;     // a mirror's image is at least so far behind it, and known so well
-constexpr float kSlant = 0.08f;       // cosine: surfaces seen more obliquely than this give no texture
+constexpr float kCloseUp_m = 0.6f;    // distances below this do not demand a finer resolution
+constexpr float kSecondView = 0.35f;  // value of a second view of a surface, relative to the first
+constexpr float kImage_m = 0.03f;     // minimum distance of a mirror image behind its mirror, and its tolerance
+constexpr float kSlant = 0.08f;       // cosine: surfaces seen at a more grazing angle give no texture
 
-// What a visitor sees.
+// A sample of what visitors see.
 struct Sample {
     enum class Kind : unsigned char {
         surface,
-        image,    // behind a flat mirror: seen from where the mirror shows it
-        outside,  // in a direction
+        image,    // behind a flat mirror: must be seen through the mirror
+        outside,  // a direction to the outside
     } kind;
-    Vec3f position;    // of a surface or an image; outside: a unit direction
-    Vec3f normal;      // of a surface
-    float demand = 0;  // pixels an area: cosine over squared distance
+    Vec3f position;    // of a surface or mirror image; for outside: a unit direction
+    Vec3f normal;      // surfaces only
+    float demand = 0;  // the visitor's pixel density on the surface: cosine over squared distance
 };
 
 Vec3f uniform_direction(Random& random) {
@@ -49,23 +49,23 @@ std::vector<Sample> seen_by_visitors(const TracedRoom& room, const StandableFloo
             const Vec2f at = floor.center(cell.column, cell.row);
             const float height = random.chance(kCrouchShare) ? random.uniform(kCrouch_m, kEyeLow_m)
                                                              : random.uniform(kEyeLow_m, kEyeHigh_m);
-            const Vec3f eye{at.x, floor.floor_y - height, at.y};
-            if (!has_air(room, eye, kEyeAir_m)) continue;
+            const Vec3f viewpoint{at.x, floor.floor_y - height, at.y};
+            if (!has_air(room, viewpoint, kEyeAir_m)) continue;
             for (int k = 0; k < kRaysAVisitor; ++k) {
                 const Vec3f d = uniform_direction(random);
-                const TracedRoom::Surface met = room.surface(eye, d);
+                const TracedRoom::Surface met = room.surface(viewpoint, d);
                 if (!std::isfinite(met.distance)) {
                     by_visitor[v].push_back({Sample::Kind::outside, d, {}, 1.f});
                     continue;
                 }
-                if (const float image = room.distance_through_mirrors(eye, d); image > met.distance + kImage_m) {
+                if (const float image = room.distance_through_mirrors(viewpoint, d); image > met.distance + kImage_m) {
                     if (std::isfinite(image))
-                        by_visitor[v].push_back({Sample::Kind::image, eye + d * image, {}, 1 / (image * image)});
+                        by_visitor[v].push_back({Sample::Kind::image, viewpoint + d * image, {}, 1 / (image * image)});
                     continue;
                 }
                 const float far = std::max(kCloseUp_m, met.distance), cosine = std::max(kSlant, -dot(met.normal, d));
                 by_visitor[v].push_back(
-                    {Sample::Kind::surface, eye + d * met.distance, met.normal, cosine / (far * far)});
+                    {Sample::Kind::surface, viewpoint + d * met.distance, met.normal, cosine / (far * far)});
             }
         }
     });
@@ -74,17 +74,17 @@ std::vector<Sample> seen_by_visitors(const TracedRoom& room, const StandableFloo
     return samples;
 }
 
-// Places from which a panorama can be taken: over standable floor, and over what one can lean in over.
+// Candidate viewpoints: over the standable floor, and over objects that one can lean in over.
 std::vector<Vec3f> candidates(const TracedRoom& room, const StandableFloor& floor) {
     const double area = standable_area_m2(floor) + 1;
-    // As dense as their number allows; not denser than a step.
+    // Spacing by the number that is affordable; at least 0.3 m.
     const float apart = std::max(0.3f, static_cast<float>(std::sqrt(1.6 * area * kHeights_m.size() / kMostCandidates)));
     const int stride = std::max(1, static_cast<int>(apart / floor.cell_m));
     const int lean = static_cast<int>(kLean_m / floor.cell_m);
     std::vector<Vec3f> found;
     for (int row = stride / 2; row < floor.rows; row += stride)
         for (int column = stride / 2; column < floor.columns; column += stride) {
-            // The nearest cell where one can stand; leaning, from the heights of those who stand.
+            // The nearest standable cell; leaning viewpoints must be at the height of a standing person.
             int nearest = floor.at(column, row) ? 0 : lean + 1;
             FloorCell foot{column, row};
             for (int dz = -lean; dz <= lean && nearest > 0; ++dz)
@@ -95,37 +95,38 @@ std::vector<Vec3f> candidates(const TracedRoom& room, const StandableFloor& floo
             if (nearest > lean) continue;
             const Vec2f at = floor.center(column, row), from = floor.center(foot.column, foot.row);
             for (const float height : kHeights_m) {
-                const Vec3f eye{at.x, floor.floor_y - height, at.y};
-                if (nearest > 0 && (height < kEyeLow_m || !room.sees({from.x, eye.y, from.y}, eye))) continue;
-                if (has_air(room, eye, kEyeAir_m)) found.push_back(eye);
+                const Vec3f viewpoint{at.x, floor.floor_y - height, at.y};
+                if (nearest > 0 && (height < kEyeLow_m || !room.sees({from.x, viewpoint.y, from.y}, viewpoint)))
+                    continue;
+                if (has_air(room, viewpoint, kEyeAir_m)) found.push_back(viewpoint);
             }
         }
     return found;
 }
 
-// How well a sample is seen from an eye: 1 as finely as by its visitor, 0 not at all.
-float sight(const TracedRoom& room, Vec3f eye, const Sample& sample) {
+// How well a viewpoint sees a sample: 1 = at the visitor's resolution, 0 = not at all.
+float sight(const TracedRoom& room, Vec3f viewpoint, const Sample& sample) {
     if (sample.kind == Sample::Kind::outside)
-        return std::isfinite(room.surface(eye, sample.position).distance) ? 0.f : 1.f;
-    const Vec3f way = sample.position - eye;
+        return std::isfinite(room.surface(viewpoint, sample.position).distance) ? 0.f : 1.f;
+    const Vec3f way = sample.position - viewpoint;
     const float far = length(way);
     if (sample.kind == Sample::Kind::image) {
-        const float shown = room.distance_through_mirrors(eye, way / far);
+        const float shown = room.distance_through_mirrors(viewpoint, way / far);
         return std::fabs(shown - far) < kImage_m ? std::min(1.f, 1 / (far * std::sqrt(sample.demand))) : 0.f;
     }
     const float cosine = -dot(sample.normal, way) / std::max(1e-6f, far);
     if (!(cosine > kSlant) || far < 1e-3f) return 0;
-    if (!room.sees(eye, sample.position)) return 0;
+    if (!room.sees(viewpoint, sample.position)) return 0;
     return std::min(1.f, std::sqrt(cosine / (far * far) / sample.demand));
 }
 
-// What the standpoints chosen so far make of every sample.
+// How well the viewpoints chosen so far see every sample.
 struct Coverage {
     std::vector<float> best, second;
     std::vector<int> views;
 
     explicit Coverage(std::size_t n) : best(n), second(n), views(n) {}
-    // What one more sight of sample i adds.
+    // The gain of another view of sample i with quality s.
     double gain(std::size_t i, float s) const {
         if (s <= second[i]) return 0;
         if (s <= best[i]) return kSecondView * static_cast<double>(s - second[i]);
@@ -140,32 +141,32 @@ struct Coverage {
 
 }  // namespace
 
-Standpoints choose_standpoints(const TracedRoom& room, const StandableFloor& floor, const StandpointParams& params,
-                               const Run& run) {
-    Standpoints chosen;
+RoomViewpoints choose_room_viewpoints(const TracedRoom& room, const StandableFloor& floor,
+                                      const RoomViewpointParams& params, const Run& run) {
+    RoomViewpoints chosen;
     if (standable_cells(floor).empty()) return chosen;
     const std::vector<Sample> samples = seen_by_visitors(room, floor, run);
-    const std::vector<Vec3f> eyes = candidates(room, floor);
+    const std::vector<Vec3f> viewpoints = candidates(room, floor);
     const std::size_t n = samples.size();
     chosen.samples = n;
     if (n == 0) return chosen;
-    // Row by row: how well each candidate sees each sample; panorama 0 last.
-    std::vector<float> sights((eyes.size() + 1) * n);
-    parallel_for(static_cast<std::int64_t>(eyes.size() + 1), 4, [&](std::int64_t begin, std::int64_t end) {
+    // One row per candidate: how well it sees each sample; panorama 0 last.
+    std::vector<float> sights((viewpoints.size() + 1) * n);
+    parallel_for(static_cast<std::int64_t>(viewpoints.size() + 1), 4, [&](std::int64_t begin, std::int64_t end) {
         run.check_stop();
         for (auto c = static_cast<std::size_t>(begin); c < static_cast<std::size_t>(end); ++c)
             for (std::size_t i = 0; i < n; ++i)
-                sights[c * n + i] = sight(room, c < eyes.size() ? eyes[c] : Vec3f{}, samples[i]);
+                sights[c * n + i] = sight(room, c < viewpoints.size() ? viewpoints[c] : Vec3f{}, samples[i]);
     });
     Coverage coverage(n);
     const auto take = [&](std::size_t c) {
         for (std::size_t i = 0; i < n; ++i) coverage.add(i, sights[c * n + i]);
     };
-    take(eyes.size());
+    take(viewpoints.size());
     const double all = static_cast<double>(n) * (1 + static_cast<double>(kSecondView));
-    std::vector<double> gains(eyes.size());
-    while (static_cast<int>(chosen.positions_m.size()) < params.most && !eyes.empty()) {
-        parallel_for(static_cast<std::int64_t>(eyes.size()), 4, [&](std::int64_t begin, std::int64_t end) {
+    std::vector<double> gains(viewpoints.size());
+    while (static_cast<int>(chosen.positions_m.size()) < params.most && !viewpoints.empty()) {
+        parallel_for(static_cast<std::int64_t>(viewpoints.size()), 4, [&](std::int64_t begin, std::int64_t end) {
             for (auto c = static_cast<std::size_t>(begin); c < static_cast<std::size_t>(end); ++c) {
                 gains[c] = 0;
                 for (std::size_t i = 0; i < n; ++i) gains[c] += coverage.gain(i, sights[c * n + i]);
@@ -174,7 +175,7 @@ Standpoints choose_standpoints(const TracedRoom& room, const StandableFloor& flo
         const auto next = static_cast<std::size_t>(std::max_element(gains.begin(), gains.end()) - gains.begin());
         if (gains[next] < static_cast<double>(params.least_gain) * all) break;
         take(next);
-        chosen.positions_m.push_back(eyes[next]);
+        chosen.positions_m.push_back(viewpoints[next]);
     }
     std::size_t unseen = 0, coarse = 0, one_sided = 0;
     constexpr float kHalf = 0.5f;

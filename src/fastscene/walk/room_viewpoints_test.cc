@@ -1,4 +1,4 @@
-#include "fastscene/walk/standpoints.h"
+#include "fastscene/walk/room_viewpoints.h"
 
 #include <gtest/gtest.h>
 
@@ -12,7 +12,7 @@
 namespace fastscene {
 namespace {
 
-// A room that a wall across it cuts in two but for a doorway at its right end.
+// A room divided by a wall with a doorway at its right end.
 Room two_rooms() {
     Room room;
     room.min_corner = kLow;
@@ -23,33 +23,33 @@ Room two_rooms() {
     return room;
 }
 
-TEST(Standpoints, SeeBothRoomsAndAreWhereOneCanLook) {
+TEST(RoomViewpoints, SeeBothRoomsAndAreWhereOneCanLook) {
     const TracedRoom room(two_rooms());
     const StandableFloor floor = passable_floor(room);
-    const Standpoints chosen = choose_standpoints(room, floor, {}, {});
+    const RoomViewpoints chosen = choose_room_viewpoints(room, floor, {}, {});
     ASSERT_GT(chosen.positions_m.size(), 3u);
     EXPECT_LT(chosen.unseen_share, 0.005);
     EXPECT_LT(chosen.one_sided_share, 0.05);
     EXPECT_TRUE(std::any_of(chosen.positions_m.begin(), chosen.positions_m.end(), [](Vec3f p) { return p.z > 1.f; }))
         << "none behind the wall";
     for (const Vec3f p : chosen.positions_m) EXPECT_GE(room.clearance(p, 0.15f), 0.149f);
-    // The same again, and the first few are those of a smaller choice.
-    const Standpoints again = choose_standpoints(room, floor, {}, {}),
-                      few = choose_standpoints(room, floor, {.most = 2}, {});
+    // Deterministic, and a smaller selection is a prefix of a larger one.
+    const RoomViewpoints again = choose_room_viewpoints(room, floor, {}, {}),
+                         few = choose_room_viewpoints(room, floor, {.most = 2}, {});
     EXPECT_EQ(again.positions_m, chosen.positions_m);
     ASSERT_EQ(few.positions_m.size(), 2u);
     EXPECT_EQ(few.positions_m[1], chosen.positions_m[1]);
     EXPECT_GE(few.unseen_share, chosen.unseen_share);
 }
 
-TEST(Standpoints, NobodyStandsNobodyLooks) {
+TEST(RoomViewpoints, NobodyStandsNobodyLooks) {
     Room room = two_rooms();
     room.meshes.push_back(box_mesh({-2.f, 1.f, -2.5f}, {2.f, 1.5f, 2.5f}, 0));
     const TracedRoom traced(std::move(room));
-    EXPECT_TRUE(choose_standpoints(traced, passable_floor(traced), {}, {}).positions_m.empty());
+    EXPECT_TRUE(choose_room_viewpoints(traced, passable_floor(traced), {}, {}).positions_m.empty());
 }
 
-// Every panorama of the walk is the room as it is from there.
+// Every panorama of the walk equals the room seen from its position.
 TEST(RoomWalkAll, PanoramasAreTrueColorAndRange) {
     TracedRoom room(two_rooms());
     room.gather_light({.cell_m = 0.2f, .cell_samples = 32}, {});
@@ -57,13 +57,13 @@ TEST(RoomWalkAll, PanoramasAreTrueColorAndRange) {
     Shot shot = room.panorama({}, size, {.pixel_samples = 16}, {});
     const Panorama first{std::move(shot.color), std::move(shot.range), {}, {}};
     WalkParams params;
-    params.standpoints = 3;
+    params.room_viewpoints = 3;
     params.pixel_samples = 16;
     std::vector<Panorama> walked;
     const Json about = walk_through_room(first, room, passable_floor(room), params, {}, {},
                                          [&](Panorama p) { walked.push_back(std::move(p)); });
     ASSERT_EQ(walked.size(), 4u);
-    EXPECT_EQ(about.at("standpoints"), 3);
+    EXPECT_EQ(about.at("viewpoints"), 3);
     for (const Panorama& p : walked) {
         const Shot truth = room.panorama(p.world_from_pano, size, {.pixel_samples = 64},
                                          fastscene::Run{99, nullptr, {}});
