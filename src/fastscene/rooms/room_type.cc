@@ -42,8 +42,8 @@ class TypeReader {
   public:
     TypeReader(const toml::table& document, const std::string& file)
         : top_(document, file, "",
-               {"name", "title", "rank", "wet", "for_children", "deep_paints", "next_rooms", "size", "shape",
-                "touches"}) {}
+               {"name", "title", "rank", "wet", "for_children", "deep_paints", "next_rooms", "size", "shape", "touches",
+                "furnished_as", "recipe"}) {}
 
     RoomType read() {
         t_.name = top_.needed_text("name");
@@ -55,6 +55,10 @@ class TypeReader {
         const std::vector<std::string> next = top_.texts("next_rooms");
         if (next.size() != 2) top_.fail("next_rooms", fmt::format("expected two room types, found {}", next.size()));
         t_.next_rooms = {next[0], next[1]};
+        t_.furnished_as = top_.text("furnished_as");
+        t_.recipe = read_recipe(top_, "recipe");
+        if (t_.furnished_as.empty() == t_.recipe.empty())
+            top_.fail_missing("recipe", "either [[recipe]] or furnished_as = \"the name of a room type\"");
         read_shape();
         read_touches();
         return std::move(t_);
@@ -94,12 +98,15 @@ class TypeReader {
     RoomType t_;
 };
 
-void check_next_rooms(const std::vector<RoomType>& all) {
-    for (const RoomType& type : all)
-        for (const std::string& next : type.next_rooms)
-            if (std::none_of(all.begin(), all.end(), [&](const RoomType& other) { return other.name == next; }))
-                throw Error("room_types/{}.toml: next_rooms: expected the name of a room type, found \"{}\"", type.name,
-                            next);
+void check_references(const std::vector<RoomType>& all) {
+    const auto check = [&](const RoomType& type, std::string_view key, const std::string& name) {
+        if (std::none_of(all.begin(), all.end(), [&](const RoomType& other) { return other.name == name; }))
+            throw Error("room_types/{}.toml: {}: expected the name of a room type, found \"{}\"", type.name, key, name);
+    };
+    for (const RoomType& type : all) {
+        for (const std::string& next : type.next_rooms) check(type, "next_rooms", next);
+        if (!type.furnished_as.empty()) check(type, "furnished_as", type.furnished_as);
+    }
 }
 
 }  // namespace
@@ -117,7 +124,7 @@ const std::vector<RoomType>& all_room_types() {
                                          "room_types/" + std::string(kRoomTypeTexts[i].first) + ".toml"));
         FASTSCENE_CHECK(!out.empty());
         std::stable_sort(out.begin(), out.end(), [](const RoomType& a, const RoomType& b) { return a.rank < b.rank; });
-        check_next_rooms(out);
+        check_references(out);
         return out;
     }();
     return all;
@@ -127,6 +134,11 @@ const RoomType& room_type(std::string_view name) {
     for (const RoomType& type : all_room_types())
         if (type.name == name) return type;
     return all_room_types().front();
+}
+
+const std::vector<RecipeStep>& recipe_of(std::string_view name) {
+    const RoomType& type = room_type(name);
+    return type.furnished_as.empty() ? type.recipe : room_type(type.furnished_as).recipe;
 }
 
 }  // namespace fastscene

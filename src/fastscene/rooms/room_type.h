@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "fastscene/rooms/recipe.h"
 #include "fastscene/rooms/style_choices.h"
 
 namespace fastscene {
@@ -17,6 +18,9 @@ struct RoomType {
     bool for_children = false;
     bool deep_paints = false;               // may be painted dark
     std::array<std::string, 2> next_rooms;  // behind a doorway, one as often as the other
+
+    std::string furnished_as;        // a type whose recipe it shares; empty: it has its own
+    std::vector<RecipeStep> recipe;  // what stands in it
 
     float width_low_m = 0, width_high_m = 0, depth_low_m = 0, depth_high_m = 0;  // usual inside sizes
     // How often rooms of the type have a feature.
@@ -36,5 +40,7 @@ RoomType read_room_type(std::string_view text, const std::string& file);
 const std::vector<RoomType>& all_room_types();
 // The first for a name that none has.
 const RoomType& room_type(std::string_view name);
+// What stands in a room of this type: its own recipe, or that of the type that it is furnished as.
+const std::vector<RecipeStep>& recipe_of(std::string_view type);
 
 }  // namespace fastscene
