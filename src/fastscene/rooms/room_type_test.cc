@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <regex>
 #include <set>
 #include <string>
 
@@ -51,7 +52,27 @@ TEST(RoomTypeFiles, ErrorsNameFileKeyAndWhatWasExpected) {
     says(type_error("wet = false\n", ""), "wet: expected true or false, found none");
     says(type_error("\"bookshelf\"", "\"spaceship\""), "expected a thing of the catalogue, found \"spaceship\"");
     says(type_error("shelves = \"books\"", "shelves = \"wine\""), "expected one of books, bath, kitchen, toys");
+    says(type_error("wet = false\n", "wet = false\nown_things = [\"spaceship\"]\n"), "own_things: expected a thing");
+    says(type_error("[touches]", "[windows]\ncount = 9\n[touches]"), "count: expected a number from 0 to 4, found 9");
+    says(type_error("[touches]", "[windows]\nsize = \"tall\"\n[touches]"), "expected one of usual, small, large");
+    says(type_error("wet = false\n", "wet = false\nfurnished_as = \"study\"\n"), "either [[recipe]] or furnished_as");
     says(type_error("width_m = [4.4, 5.6]", "width_m = [5.6, 4.4]"), "expected [low, high]");
+}
+
+// What is known of a type stands in its file.
+TEST(RoomTypeFiles, CodeNamesNoTypes) {
+    const std::regex literal(R"re("((?:[^"\\\n]|\\.)*)")re"), comment(R"(//[^\n]*|#include[^\n]*)");
+    // What stands on shelves is called after the kitchen.
+    const std::set<std::string> exempt{"style_choices.h"};
+    for (const auto& entry : fs::directory_iterator(kTypesFolder.parent_path())) {
+        const std::string name = entry.path().filename().string();
+        const bool code = entry.path().extension() == ".cc" || entry.path().extension() == ".h";
+        if (!code || name.ends_with("_test.cc") || exempt.contains(name)) continue;
+        const std::string text = std::regex_replace(type_text(entry.path()), comment, "");
+        for (std::sregex_iterator it(text.begin(), text.end(), literal), end; it != end; ++it)
+            EXPECT_EQ(find_room_type((*it)[1].str()), nullptr)
+                << name << ": put what the code says of \"" << (*it)[1] << "\" into room_types/" << (*it)[1] << ".toml";
+    }
 }
 
 }  // namespace
