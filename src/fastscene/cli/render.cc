@@ -268,8 +268,7 @@ Verb add_render(CLI::App& app) {
     auto flags = std::make_shared<Flags>();
     CLI::App* verb = app.add_subcommand("render",
                                         "A picture of a scene, all around too, or a film along a camera path.");
-    verb->add_option("scene", flags->scene,
-                     "Folder of a run, or a splat file (.ply, .compressed.ply, .spz, .glb, .sog).")
+    verb->add_option("scene", flags->scene, fmt::format("Folder of a run, or a splat file ({}).", splat_endings()))
         ->type_name("DIR|FILE")
         ->required();
     verb->add_option(

@@ -50,17 +50,16 @@ void Furnisher::picture(float probability) {
 // What makes a room lived in: curtains, plants, pictures, light, small things.
 void Furnisher::finish() {
     const PromptSpec& spec = l_.spec();
-    const std::string& room = l_.spec().room;
-    const bool wet = room == "bathroom" || room == "kitchen" || room == "laundry" || room == "loft" ||
-                     room == "sunroom";
+    const RoomType& type = room_type(spec.room);
     const bool blinds = std::any_of(wishes_.asks().begin(), wishes_.asks().end(),
                                     [](const Ask& a) { return is_blind(a.wish->klass); });
-    if (!wishes_.forbids("curtain") && !wishes_.asked("curtain") && !blinds && !wet && is_furnished() && !is_left())
+    if (!wishes_.forbids("curtain") && !wishes_.asked("curtain") && !blinds && type.curtains && is_furnished() &&
+        !is_left())
         l_.at_windows(l_.request("curtain"));
     if (!l_.plan().asked("recessed_lights") &&
         std::none_of(l_.placed().begin(), l_.placed().end(),
                      [](const Placed& p) { return lights_from_above(p.piece.klass); })) {
-        const bool grand = l_.plan().style.mouldings == Mouldings::rich && l_.plan().height > 2.7f && !wet;
+        const bool grand = l_.plan().style.mouldings == Mouldings::rich && l_.plan().height > 2.7f && type.chandeliers;
         put(grand && !wishes_.forbids("chandelier") ? "chandelier" : "ceiling_lamp", 0.9f,
             [&](const PieceRequest& r, const PromptObject& o) {
                 return l_.hanging(r, {0, 0.2f}, o);
@@ -72,23 +71,19 @@ void Furnisher::finish() {
     for (int i = 0; i < plants && l_.count("plant") < 4; ++i)
         wall("plant", 0.8f, {.center_pull = 0, .window_pull = 0.8f, .corner = true});
     const int pictures = is_left() ? 0 : 1 + static_cast<int>(std::lround(clutter_ * 3.f));
-    for (int i = 0; i < pictures && l_.count("picture") < 5; ++i) picture(wet && room != "loft" ? 0.4f : 0.8f);
+    for (int i = 0; i < pictures && l_.count("picture") < 5; ++i) picture(type.picture_probability);
     on_wall("shelf", 0.4f * clutter_);
     wall("basket", 0.5f * clutter_, {.center_pull = 0, .corner = true});
     // After sunset a room wants light from more than its ceiling.
     const bool dark = spec.time == "night" || spec.time == "dusk" || spec.light == "lamps on";
-    const bool damp = room == "bathroom" || room == "kitchen" || room == "laundry";
-    wall("floor_lamp",
-         l_.count("floor_lamp") > (dark ? 1 : 0) || damp ? 0.f
-         : dark                                          ? 1.f
-         : wet                                           ? 0.f
-                                                         : 0.5f,
-         {.center_pull = 0, .corner = true});
+    const bool has_light = type.floor_lamp == FloorLamp::never || l_.count("floor_lamp") > (dark ? 1 : 0);
+    const float by_day = type.floor_lamp == FloorLamp::usual ? 0.5f : 0.f;
+    wall("floor_lamp", has_light ? 0.f : dark ? 1.f : by_day, {.center_pull = 0, .corner = true});
     static constexpr std::array<const char*, 5> kSmall{"book_stack", "vase", "bowl", "candle", "book_stack"};
     const int small = is_left() ? 0 : static_cast<int>(std::lround((spec.clutter == "minimal" ? 1 : 3) + 7 * clutter_));
     for (int i = 0; i < small; ++i) {
         std::string klass = kSmall[static_cast<std::size_t>(l_.dice().index(static_cast<int>(kSmall.size())))];
-        if (room_type(room).for_children) klass = for_a_child(klass);
+        if (type.for_children) klass = for_a_child(klass);
         put(klass, 1, [&](const PieceRequest& r, const PromptObject& o) { return l_.on_any_top(r, o); });
     }
     if (is_furnished() && !is_left()) add_touches(l_, clutter_);
