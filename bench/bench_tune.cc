@@ -8,6 +8,7 @@
 
 #include "cpu_clock.h"
 #include "fastscene/base/parallel.h"
+#include "fastscene/io/image_io.h"
 #include "fastscene/io/view_io.h"
 #include "fastscene/metrics/metrics.h"
 #include "fastscene/splat/train.h"
@@ -15,7 +16,7 @@
 using namespace fastscene;
 
 int main(int argc, char** argv) {
-    std::string dir;
+    std::string dir, pictures;
     SplatParams params;
     splat::TrainTuning tuning;
     int threads = 0, first = 14;
@@ -29,6 +30,7 @@ int main(int argc, char** argv) {
     app.add_option("--strategy", params.strategy);
     app.add_option("--lr-mean", params.learning_rate_mean_m);
     app.add_option("--opaque", params.opaque);
+    app.add_option("--outside", params.outside_m);
     app.add_option("--lambda", params.lambda_dssim);
     app.add_option("--sh-degree", params.sh_degree);
     app.add_option("--lr-scale", tuning.scale);
@@ -42,6 +44,7 @@ int main(int argc, char** argv) {
     app.add_option("--relocate-fraction", tuning.relocate_fraction);
     app.add_option("--first", first, "Train on the first so many of each panorama's 14 views.");
     app.add_option("--threads", threads);
+    app.add_option("--pictures", pictures, "Writes what the splats show at each pose there.");
     app.add_flag("--random-background", random_background);
     CLI11_PARSE(app, argc, argv);
     set_threads(threads);
@@ -58,29 +61,22 @@ int main(int argc, char** argv) {
     Splats splats = splat::fit(views, params, tuning, run).splats;
     const double cpu = cpu_seconds() - before;
     const TruthSet truth = load_truth_set(dir + "/metrics/kept/room");
-    const Splats trained = splats;
-    for (const double k : {1.0}) {
-        splats = trained;
-        for (float& l : splats.opacity_logit) {
-            const double a = 1 - std::pow(1 - 1 / (1 + std::exp(-static_cast<double>(l))), k);
-            l = static_cast<float>(std::min(8.0, std::log(a / std::max(1e-9, 1 - a))));
-        }
-        std::vector<double> psnrs;
-        double ssim = 0, open = 0;
-        for (std::size_t i = 0; i < truth.poses.size(); ++i) {
-            const SplatSight sight = splat_sight(splats, truth.poses[i], truth.pictures[i].color.width);
-            const Likeness l = compare(sight.color, truth.pictures[i]);
-            psnrs.push_back(l.psnr), ssim += l.ssim, open += sight.low_alpha_share;
-        }
-        std::sort(psnrs.begin(), psnrs.end());
-        const double n = static_cast<double>(psnrs.size());
-        double mean = 0, worst = 0;
-        for (const double p : psnrs) mean += p / n;
-        const std::size_t few = (psnrs.size() + 19) / 20;
-        for (std::size_t i = 0; i < few; ++i) worst += psnrs[i] / static_cast<double>(few);
-        fmt::print(
-            "{:6} views {:7} splats {:5} steps {:7.1f} CPU s | {:.2f} dB worst5 {:.2f} worst {:.2f} ssim {:.4f} open "
-            "{:.4f} %\n",
-            views.views.size(), splats.size(), params.steps, cpu, mean, worst, psnrs[0], ssim / n, 100 * open / n);
+    std::vector<double> psnrs;
+    double ssim = 0, open = 0;
+    for (std::size_t i = 0; i < truth.poses.size(); ++i) {
+        const SplatSight sight = splat_sight(splats, truth.poses[i], truth.pictures[i].color.width);
+        const Likeness l = compare(sight.color, truth.pictures[i]);
+        psnrs.push_back(l.psnr), ssim += l.ssim, open += sight.low_alpha_share;
+        if (!pictures.empty()) save_png(fmt::format("{}/{:02}.png", pictures, i), sight.color);
     }
+    std::sort(psnrs.begin(), psnrs.end());
+    const double n = static_cast<double>(psnrs.size());
+    double mean = 0, worst = 0;
+    for (const double p : psnrs) mean += p / n;
+    const std::size_t few = (psnrs.size() + 19) / 20;
+    for (std::size_t i = 0; i < few; ++i) worst += psnrs[i] / static_cast<double>(few);
+    fmt::print(
+        "{:6} views {:7} splats {:5} steps {:7.1f} CPU s | {:.2f} dB worst5 {:.2f} worst {:.2f} ssim {:.4f} open "
+        "{:.4f} %\n",
+        views.views.size(), splats.size(), params.steps, cpu, mean, worst, psnrs[0], ssim / n, 100 * open / n);
 }

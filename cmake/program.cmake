@@ -7,7 +7,6 @@ set(FASTSCENE_WEB ${PROJECT_SOURCE_DIR}/web/node_modules/@playcanvas)
 set(data ${PROJECT_BINARY_DIR}/share/fastscene)
 file(MAKE_DIRECTORY ${data})
 file(CREATE_LINK ${FASTSCENE_WEB}/supersplat-viewer ${data}/supersplat-viewer SYMBOLIC)
-file(CREATE_LINK ${FASTSCENE_WEB}/splat-transform ${data}/splat-transform SYMBOLIC)
 file(CREATE_LINK ${PROJECT_SOURCE_DIR}/packaging ${data}/packaging SYMBOLIC)
 
 install(TARGETS fastscene RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT program)

@@ -1,5 +1,5 @@
 // Splats from one file format to another, optionally only the most visible.     convert_splats IN OUT [COUNT]
-// The formats: .ply, .compressed.ply, .spz, .glb.
+// The ending of OUT chooses its format: docs/formats.md lists them.
 #include <fastscene/splat.h>
 
 #include <iostream>
@@ -8,8 +8,8 @@ using namespace fastscene;
 
 int main(int argc, char** argv) try {
     if (argc < 3) throw UsageError("usage: convert_splats IN OUT [COUNT]");
-    const std::optional<SplatFormat> format = splat_format_of_name(argv[2]);
-    if (!format) throw UsageError("{}: expected .ply, .compressed.ply, .spz or .glb", argv[2]);
+    if (!splat_format_of_name(argv[2]))
+        throw UsageError("{}: expected a name that ends in {}", argv[2], splat_endings());
 
     // The format of the input is told by its first bytes. Files differ in their axes: in memory it is always x right,
     // y down, z forward.
@@ -19,7 +19,7 @@ int main(int argc, char** argv) try {
 
     // Those that cover most, by opacity and area.
     if (argc > 3) loaded.splats = strongest(loaded.splats, std::stoul(argv[3]));
-    save_splats(argv[2], loaded.splats, *format);
+    save_splats(argv[2], loaded.splats);
     std::cout << loaded.splats.size() << " splats\n";
 } catch (const std::exception& e) {  // an Error names the file, what was expected and what was found
     std::cerr << e.what() << '\n';

@@ -54,7 +54,7 @@ int main(int argc, char** argv) try {
     Run run;
     run.seed = 7;  // the same seed gives the same splats, for any number of threads
     const FittedSplats fitted = fit_splats(set, params, run);
-    save_splats(argv[1], fitted.splats, SplatFormat::ply);
+    save_splats(argv[1], fitted.splats);
     std::cout << fitted.splats.size() << " splats, PSNR " << fitted.curve.back().psnr << " dB\n";
 } catch (const std::exception& e) {  // fastscene throws; it never prints and never exits
     std::cerr << e.what() << '\n';

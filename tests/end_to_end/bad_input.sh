@@ -153,13 +153,13 @@ if command -v ffmpeg >/dev/null; then
   done
 fi
 
-# Splats that another program writes and reads for us.
+# Splats in an archive.
 echo "no archive" >text.sog
 expect 1 "$fastscene" convert text.sog splats.ply
-says "text.sog: expected a SOG bundle"
+says "text.sog: expected PlayCanvas' SOG"
 printf 'PK\003\004 and no more' >short.sog
 expect 1 "$fastscene" convert short.sog splats.ply
-says "the file ends too early"
+says "short.sog: expected a zip archive"
 lacks splats.ply
 
 # Range maps: PFM files of one value.
@@ -195,6 +195,9 @@ narrow() { (ulimit -v 8000000; exec "$fastscene" "$@"); }
 if narrow version >/dev/null 2>&1; then   # a sanitizer's own memory is larger
   expect 1 narrow make "$prompt" -o early "${tiny[@]}" --splat-count 20000000 --splat-sh-degree 3
   says "--splat-count: 20000000 Gaussians with SH degree 3 take"
+  # Without a degree it is that which a room gets, known before the first stage.
+  expect 1 narrow make "$prompt" -o early "${tiny[@]}" --splat-count 20000000
+  says "--splat-count: 20000000 Gaussians with SH degree 2 take"
 fi
 expect 2 "$fastscene" make "$prompt" -o early "${tiny[@]}" --splat-patience 5
 says "--splat-patience: expected together with --splat-eval-every"

@@ -101,7 +101,7 @@ expect 1 "$fastscene" render run --path bad.json -o film
 says bad.json
 
 # Splat files: every format and back gives nearly the same picture; what cannot be done is said and nothing is written.
-for name in a.spz a.glb a.compressed.ply b.ply; do
+for name in a.spz a.glb a.compressed.ply a.sog a.splat b.ply; do
   expect 0 "$fastscene" convert run "$name"
   prints "$name"
   expect 0 "$fastscene" render "$name" --size 80x60 -o of.png

@@ -95,8 +95,8 @@ void write_samples(const std::filesystem::path& dir, const std::filesystem::path
     save_splat_ply(dir / "odd.ply", odd);
     save_compressed_ply(dir / "odd.compressed.ply", odd);
     for (const int version : {2, 3, 4})
-        save_splats(dir / fmt::format("odd{}.spz", version), odd, SplatFormat::spz, {PlyBands::all, version});
-    save_splats(dir / "odd.glb", odd, SplatFormat::glb);
+        save_splats(dir / fmt::format("odd{}.spz", version), odd, {PlyBands::all, version});
+    save_splats(dir / "odd.glb", odd);
     if (viewer_dir.empty()) return;
     ViewerScene scene{"Colored room", {0, 0, -1}, {0, 0, 4}, 75, {}};
     save_viewer_html(dir / "viewer.html", splats, scene, viewer_dir);

@@ -1,4 +1,4 @@
-// Runs other programs by name (ffmpeg, colmap, splat-transform): always optional, never linked.
+// Runs other programs by name (ffmpeg, colmap): always optional, never linked.
 #pragma once
 
 #include <filesystem>

@@ -1,4 +1,5 @@
 #include <cmath>
+#include <map>
 #include <optional>
 
 #include "fastscene/base/writable.h"
@@ -30,15 +31,41 @@ Mat3d numbers_from_world(const std::string& up, bool left_handed) {
     return {{1, 0, 0}, {0, 1, 0}, {0, 0, left_handed ? -1.0 : 1.0}};
 }
 
+// Which axis of a format's numbers points up, as --up says it: "y in .glb or .spz".
+std::string own_up_axes() {
+    std::map<std::string, std::vector<std::string>> formats;
+    for (const SplatFormat& format : registered<SplatFormat>()) {
+        const Vec3d up = format.file_from_world * Vec3d{0, -1, 0};
+        for (std::size_t a = 0; a < 3; ++a)
+            if (up[a] != 0) formats[fmt::format("{}{}", up[a] < 0 ? "-" : "", "xyz"[a])].push_back(format.ending);
+    }
+    std::string text;
+    for (const auto& [axis, endings] : formats)
+        text += fmt::format("{}{} in {}", text.empty() ? "" : "; ", axis, any_of(endings));
+    return text;
+}
+
+// What the format cannot store is told before it is left out.
+void warn_of_losses(const std::string& to, const Splats& splats, const Run& run) {
+    const SplatFormat& format = *splat_format_of_name(to);
+    if (splats.sh_degree > format.sh_degree)
+        run.warn(fmt::format("{}: {} stores spherical harmonics up to degree {}: those of degree {} are left out", to,
+                             format.ending, format.sh_degree, splats.sh_degree));
+    if (splats.antialias && !format.antialias)
+        run.warn(fmt::format("{}: {} cannot store that these splats are antialiased: small ones will look too bright",
+                             to, format.ending));
+}
+
 // The transform of the world that makes the file's coordinates as requested.
 Similarity world_for(const fs::path& file, const std::string& up, bool left_handed) {
     if (up.empty()) return {};
-    return {transpose(splat_file_from_world(file)) * numbers_from_world(up, left_handed), 1, {}};
+    const SplatFormat* format = splat_format_of_name(file);
+    return {transpose(format ? format->file_from_world : Mat3d{}) * numbers_from_world(up, left_handed), 1, {}};
 }
 
 void check(const Flags& flags) {
-    if (!is_splat_file_name(flags.to))
-        throw UsageError("{}: expected a name that ends in {}", flags.to, kSplatFileNames);
+    if (!splat_format_of_name(flags.to))
+        throw UsageError("{}: expected a name that ends in {}", flags.to, splat_endings());
     if (!(flags.scale > 0 && flags.scale < 1e6f))
         throw UsageError("--scale: expected a number above 0 and below a million, found {}", flags.scale);
     if (!(flags.min_opacity >= 0 && flags.min_opacity <= 1))
@@ -91,7 +118,8 @@ void convert(const Flags& flags, const Session& session) {
     transform(splats, compose(world_for(flags.to, flags.up, flags.handed == "left"), {{}, flags.scale, move}));
     progress.advance();
     run.check_stop();
-    save_scene(flags.to, splats, {flags.compact ? PlyBands::present : PlyBands::all, flags.spz_version}, run);
+    warn_of_losses(flags.to, splats, run);
+    save_splats(flags.to, splats, {flags.compact ? PlyBands::present : PlyBands::all, flags.spz_version});
     progress.advance();
     const auto bytes = fs::file_size(flags.to);
     run.note(fmt::format("{} of {} splats, spherical harmonics of degree {}, {:.2f} MB", splats.size(), found,
@@ -107,8 +135,8 @@ void convert(const Flags& flags, const Session& session) {
 
 Verb add_convert(CLI::App& app) {
     auto flags = std::make_shared<Flags>();
-    CLI::App* verb = app.add_subcommand(
-        "convert", "Converts splats between file formats: .ply, .compressed.ply, .spz, .glb, .sog.");
+    CLI::App* verb = app.add_subcommand("convert",
+                                        fmt::format("Converts splats between file formats: {}.", splat_endings()));
     verb->add_option("from", flags->from, "Splat file, or folder of a run.")->type_name("FILE|DIR")->required();
     verb->add_option("to", flags->to, "File to write; its extension selects the format.")
         ->type_name("FILE")
@@ -116,7 +144,7 @@ Verb add_convert(CLI::App& app) {
     const auto axes = one_of({"y", "z", "-y"});
     verb->add_option(
             "--up", flags->up,
-            "Up axis of the output coordinates; default: the format's own (-y in PLY and SOG, y in SPZ and GLB).")
+            fmt::format("Up axis of the output coordinates; default: the format's own ({}).", own_up_axes()))
         ->type_name("y|z|-y")
         ->check(axes);
     verb->add_option("--from-up", flags->from_up,

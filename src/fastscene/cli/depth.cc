@@ -1,4 +1,5 @@
 #include "fastscene/cli/request.h"
+#include "fastscene/depth/estimator.h"
 #include "fastscene/depth/train.h"
 #include "fastscene/pipeline/depth_report.h"
 
@@ -79,8 +80,7 @@ void check(const CheckFlags& flags, const Session& session) {
     if (wanted.count < 1) throw UsageError("--count: expected at least 1, found {}", wanted.count);
     apply_fields("depth", wanted.depth, *flags.given);
     check_fields("depth", wanted.depth);
-    if (wanted.depth.backend == "exact" || wanted.depth.backend == "image")
-        throw UsageError("--depth-backend: expected auto, egformer or layout, found {}", wanted.depth.backend);
+    depth_backend_of(wanted.depth);  // refuses exact and image: a data set has neither a room nor one map
     const Json report = check_depth(wanted, session.run(0));
     session.print(depth_check_text(report), report);
 }

@@ -269,8 +269,7 @@ Verb add_render(CLI::App& app) {
     auto flags = std::make_shared<Flags>();
     CLI::App* verb = app.add_subcommand("render",
                                         "Renders a scene: a picture, a panorama, or a film along a camera path.");
-    verb->add_option("scene", flags->scene,
-                     "Folder of a run, or a splat file (.ply, .compressed.ply, .spz, .glb, .sog).")
+    verb->add_option("scene", flags->scene, fmt::format("Folder of a run, or a splat file ({}).", splat_endings()))
         ->type_name("DIR|FILE")
         ->required();
     verb->add_option(

@@ -1,10 +1,11 @@
-// Depth stage: equirectangular color -> range along each ray, in metres. Paper: panoramic depth. Backends: "exact" (ray
-// traced in the room of a prompt), "image" (a range map from the user, panorama/panorama.h), "egformer" (network
-// estimate) and "layout" (a box fitted to the picture's lines).
+// Depth stage: equirectangular color -> range along each ray, in metres. Paper: panoramic depth. The range of a
+// prompt's room is ray traced, a map of the user's is read (panorama/panorama.h); else a backend estimates it
+// (estimator.h).
 #pragma once
 
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "fastscene/base/fields.h"
 #include "fastscene/base/run.h"
@@ -15,17 +16,22 @@
 
 namespace fastscene {
 
+// Values of DepthParams::backend besides the names of the backends that estimate.
+inline constexpr const char* kAutoDepth = "auto";
+inline constexpr const char* kExactDepth = "exact";  // ray traced in the room of a prompt
+inline constexpr const char* kMapDepth = "image";    // a range map from the user
+std::vector<std::string> depth_choices();
+const std::string& about_depth_choices();
+
 struct DepthParams {
-    std::string backend = "auto";
-    std::string weights;           // for egformer
+    std::string backend = kAutoDepth;
+    std::string weights;           // of a network
     float camera_height_m = 1.6f;  // above the floor: a tripod at eye height
     int tta = 0;  // test-time augmentation: number of rotated and mirrored variants averaged; 0: automatic
 };
 template <class V>
 void visit_fields(DepthParams& p, V&& v) {
-    v("backend", p.backend, Choices{{"auto", "exact", "image", "egformer", "layout"}},
-      "Source of range: auto uses exact for a prompt, image with --range, else egformer with built-in weights or "
-      "--depth-weights; layout if there are none.");
+    v("backend", p.backend, Choices{depth_choices()}, about_depth_choices());
     v("weights", p.weights,
       "EGformer's weights (the published .pkl, or .safetensors); empty: the built-in ones, two networks whose outputs "
       "are averaged.");

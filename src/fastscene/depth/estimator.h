@@ -4,8 +4,10 @@
 #include <array>
 #include <memory>
 #include <span>
+#include <string>
 
 #include "fastscene/base/json.h"
+#include "fastscene/base/registry.h"
 #include "fastscene/base/run.h"
 #include "fastscene/depth/depth.h"
 #include "fastscene/image/image.h"
@@ -33,9 +35,21 @@ inline constexpr std::array<const char*, 2> kShippedDepth{"egformer-rooms-256", 
 // independent. They must have been trained with the same unit.
 ImageF mean_depth(std::span<const Egformer> networks, const ImageColor& color, int augmentations, const Run& run);
 
-// params.backend "egformer", "layout" or "auto": egformer with the given or built-in weights (averaging several
-// networks), otherwise layout. Throws Error naming the weights file and the missing or misshaped key, UsageError if
-// egformer has no weights.
+// A way to estimate range, in a source file of its own under depth/depth_backends/ (docs/extend/depth-network.md shows
+// how to add one). Flags, --help, errors and the contract test take their lists from the registry.
+struct DepthBackend {
+    std::string name = {};   // as its source file
+    std::string about = {};  // half a sentence, for --help
+    std::string model = {};  // of models/registry.cc, whose file in the cache serves as its weights; empty: none
+    int auto_rank = 0;       // "auto" takes the ready one with the highest rank; 0: only when it is named
+    bool (*ready)(const DepthParams& params) = nullptr;  // whether what it needs is here; null: it needs nothing
+    // Throws UsageError if weights are missing; Error naming the file and the key that is missing or misshaped.
+    std::unique_ptr<DepthEstimator> (*make)(const DepthParams& params) = nullptr;
+};
+// The one that params.backend names; for "auto" the best that is ready. Throws UsageError with the names for another.
+const DepthBackend& depth_backend_of(const DepthParams& params);
+// The same, but for "auto" the best of all: the one whose weights are worth looking for.
+const DepthBackend& wanted_depth_backend(const DepthParams& params);
 std::unique_ptr<DepthEstimator> make_depth_estimator(const DepthParams& params);
 
 }  // namespace fastscene

@@ -8,6 +8,7 @@
 #include "fastscene/base/file.h"
 #include "fastscene/evaluate/failure.h"
 #include "fastscene/evaluate/measures.h"
+#include "fastscene/io/splat_format.h"
 #include "fastscene/metrics/images.h"
 
 namespace fastscene {
@@ -28,8 +29,8 @@ OtherScene contribution(const SuitePeer& peer, const std::string& scene) {
             if (is_source(entry.path())) other.sphere = entry.path();
             else other.pictures = folder;
         }
-    for (const char* end : {".ply", ".compressed.ply", ".spz", ".glb"})
-        if (const fs::path file = peer.folder / (scene + end); fs::exists(file)) {
+    for (const SplatFormat& format : registered<SplatFormat>())
+        if (const fs::path file = peer.folder / (scene + format.ending); fs::exists(file)) {
             other.splats = file;
             break;
         }

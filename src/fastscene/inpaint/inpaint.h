@@ -7,8 +7,8 @@
 #include <memory>
 #include <string>
 #include <string_view>
-#include <vector>
 
+#include "fastscene/base/registry.h"
 #include "fastscene/base/run.h"
 #include "fastscene/image/image.h"
 
@@ -20,9 +20,17 @@ struct Inpainter {
     // `hole`: nonzero = to be filled. Other pixels are returned unchanged, bit for bit.
     virtual ImageColor fill(const ImageColor& color, const ImageMask& hole, const Run& run) const = 0;
 };
-// `weights`: the generator's checkpoint, for "aotgan" only; empty: the built-in one. Throws UsageError for an unknown
-// name, Error naming the file if it is not such a checkpoint.
+// A way to fill holes, in a source file of its own under inpaint/inpainters/: what is there is what --walk-inpainter
+// offers, and what the contract test asks.
+struct InpaintBackend {
+    std::string name = {};   // as its source file
+    std::string about = {};  // half a sentence, for --help
+    std::string model = {};  // of models/registry.cc, whose file in the cache serves as its weights; empty: none
+    // `weights`: a checkpoint; empty: the shipped ones. Throws UsageError if there are none, Error naming the file if
+    // it is no such checkpoint.
+    std::unique_ptr<Inpainter> (*make)(const std::filesystem::path& weights) = nullptr;
+};
+// Throws UsageError with the names for an unknown one.
 std::unique_ptr<Inpainter> make_inpainter(std::string_view name, const std::filesystem::path& weights = {});
-std::vector<std::string> inpainters();  // names, for --help and the contract test
 
 }  // namespace fastscene

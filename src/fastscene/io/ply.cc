@@ -38,7 +38,9 @@ double read_as(const char* p) {
 
 }  // namespace
 
-Ply::Ply(const std::filesystem::path& path) : path_(path), bytes_(read_file(path)) {
+Ply::Ply(const std::filesystem::path& path) : Ply(path, read_file(path)) {}
+
+Ply::Ply(const std::filesystem::path& path, std::string bytes) : path_(path), bytes_(std::move(bytes)) {
     const Encoding encoding = parse_header();
     if (encoding == Encoding::text) read_text_rows();
     else place_binary_rows();

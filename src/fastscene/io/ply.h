@@ -31,6 +31,8 @@ class Ply {
   public:
     // Throws Error naming the file, the byte or line, expected and actual.
     explicit Ply(const std::filesystem::path& path);
+    // The same of a file that has been read already.
+    Ply(const std::filesystem::path& path, std::string bytes);
 
     const std::filesystem::path& path() const { return path_; }
     const std::vector<std::string>& comments() const { return comments_; }
@@ -72,6 +74,7 @@ std::string ply_comments(const Splats& splats);
 bool is_antialiased(const Ply& ply);
 
 bool is_compressed_ply(const Ply& ply);
+bool has_compressed_ply_header(std::string_view bytes);
 Splats splats_of_compressed_ply(const Ply& ply);
 Splats splats_of_ply(const Ply& ply);
 

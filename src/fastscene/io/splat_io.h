@@ -3,39 +3,29 @@
 #pragma once
 
 #include <filesystem>
-#include <optional>
 #include <string>
 
+#include "fastscene/io/splat_format.h"
 #include "fastscene/scene/splat_edit.h"
 #include "fastscene/scene/splats.h"
 
 namespace fastscene {
 
-enum class SplatFormat { ply, compressed_ply, spz, glb };
-// By extension: .ply, .compressed.ply, .spz, .glb.
-std::optional<SplatFormat> splat_format_of_name(const std::filesystem::path& path);
-
-// The axes of a format's numbers: p_file = file_from_world(format) * p_world.
-Mat3d file_from_world(SplatFormat format);
-
 struct LoadedSplats {
     Splats splats;     // drawable only; all-zero SH degrees dropped
     Cleaning cleaned;  // what was removed
-    SplatFormat format = SplatFormat::ply;
+    const SplatFormat* format = nullptr;
 };
 // Loads any of the formats, recognized by its first bytes. Throws Error naming the file, the byte or line, expected and
 // actual; memory is bounded by the file's size.
 LoadedSplats load_splats(const std::filesystem::path& path);
 
-enum class PlyBands { all, present };  // padded to degree 3, as several readers require (62 floats per splat); or as is
-struct SplatWriting {
-    PlyBands ply_bands = PlyBands::all;
-    int spz_version = 3;  // 2, 3 or 4; 3 is the most widely supported
-};
-void save_splats(const std::filesystem::path& path, const Splats& splats, SplatFormat format,
-                 const SplatWriting& writing = {});
+// By the name's ending. Throws UsageError for another one; Error naming the file for what the format cannot hold, and
+// for numbers that are not finite. Harmonics above the format's degree are left out.
+void save_splats(const std::filesystem::path& path, const Splats& splats, const SplatWriting& writing = {});
 
 // INRIA's PLY, binary little endian, normals 0.
+std::string splat_ply_bytes(const Splats& splats, PlyBands bands = PlyBands::all);
 void save_splat_ply(const std::filesystem::path& path, const Splats& splats, PlyBands bands = PlyBands::all);
 // Splats of a .ply or .compressed.ply; like load_splats, without the cleaning report.
 Splats load_splat_ply(const std::filesystem::path& path);

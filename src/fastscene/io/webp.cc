@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "fastscene/io/formats.h"
+#include "fastscene/io/webp_lossless.h"
 
 namespace fastscene {
 namespace {
@@ -68,6 +69,12 @@ ImageRgb8 decode_webp_rgb8(std::string_view bytes, const std::string& where) {
         image.pixels[i] = {over_black(p[0]), over_black(p[1]), over_black(p[2])};
     }
     return image;
+}
+
+RgbaBytes decode_webp_rgba(std::string_view bytes, const std::string& where) {
+    WebPBitstreamFeatures features{};
+    std::vector<std::uint8_t> pixels = pixels_of(bytes, where, 4, features);
+    return {features.width, features.height, std::move(pixels)};
 }
 
 ImageMask webp_alpha(std::string_view bytes, const std::string& where) {

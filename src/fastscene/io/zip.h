@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace fastscene {
@@ -31,5 +32,8 @@ class ZipFile {
     std::uint64_t file_size_ = 0;
     std::map<std::string, Entry> entries_;
 };
+
+// An archive of these files (name, content), stored as they are. Without dates: the same files give the same bytes.
+std::string stored_zip(const std::vector<std::pair<std::string, std::string>>& files);
 
 }  // namespace fastscene

@@ -1,5 +1,6 @@
 #include "fastscene/pipeline/cached_weights.h"
 
+#include "fastscene/depth/estimator.h"
 #include "fastscene/models/cache.h"
 #include "fastscene/pipeline/resolve.h"
 
@@ -37,15 +38,16 @@ void use_cached_weights(SceneRequest& request, const Run& run) {
     const SceneSource& source = request.source;
     if (request.last_stage == "panorama") return;
     DepthParams& depth = request.params.depth;
-    const bool estimated = depth.backend == "egformer" ||
-                           (depth.backend == "auto" && !has_room(source) && range_map_of(source).empty());
-    if (estimated && depth.weights.empty())
-        take("egformer", cached_file("egformer"), depth.weights);  // otherwise built-in weights may apply
+    if (is_estimated(source, depth) && depth.weights.empty())
+        if (const std::string& model = wanted_depth_backend(depth).model; !model.empty())
+            take(model.c_str(), cached_file(model), depth.weights);  // otherwise built-in weights may apply
     if (request.last_stage == "depth") return;
     WalkParams& walk = request.params.walk;
     const WalkParams resolved = walk_of(source, depth, walk);
-    const bool paints = resolved.kind != kRoomWalk && resolved.inpainter == "aotgan";
-    if (paints && walk.inpaint_weights.empty()) take("aotgan", cached_file("aotgan-places2"), walk.inpaint_weights);
+    if (resolved.kind == kRoomWalk || !walk.inpaint_weights.empty()) return;
+    if (const auto* inpainter = find_registered<InpaintBackend>(resolved.inpainter);
+        inpainter && !inpainter->model.empty())
+        take(inpainter->name.c_str(), cached_file(inpainter->model), walk.inpaint_weights);
 }
 
 }  // namespace fastscene

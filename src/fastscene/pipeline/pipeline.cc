@@ -8,6 +8,7 @@
 #include "fastscene/base/hash.h"
 #include "fastscene/base/parallel.h"
 #include "fastscene/base/writable.h"
+#include "fastscene/depth/estimator.h"
 #include "fastscene/nn/weights.h"
 #include "fastscene/pipeline/build_info.h"
 #include "fastscene/panorama/diffusion360.h"
@@ -115,18 +116,22 @@ void check_later_stages(const SceneRequest& request, const RunFolder& folder) {
         return std::find(std::begin(kStages), std::end(kStages), stage) <=
                std::find(std::begin(kStages), std::end(kStages), request.last_stage);
     };
-    if (reaches("depth") && !params.depth.weights.empty() && depth_backend(request.source, params.depth) == "egformer")
+    if (reaches("depth") && !params.depth.weights.empty() && is_estimated(request.source, params.depth) &&
+        !wanted_depth_backend(params.depth).model.empty())
         load_weights(params.depth.weights);
     if (reaches("walk")) check_walk(request.source, params.depth, params.walk);
-    if (reaches("walk") && !params.walk.inpaint_weights.empty() &&
-        walk_of(request.source, params.depth, params.walk).inpainter == "aotgan")
-        load_weights(params.walk.inpaint_weights);
+    if (reaches("walk") && !params.walk.inpaint_weights.empty()) {
+        const std::string name = walk_of(request.source, params.depth, params.walk).inpainter;
+        if (const auto* inpainter = find_registered<InpaintBackend>(name); inpainter && !inpainter->model.empty())
+            load_weights(params.walk.inpaint_weights);
+    }
     if (!reaches("splat")) return;
     check_splat_params(params.splat);
     if (!params.splat.checkpoint.empty()) check_writable(params.splat.checkpoint);
     // Existing splats may come from a machine with more memory.
     if (params.splat.per_m2 == 0 && (request.start_over || !fs::exists(folder.stage("splat"))))
-        check_splat_memory(params.splat, static_cast<std::size_t>(params.views.points));
+        check_splat_memory(splat_of(request.source, params.depth, params.walk, params.splat),
+                           static_cast<std::size_t>(params.views.points));
 }
 
 void claim(const RunFolder& folder, const SceneRequest& request, const Json& wanted) {

@@ -13,6 +13,7 @@ void start_closed(SplatParams& p) {
     p.learning_rate_mean_m = 0.8e-3f;
     p.learning_rate_logit = 0.06f;
     p.opaque = 0.03f;
+    p.outside_m = 200.f;  // the sky stands at 400 m or farther, and in the corner of a view at half that depth
     p.sh_degree = kAutomaticShDegree;
 }
 SplatParams started_as_photographs(SplatParams p) {
@@ -22,6 +23,7 @@ SplatParams started_as_photographs(SplatParams p) {
     p.learning_rate_mean_m = defaults.learning_rate_mean_m;
     p.learning_rate_logit = defaults.learning_rate_logit;
     p.opaque = defaults.opaque;
+    p.outside_m = defaults.outside_m;
     p.per_m2 = defaults.per_m2;
     p.sh_degree = defaults.sh_degree;
     return p;

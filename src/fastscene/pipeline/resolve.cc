@@ -6,24 +6,29 @@ namespace fastscene {
 
 std::string depth_backend(const SceneSource& source, const DepthParams& params) {
     const bool known = has_room(source), has_map = !range_map_of(source).empty();
-    if (params.backend == "auto" && known) return "exact";
-    if (params.backend == "auto" && has_map) return "image";
-    if (params.backend == "exact" && !known)
+    if (params.backend == kAutoDepth && known) return kExactDepth;
+    if (params.backend == kAutoDepth && has_map) return kMapDepth;
+    if (params.backend == kExactDepth && !known)
         throw UsageError("--depth-backend exact: expected a prompt with the rooms backend; {} has no known room",
                          what_is_behind(source));
-    if (params.backend == "image" && !has_map)
+    if (params.backend == kMapDepth && !has_map)
         throw UsageError("--depth-backend image: expected --range FILE, found none");
     return params.backend;
 }
 
+bool is_estimated(const SceneSource& source, const DepthParams& params) {
+    const std::string backend = depth_backend(source, params);
+    return backend != kExactDepth && backend != kMapDepth;
+}
+
 DepthParams depth_of_further(DepthParams params, const Vec3f& position) {
-    if (params.backend == "image") params.backend = "auto";  // the given range map belongs to the first panorama
+    if (params.backend == kMapDepth) params.backend = kAutoDepth;  // the given range map belongs to the first panorama
     params.camera_height_m = std::max(kLeastCameraHeight, params.camera_height_m - position.y);  // y points down
     return params;
 }
 
 WalkParams walk_of(const SceneSource& source, const DepthParams& depth, const WalkParams& params) {
-    return resolved(params, has_room(source) && depth_backend(source, depth) == "exact");
+    return resolved(params, has_room(source) && depth_backend(source, depth) == kExactDepth);
 }
 
 bool looks_into_room(const WalkParams& walk) { return walk.kind == kRoomWalk || walk.inpainter == kLookIntoRoom; }
@@ -38,7 +43,7 @@ void check_walk(const SceneSource& source, const DepthParams& depth, const WalkP
     };
     if (!has_room(source))
         refuse("a prompt with the rooms backend", what_is_behind(source) + ", which has no known room");
-    if (const std::string backend = depth_backend(source, depth); backend != "exact")
+    if (const std::string backend = depth_backend(source, depth); backend != kExactDepth)
         refuse("the room's own range", "--depth-backend " + backend);
     if (params.kind != "ours" && params.kind != kRoomWalk) refuse("--walk ours", params.kind);
 }

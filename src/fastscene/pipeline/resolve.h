@@ -13,6 +13,8 @@ namespace fastscene {
 // The depth backend for a source: "auto" resolved as far as the source determines it. Throws UsageError for a backend
 // that needs something the source does not have.
 std::string depth_backend(const SceneSource& source, const DepthParams& params);
+// Whether a backend estimates the range from the picture.
+bool is_estimated(const SceneSource& source, const DepthParams& params);
 // Depth settings for a further panorama (--more) without range map, at `position` in the first one's frame: its camera
 // height above the floor follows from that, at least kLeastCameraHeight.
 inline constexpr float kLeastCameraHeight = 0.2f;

@@ -24,7 +24,7 @@ std::shared_ptr<const TracedRoom> room_of_run(const RunFolder& folder, const Rec
     PromptSpec prompt = read_prompt(prompt_of(request.source), panorama);
     auto room = make_traced_room(prompt, panorama, Run{recorded.seed, run.events, run.stop});
     // An estimated range cannot verify the room.
-    if (depth_backend(request.source, request.params.depth) == "exact")
+    if (depth_backend(request.source, request.params.depth) == kExactDepth)
         check_same_room(*room, load_float(folder.depth_range()), folder.root);
     return room;
 }

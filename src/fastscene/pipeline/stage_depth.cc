@@ -63,7 +63,7 @@ Json save_more_ranges(const fs::path& list, const DepthParams& params, SourceFil
         if (!given[i].range.empty()) {
             one.range = range_in_first_orientation(range_from_file(given[i].range, files.size(given[i].color), run),
                                                    given[i].world_from_pano.rotation, one.size());
-            entry["backend"] = "image";
+            entry["backend"] = kMapDepth;
         } else {
             SaidOfPicture said(given[i].color, run.events);
             EstimatedRange found = make_depth_estimator(depth_of_further(params, pose.translation))
@@ -88,14 +88,14 @@ void make_depth(const SceneSource& source, const PanoramaParams& panorama, const
     const EquirectSize size{info.width, info.height};
     const std::string backend = depth_backend(source, params);
     EstimatedRange found{{}, {{"backend", backend}}};
-    if (backend == "exact") {
+    if (backend == kExactDepth) {
         // The room is laid out again instead of being kept: it is fast, and what a resumed run would do.
         PromptSpec prompt = read_prompt(prompt_of(source), panorama);
         const TracedRoom room(make_room(prompt, run));
         found.range = exact_range(room, size, run);
         if (const ImageF mirrored = exact_mirrored_range(room, size, run); !mirrored.empty())
             save_exr(out / folder.depth_mirrored_range().filename(), mirrored);
-    } else if (backend == "image") {
+    } else if (backend == kMapDepth) {
         found.range = reduced_range(range_from_file(range_map_of(source), files.size(picture_of(source)), run),
                                     size.width);
     } else {

@@ -46,7 +46,7 @@ void make_walk(const SceneSource& source, const PanoramaParams& panorama, const 
         check_same_room(*room, load_float(folder.depth_range()), folder.root);
     }
     WalkAdvice advice;
-    if (const std::string backend = depth_backend(source, depth); backend != "exact" && backend != "image") {
+    if (is_estimated(source, depth)) {
         DepthParams published = depth;  // after each of 48 steps: a single evaluation, as published
         if (published.tta == 0) published.tta = 1;
         advice.range = [estimator = std::shared_ptr<DepthEstimator>(make_depth_estimator(published))](

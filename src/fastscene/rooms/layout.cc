@@ -9,6 +9,7 @@
 #include "fastscene/rooms/catalogue.h"
 #include "fastscene/rooms/layout_relations.h"
 #include "fastscene/rooms/pack.h"
+#include "fastscene/rooms/room_type.h"
 
 namespace fastscene {
 namespace {
@@ -269,8 +270,7 @@ PieceRequest Layout::request(std::string klass, const PromptObject* wish) {
             if (o.klass == "kitchen_counter" && !o.forbidden && !o.color.empty())
                 r.color = color_named(o.color), r.color_name = o.color;
     // Nobody cooks where the washing is done.
-    if (r.klass == "kitchen_counter")
-        r.cooks = spec_.room != "laundry" && spec_.room != "bathroom" && spec_.room != "hallway";
+    if (r.klass == "kitchen_counter") r.cooks = room_type(spec_.room).cooks;
     if (wish) {
         if (!wish->color.empty()) r.color = color_named(wish->color), r.color_name = wish->color;
         r.color2_name = wish->color2;

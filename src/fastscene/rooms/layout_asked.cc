@@ -6,7 +6,7 @@
 
 #include "fastscene/base/is_one_of.h"
 #include "fastscene/rooms/catalogue.h"
-#include "fastscene/rooms/layout_parts.h"
+#include "fastscene/rooms/layout_furnisher.h"
 #include "fastscene/rooms/layout_relations.h"
 #include "fastscene/rooms/pack.h"
 
@@ -130,7 +130,7 @@ std::optional<int> Furnisher::at_piece(int anchor, const Ask& ask) {
 }
 
 std::optional<int> Furnisher::on_piece(int anchor, const Ask& ask, const PieceRequest& r) {
-    if (ask.wish->klass == "monitor" && klass_of(anchor) == "desk") return next_screen(anchor, r, *ask.wish);
+    if (ask.wish->klass == "monitor" && klass_of(anchor) == "desk") return next_screen(l_, anchor, r, *ask.wish);
     // A dog on the rug lies within it.
     if (klass_of(anchor) == "rug" && lies_on_seats(ask.wish->klass))
         for (int tries = 0; tries < 8; ++tries) {

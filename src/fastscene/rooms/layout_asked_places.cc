@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "fastscene/rooms/catalogue.h"
-#include "fastscene/rooms/layout_parts.h"
+#include "fastscene/rooms/layout_furnisher.h"
 #include "fastscene/rooms/layout_relations.h"
 
 namespace fastscene::furnishing {
@@ -89,7 +89,7 @@ std::optional<int> Furnisher::where_asked(const PromptObject& wish, const PieceR
     if (piece.mount == Mount::ceiling)
         return wish.relation == "in the middle" ? l_.hanging(r, {0, 0}, wish) : std::nullopt;
     if (piece.mount != Mount::floor) return {};
-    if (wish.klass == "kitchen_counter") return kitchen_units(r, wish);
+    if (wish.klass == "kitchen_counter") return kitchen_units(l_, r, wish);
     const Spare spare = spare_for(wish, piece);
     Layout::WallWish w{.center_pull = 0.3f, .spare = spare};
     if (wish.relation == "in the corner") w.corner = true, w.apart_pull = 1.f;
@@ -104,17 +104,17 @@ std::optional<int> Furnisher::where_asked(const PromptObject& wish, const PieceR
 
 // A run of units fills a wall as far as windows and the door leave it; a short one is better than none. Below a window
 // it has no cupboards.
-std::optional<int> Furnisher::kitchen_units(PieceRequest r, const PromptObject& wish) {
+std::optional<int> kitchen_units(Layout& layout, PieceRequest r, const PromptObject& wish) {
     constexpr float kLow = 0.92f;
     const bool at_window = wish.relation_to == "window" && wish.relation != "opposite" && wish.relation != "between";
     std::vector<float> heights{0.f};
     if (at_window) heights = {kLow, 0.f};
     for (const float height : heights)
         for (const int w : {0, 1, 3, 2}) {
-            const float length = l_.plan().wall(w).length;
+            const float length = layout.plan().wall(w).length;
             for (const float width : {length - 0.1f, length - 0.8f, length * 0.6f, 2.2f, 1.8f}) {
                 r.size_m = {width, height, 0};
-                if (const auto i = l_.against_wall(r, {.wall = w, .window_pull = height > 0 ? 2.f : 0.f}, wish))
+                if (const auto i = layout.against_wall(r, {.wall = w, .window_pull = height > 0 ? 2.f : 0.f}, wish))
                     return i;
             }
         }
@@ -181,26 +181,27 @@ std::optional<int> Furnisher::on_a_top_there(const PromptObject& wish, const Pie
     return on_those(true);
 }
 
-std::optional<int> Furnisher::next_screen(int desk, const PieceRequest& r, const PromptObject& wish) {
+std::optional<int> next_screen(Layout& layout, int desk, const PieceRequest& r, const PromptObject& wish) {
     int asked = 0, standing = 0;
-    for (const PromptObject& o : l_.spec().objects) asked += o.klass == "monitor" && !o.forbidden ? o.count : 0;
-    for (const Placed& p : l_.placed()) standing += p.on == desk && p.piece.klass == "monitor";
+    for (const PromptObject& o : layout.spec().objects) asked += o.klass == "monitor" && !o.forbidden ? o.count : 0;
+    for (const Placed& p : layout.placed()) standing += p.on == desk && p.piece.klass == "monitor";
     const int row = std::min(kMostScreens, asked);
     if (standing >= row) return {};
     constexpr float kFromBack = 0.13f, kTurn = 0.24f;  // metres from the desk's rear edge to a foot's middle; radians
     const float aside = static_cast<float>(standing) - 0.5f * static_cast<float>(row - 1);
-    const Placed& d = at(desk);
+    const Placed& d = layout.placed()[static_cast<std::size_t>(desk)];
     const float depth = -d.piece.size_m.z / 2 + kFromBack + 0.06f * std::abs(aside);
-    return l_.on_top_at(desk, r, flat(d.position + right_of(d.yaw) * (aside * kMonitorStep) + front_of(d.yaw) * depth),
-                        d.yaw - kTurn * aside, wish);
+    return layout.on_top_at(desk, r,
+                            flat(d.position + right_of(d.yaw) * (aside * kMonitorStep) + front_of(d.yaw) * depth),
+                            d.yaw - kTurn * aside, wish);
 }
 
 // Beside a window in a smaller size.
-std::optional<int> Furnisher::screen_above(int stand, const PieceRequest& r, const PromptObject& wish) {
+std::optional<int> screen_above(Layout& layout, int stand, const PieceRequest& r, const PromptObject& wish) {
     for (const float size : {1.f, 0.85f, 0.7f}) {
         PieceRequest smaller = r;
         smaller.size_factor *= size;
-        if (const auto i = l_.on_wall(smaller, stand, wish)) return i;
+        if (const auto i = layout.on_wall(smaller, stand, wish)) return i;
     }
     return {};
 }
@@ -208,7 +209,9 @@ std::optional<int> Furnisher::screen_above(int stand, const PieceRequest& r, con
 // On a low piece, else on a wall, else it gets a stand of its own.
 std::optional<int> Furnisher::television(const PieceRequest& r, const PromptObject& wish) {
     const bool hung = is_hung_screen(wish);
-    const auto at_stand = [&](int stand) { return hung ? screen_above(stand, r, wish) : l_.on_top(stand, r, wish); };
+    const auto at_stand = [&](int stand) {
+        return hung ? screen_above(l_, stand, r, wish) : l_.on_top(stand, r, wish);
+    };
     for (const char* klass : {"tv_stand", "sideboard", "dresser", "console_table"})
         if (const auto anchor = l_.find(klass))
             if (const auto i = at_stand(*anchor)) return i;
@@ -324,12 +327,12 @@ std::optional<int> Furnisher::anywhere(const PromptObject& wish) {
     const Piece piece = make_piece(r);
     if (const auto desk = l_.find("desk");
         wish.klass == "monitor" && desk && (wish.relation.empty() || wish.relation_to == "desk"))
-        if (const auto i = next_screen(*desk, r, wish)) return i;
+        if (const auto i = next_screen(l_, *desk, r, wish)) return i;
     if (wish.in_row)
         if (const auto i = next_in_row(wish, r)) return i;
     if (is_hung_screen(wish)) return television(r, wish);
     if (const auto i = where_asked(wish, r, piece)) return i;
-    if (wish.klass == "kitchen_counter") return kitchen_units(r, wish);
+    if (wish.klass == "kitchen_counter") return kitchen_units(l_, r, wish);
     if (wish.klass == "tv") return television(r, wish);
     // Dogs lie on the floor, on a rug where there is one; on the sofa when somebody says so.
     if (wish.klass == "dog" && wish.relation.empty()) {

@@ -6,7 +6,7 @@
 
 #include "fastscene/base/is_one_of.h"
 #include "fastscene/rooms/catalogue.h"
-#include "fastscene/rooms/layout_parts.h"
+#include "fastscene/rooms/layout_furnisher.h"
 #include "fastscene/rooms/layout_sight.h"
 
 namespace fastscene {

@@ -114,6 +114,13 @@ const LexiconTable& lexicon_table() {
         for (const std::string_view line : split(kLexiconText, '\n')) read_line(line, out);
         // What a style's own file says goes before the nearest style that the lexicon knows.
         for (const auto& [word, style] : style_words()) out.words.insert_or_assign(word, Word{WordKind::style, style});
+        // A room type's file likewise.
+        for (const RoomType& type : all_room_types()) {
+            for (const std::string& word : type.words)
+                out.words.insert_or_assign(word, Word{WordKind::room, type.name});
+            for (const std::string& word : type.words_near)
+                out.words.insert_or_assign(word, Word{WordKind::room, type.name, false});
+        }
         for (auto& [term, word] : out.words) {
             word.also_color = out.colors.contains(term);
             std::string letters = term;

@@ -15,6 +15,7 @@
 namespace fastscene {
 namespace {
 
+constexpr float kSmallSill = 1.25f;  // metres, of small windows: nobody looks in
 constexpr float kLowCeiling = 2.25f, kHighCeiling = 3.2f, kNarrowest = 1.9f;
 constexpr float kThreshold = 0.05f, kLintel = 0.14f;  // below and above a window from floor to ceiling
 
@@ -74,7 +75,7 @@ bool add_window_pair(const PromptSpec& spec, Plan& plan, const PromptObject* wis
             Opening window;
             window.wall = w;
             window.u0 = middle - wide / 2, window.u1 = middle + wide / 2;
-            window.y0 = spec.room == "bathroom" ? 1.25f : 0.9f;
+            window.y0 = room_type(spec.room).windows.size == WindowSize::small ? kSmallSill : 0.9f;
             window.y1 = std::min(plan.height - 0.25f, 2.2f);
             window.requested = wish != nullptr;
             plan.openings.push_back(window);
@@ -93,14 +94,16 @@ void add_windows(PromptSpec& spec, Plan& plan, Random& dice) {
         plan.bay = false;  // its recess is an alcove then
         return;
     }
-    const bool large = (wish && wish->size == "large") || spec.room == "sunroom" || is_loft(spec) ||
+    const RoomWindows& usually = room_type(spec.room).windows;
+    const bool large = (wish && wish->size == "large") || usually.size == WindowSize::large || is_hall(spec) ||
                        spec.mood == "airy" || spec.light == "bright";
-    const bool small = (wish && wish->size == "small") || spec.room == "bathroom" || spec.room == "laundry";
+    const bool small = (wish && wish->size == "small") || usually.size == WindowSize::small;
+    constexpr int kOfHalls = 3;
     int count = wish                                      ? std::clamp(wish->count, 1, 4)
-                : spec.room == "sunroom" || is_loft(spec) ? 3
-                : dice.chance(0.45f)                      ? 2
+                : usually.count > 0                       ? usually.count
+                : is_hall(spec)                           ? kOfHalls
+                : dice.chance(usually.second_probability) ? 2
                                                           : 1;
-    if (spec.room == "hallway" && !wish) count = 1;
     const bool opens = !spec.next_room.empty() || wish_for(spec, "doorway");
     if (opens && (!wish || !wish->counted)) count = std::min(count, 2);  // a wall is left for the doorway
     // Blinds and shutters are square, and so are their windows.
@@ -111,7 +114,10 @@ void add_windows(PromptSpec& spec, Plan& plan, Random& dice) {
         spec.assumed.push_back("shape of the " + wish->words + ": square, as its blinds are");
     // The first window faces the visitor or stands to his right: there it lights what he looks at.
     const bool right = dice.chance(0.5f);
-    const int first = spec.room == "hallway" || plan.bay || plan.knee > 0 ? 0 : right ? 1 : 3, second = right ? 1 : 3;
+    const int first = usually.first_on_far_wall || plan.bay || plan.knee > 0 ? 0
+                      : right                                                ? 1
+                                                                             : 3,
+              second = right ? 1 : 3;
     const int order[4] = {first, first == 0 ? second : 0, first == 0 ? 4 - second : 4 - first, 2};
     if (plan.knee > 0 && !wish) count = 1;
     for (int i = 4; wish && i < wish->count; ++i) spec.not_placed.push_back(wish->words + ": a room has at most four");
@@ -131,8 +137,7 @@ void add_windows(PromptSpec& spec, Plan& plan, Random& dice) {
                                 : std::min(std::max(0.6f, length - margin), large   ? dice.uniform(2.2f, 3.0f)
                                                                             : small ? dice.uniform(0.7f, 0.9f)
                                                                                     : dice.uniform(1.3f, 1.8f));
-        window.y0 = bay ? 0.5f : large ? 0.4f : small ? 1.25f : 0.85f;
-        if (spec.room == "kitchen" || spec.room == "study") window.y0 = std::max(window.y0, 1.05f);
+        window.y0 = std::max(bay ? 0.5f : large ? 0.4f : small ? kSmallSill : 0.85f, usually.least_sill_m);
         if (asked.below) window.y0 = std::max(window.y0, 0.9f);
         window.y1 = std::min(plan.height - (asked.above ? 0.7f : 0.25f), large ? 2.45f : 2.2f);
         if (wish && wish->pattern == kFullHeight && !bay) window.y0 = kThreshold, window.y1 = plan.height - kLintel;
@@ -282,7 +287,7 @@ void suggest_style(PromptSpec& spec) {
             spec.assumed.push_back("style: " + spec.style + ", as the " + o.words);
         }
     if (spec.style.empty() && spec.clutter == "abandoned") {  // what was left decades ago is not of today
-        const StyleMood mood = spec.room == "loft" ? StyleMood::abandoned_loft : StyleMood::abandoned;
+        const StyleMood mood = room_type(spec.room).high_ceiling ? StyleMood::abandoned_loft : StyleMood::abandoned;
         spec.style = styles_for(mood).front();
         spec.assumed.push_back("style: " + spec.style + ", as abandoned suggests");
     }
@@ -305,16 +310,14 @@ void paint_in(const std::string& name, bool wet, Plan& plan) {
 Plan make_plan(PromptSpec& spec, Random& dice) {
     if (spec.room.empty()) {
         // What the furniture asks for says what room it is.
-        // Where several rooms are meant, the first of these.
-        static constexpr std::array<std::string_view, 7> kTold{"kids",    "bedroom", "bathroom", "kitchen",
-                                                               "laundry", "dining",  "study"};
-        const auto told = std::find_if(kTold.begin(), kTold.end(), [&](std::string_view room) {
-            return std::any_of(spec.objects.begin(), spec.objects.end(), [&](const PromptObject& o) {
-                const Thing* thing = find_thing(o.klass);
-                return thing && !o.forbidden && thing->room == room;
-            });
-        });
-        spec.room = told == kTold.end() ? "living" : *told;
+        // Where several rooms are meant, the first in the order of guesses.
+        const RoomType* guess = nullptr;
+        for (const PromptObject& o : spec.objects) {
+            const Thing* thing = find_thing(o.klass);
+            const RoomType* type = thing && !o.forbidden ? find_room_type(thing->room) : nullptr;
+            if (type && type->guess_rank > 0 && (!guess || type->guess_rank < guess->guess_rank)) guess = type;
+        }
+        spec.room = (guess ? *guess : default_room_type()).name;
         spec.assumed.push_back("room: " + room_title(spec.room));
     }
     suggest_style(spec);
@@ -339,7 +342,7 @@ Plan make_plan(PromptSpec& spec, Random& dice) {
     plan.width = dice.uniform(type.width_low_m, type.width_high_m) * factor;
     plan.depth = dice.uniform(type.depth_low_m, type.depth_high_m) * factor;
     if (spec.size == "narrow") plan.width = std::max(kNarrowest, std::min(0.72f * plan.width, 0.7f * plan.depth));
-    plan.height = is_loft(spec) ? std::max(3.2f, plan.style.ceiling_m) : plan.style.ceiling_m;
+    plan.height = is_hall(spec) ? std::max(3.2f, plan.style.ceiling_m) : plan.style.ceiling_m;
     if (const PromptObject* ceiling = wish_for(spec, "ceiling"); ceiling && !ceiling->size.empty())
         plan.height = ceiling->size == "small" ? kLowCeiling : std::max(kHighCeiling, plan.height + 0.4f);
     take_measures(spec, plan);
@@ -348,7 +351,7 @@ Plan make_plan(PromptSpec& spec, Random& dice) {
         if (!o.forbidden && o.relation == "above" && (o.relation_to == "door" || o.relation_to == "doorway"))
             plan.height = std::max(plan.height, 2.75f);
     plan.beams = plan.style.beams || wish_for(spec, "beams");
-    plan.accent = spec.room != "hallway" && dice.chance(0.6f);
+    plan.accent = type.accent_wall && dice.chance(0.6f);
 
     // Children and cheerful people paint a wall in a color they love.
     if (type.for_children || spec.mood == "colorful") {

@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "fastscene/rooms/plan.h"
+#include "fastscene/rooms/room_type.h"
 
 namespace fastscene {
 
@@ -59,7 +60,14 @@ inline bool wants_corners(const PromptSpec& spec) {
 }
 inline constexpr float kCornerMargin = 0.95f;
 
-inline bool is_loft(const PromptSpec& spec) { return spec.room == "loft" || spec.structure == "loft"; }
-inline bool is_attic(const PromptSpec& spec) { return spec.room == "attic" || spec.structure == "attic"; }
+// The room, or the house around it, is of a type with a high ceiling; with a sloped one.
+inline bool is_hall(const PromptSpec& spec) {
+    const RoomType* around = find_room_type(spec.structure);
+    return room_type(spec.room).high_ceiling || (around && around->high_ceiling);
+}
+inline bool is_below_roof(const PromptSpec& spec) {
+    const RoomType* around = find_room_type(spec.structure);
+    return room_type(spec.room).sloped_ceiling || (around && around->sloped_ceiling);
+}
 
 }  // namespace fastscene

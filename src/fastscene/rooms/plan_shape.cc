@@ -160,9 +160,7 @@ void add_doorway(PromptSpec& spec, Plan& plan, Random& dice) {
             const float length = p.wall(side).length,
                         window = std::min(length - 1.f, wet ? 0.9f : dice.uniform(1.3f, 1.9f));
             p.openings.push_back({Opening::Kind::window, side, (length - window) / 2, (length + window) / 2,
-                                  wet                       ? 1.25f
-                                  : next->type == "kitchen" ? 1.05f
-                                                            : 0.85f,
+                                  room_type(next->type).windows.sill_beyond_doorway_m,
                                   std::min(p.height - 0.25f, 2.25f), false});
         }
         plan.openings.push_back(o);
@@ -181,8 +179,8 @@ void shape_plan(PromptSpec& spec, Plan& plan, Random& dice) {
     const RoomType& type = room_type(spec.room);
     const bool rich = plan.style.mouldings == Mouldings::rich, old = rich || plan.style.mouldings == Mouldings::plain;
     const bool lit_from_above = slopes_for_skylight(spec);
-    const bool sloped = decide(spec, "sloped_ceiling", is_attic(spec) ? 1.f : 0.f, dice) &&
-                        (is_attic(spec) || wish_for(spec, "sloped_ceiling"));
+    const bool sloped = decide(spec, "sloped_ceiling", is_below_roof(spec) ? 1.f : 0.f, dice) &&
+                        (is_below_roof(spec) || wish_for(spec, "sloped_ceiling"));
     if (lit_from_above && !sloped)
         spec.assumed.push_back("ceiling: sloped, for the " + wish_for(spec, "skylight")->words);
     if (sloped || lit_from_above) {
@@ -220,15 +218,12 @@ void shape_plan(PromptSpec& spec, Plan& plan, Random& dice) {
             if (const PromptObject* wish = wish_for(spec, klass))
                 report(spec, *wish, wish->count - 1, "a room has one");
         const PromptObject* columns = wish_for(spec, "column");
-        if (decide(spec, "column", is_loft(spec) ? 0.65f : 0.f, dice))
+        if (decide(spec, "column", is_hall(spec) ? 0.65f : 0.f, dice))
             add_columns(plan, columns ? std::clamp(columns->count, 1, 3) : 2, dice);
         if (columns) report(spec, *columns, std::max(0, columns->count - 3), "a room has at most three");
     }
-    if (!plan.beams && rich && !(plan.knee > 0))
-        plan.coffers = is_one_of(spec.room, {"living", "dining", "study", "hallway"}) && dice.chance(0.6f);
-    plan.panelling = decide(
-        spec, "wainscoting",
-        old && !is_one_of(spec.room, {"bathroom", "laundry", "kitchen", "sunroom", "loft"}) ? 0.6f : 0.f, dice);
+    if (!plan.beams && rich && !(plan.knee > 0)) plan.coffers = type.coffers && dice.chance(0.6f);
+    plan.panelling = decide(spec, "wainscoting", old && type.panelling ? 0.6f : 0.f, dice);
 }
 
 void open_plan(PromptSpec& spec, Plan& plan, Random& dice) {

@@ -402,11 +402,11 @@ void pass_on_cloth(Reading& r) {
 // "a rattan chair" is one to lounge in; at a table or a desk, or where there are many, it is a chair like others.
 void name_lounge_chairs(Reading& r) {
     const auto sits_up = [](const Match& m) {
-        static constexpr std::array<std::string_view, 9> kUpright{
-            "dining", "kitchen",        "study",           "dining_table", "dining_table_round",
-            "desk",   "kitchen_island", "kitchen_counter", "piano"};
-        return (m.is(WordKind::room) || m.is(WordKind::object)) &&
-               std::find(kUpright.begin(), kUpright.end(), m.word->meaning) != kUpright.end();
+        static constexpr std::array<std::string_view, 6> kUpright{"dining_table",   "dining_table_round", "desk",
+                                                                  "kitchen_island", "kitchen_counter",    "piano"};
+        return (m.is(WordKind::room) && room_type(m.word->meaning).upright_chairs) ||
+               (m.is(WordKind::object) &&
+                std::find(kUpright.begin(), kUpright.end(), m.word->meaning) != kUpright.end());
     };
     if (std::any_of(r.m.begin(), r.m.end(), sits_up)) return;
     for (PromptObject& o : r.spec.objects)

@@ -43,7 +43,8 @@ bool has_tiled_walls(const Reading& r) {
     const auto room = std::find_if(r.m.begin(), r.m.end(),
                                    [](const Match& m) { return m.is(WordKind::room) && !m.negated; });
     const std::string klass = !r.spec.room.empty() ? r.spec.room : room == r.m.end() ? "" : room->word->meaning;
-    return klass.empty() || klass == "bathroom" || klass == "kitchen" || klass == "laundry";
+    const RoomType* type = find_room_type(klass);
+    return klass.empty() || (type && type->wall_tiles);
 }
 bool is_free(const Match& m) {
     return m.noun < 0 && !m.settled && !m.negated && (m.is(WordKind::color) || m.is(WordKind::pattern));
@@ -184,8 +185,8 @@ void read_nuance(Reading& r, std::size_t i) {
         else r.tell_near(i, title);
     } else if (what == "house") r.tell(i, "the house around the room");
     else if (what == "structure")
-        r.tell(i,
-               r.spec.structure == "attic" ? "sloped ceiling of an attic" : "high ceiling and large windows of a loft");
+        r.tell(i, room_type(r.spec.structure).sloped_ceiling ? "sloped ceiling of an attic"
+                                                             : "high ceiling and large windows of a loft");
     else if (what == "round" || what == "arched") r.tell(i, "shape: " + what);
     else if (what == "bunk stairs") r.tell(i, "stairs up to the bunk, a drawer in each step");
     else if (what == "kind") r.tell(i, "the kind of " + r.m[std::min(noun_from(r, i + 1), r.m.size() - 1)].words);

@@ -170,15 +170,19 @@ bool take_round(Matches& m, std::size_t i, bool (*is_shape)(const std::string&) 
     return false;
 }
 
+Matches::const_iterator first_room(const Matches& m) {
+    return std::find_if(m.begin(), m.end(),
+                        [](const Match& x) { return x.is(WordKind::room) && !x.word->meaning.empty(); });
+}
+
 // "A table" is the table one expects in that room.
 void name_tables(Matches& m) {
-    std::string room, meaning;
-    bool works = false;  // "a laboratory", "a workshop": one stands at its tables
-    for (const Match& x : m)
-        if (x.is(WordKind::room) && room.empty()) room = x.word->meaning, works = room == "study" && !x.word->exact;
-    if (works || room == "dining" || room == "kitchen") meaning = "dining_table";
-    if (room == "living" || room == "sunroom" || room == "loft") meaning = "coffee_table";
-    if (room == "kids") meaning = "play_table";
+    std::string meaning;
+    if (const auto room = first_room(m); room != m.end()) {
+        const RoomType& type = room_type(room->word->meaning);
+        const bool near = !room->word->exact && !type.table_when_near.empty();
+        meaning = near ? type.table_when_near : type.table;
+    }
     for (std::size_t i = 0; i < m.size(); ++i) {
         if (!m[i].word || (m[i].words != "table" && m[i].words != "tables" && m[i].words != "tisch" &&
                            m[i].words != "mesa" && m[i].words != "tavolo"))
@@ -209,7 +213,7 @@ void name_bars(Matches& m) {
         return x.is(WordKind::room) && is_one_of(x.words, {"cocktail bar", "bar room", "bar lounge", "wine bar"});
     });
     if (!named && first < m.size() && is_one_of(m[first].words, {"bar", "pub"}) && m[first].is(WordKind::object))
-        m[first].word = Word{WordKind::room, "living", false, "without=tv"}, bar = true;
+        m[first].word = Word{WordKind::room, default_room_type().name, false, "without=tv"}, bar = true;
     for (Match& x : m)
         if (bar && x.is(WordKind::object) && is_one_of(x.words, {"counter", "bar counter", "bar"}))
             x.word = Word{WordKind::object, "kitchen_island", x.words == "bar"};
@@ -223,24 +227,22 @@ void name_bars(Matches& m) {
 
 // Some words mean another thing in another room.
 void heed_the_room(Matches& m) {
-    std::string room;
-    for (const Match& x : m)
-        if (x.is(WordKind::room) && room.empty()) room = x.word->meaning;
+    const auto room = first_room(m);
+    const RoomType* type = room == m.end() ? nullptr : find_room_type(room->word->meaning);
     for (std::size_t i = 0; i < m.size(); ++i) {
         if (!m[i].word) continue;
         const std::string& w = m[i].words;
-        if (room == "bathroom" && (w == "sink" || w == "sinks" || w == "counter" || w == "countertop"))
-            m[i].word = Word{WordKind::object, "washbasin", w.starts_with("sink")};
-        if (room == "bathroom" && is_one_of(w, {"backsplash", "splashback"}))
-            m[i].word = Word{WordKind::structure, "wall", false};
-        // "a kitchen with green cabinets": the fronts of its units.
-        if ((room == "kitchen" || room == "laundry") && is_one_of(w, {"cabinets", "cupboards"}))
-            m[i].word = Word{WordKind::object, "kitchen_counter"};
-        const bool washes = room == "bathroom" || (room.empty() && std::any_of(m.begin(), m.end(), [](const Match& x) {
-                                                       return x.is(WordKind::object) && (x.word->meaning == "toilet" ||
-                                                                                         x.word->meaning == "bathtub" ||
-                                                                                         x.word->meaning == "shower");
-                                                   }));
+        if (type)
+            for (const LocalMeaning& local : type->meanings)
+                if (std::find(local.words.begin(), local.words.end(), w) != local.words.end())
+                    m[i].word = Word{has_role(local.thing, Role::shell) ? WordKind::structure : WordKind::object,
+                                     local.thing, !local.near};
+        const bool washes = (type && is_own_thing("washbasin", *type)) ||
+                            (!type && std::any_of(m.begin(), m.end(), [](const Match& x) {
+                                return x.is(WordKind::object) &&
+                                       (x.word->meaning == "toilet" || x.word->meaning == "bathtub" ||
+                                        x.word->meaning == "shower");
+                            }));
         if ((w == "vanity" || w == "vanities") && !washes) m[i].word = Word{WordKind::object, "dressing_table"};
         // "a fluffy white carpet" is a rug; "carpet" alone covers the floor.
         if (w == "carpet" || w == "carpets") {

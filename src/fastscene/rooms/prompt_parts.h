@@ -9,13 +9,14 @@
 #include <vector>
 
 #include "fastscene/rooms/lexicon.h"
+#include "fastscene/rooms/room_type.h"
 #include "fastscene/rooms/rooms.h"
 
 namespace fastscene::reading {
 
-// Whether two room types name one room: a kids' room is a bedroom ("a child's pirate bedroom").
+// Whether two room types name one room: a kids' room is a kind of bedroom ("a child's pirate bedroom").
 inline bool is_same_room(std::string_view first, std::string_view other) {
-    return first == other || (first == "kids" && other == "bedroom");
+    return first == other || (find_room_type(first) && room_type(first).kind_of == other);
 }
 
 // A matched piece of the prompt.

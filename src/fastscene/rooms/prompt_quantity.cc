@@ -136,9 +136,9 @@ void seat_in_room(Reading& r, std::size_t at) {
     for (const Match& m : r.m)
         if (m.is(WordKind::room) && !m.negated && room.empty()) room = m.word->meaning;
     const auto so_many = [&](const char* klass) { tell_count(r, at, want(r, at, klass, people)); };
-    if (room == "dining") so_many("chair");
-    else if (room == "study" && people <= 4) so_many("office_chair"), so_many("desk");
-    else if (room == "kids" && people <= 3) so_many("bed_single");
+    const RoomType* type = find_room_type(room);
+    if (type && !type->per_person.empty() && people <= type->most_people)
+        for (const std::string& thing : type->per_person) so_many(thing.c_str());
     else r.tell_near(at, "for how many: nothing in the room shows it");
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "fastscene/base/is_one_of.h"
 #include "fastscene/rooms/prompt_parts.h"
 
 namespace fastscene::reading {
@@ -11,7 +12,8 @@ namespace {
 // "an attic study", "a bedroom in a converted loft": the other room serves, and this shapes it.
 bool shapes_another(const Matches& m, std::size_t at) {
     const std::string& structure = m[at].word->meaning;
-    if (structure != "attic" && structure != "loft") return false;
+    const RoomType* type = find_room_type(structure);
+    if (!type || !(type->sloped_ceiling || type->high_ceiling)) return false;
     const auto serves = [&](const Match& x) {
         return x.is(WordKind::room) && x.word->meaning != structure && !x.negated;
     };
@@ -35,11 +37,10 @@ bool shapes_another(const Matches& m, std::size_t at) {
 // "a 2-bed flat", "three bedroom house": of the house, not of this room.
 void count_other_rooms(Matches& m) {
     const auto is_house = [](const Match& x) {
-        return x.is(WordKind::room) && !x.word->exact && x.word->meaning == "living";
+        return x.is(WordKind::room) && !x.word->exact && x.word->meaning == default_room_type().name;
     };
     for (std::size_t i = 1; i + 1 < m.size(); ++i) {
-        const bool bedroom = m[i].words == "bed" || m[i].words == "bedroom" || m[i].words == "bedrooms" ||
-                             m[i].words == "bath" || m[i].words == "bathroom";
+        const bool bedroom = is_one_of(m[i].words.substr(0, m[i].words.find("room")), {"bed", "bath"});
         if (!bedroom || !m[i - 1].is(WordKind::count) || m[i - 1].words == "a" || !is_house(m[i + 1])) continue;
         m[i - 1].word = m[i].word = Word{WordKind::nuance, "house"};
     }
@@ -89,12 +90,8 @@ bool is_part(const Matches& m, std::size_t at) {
 // What stands where a part of the room serves such an end.
 std::string piece_of(const std::string& room, const std::string& words) {
     if (words.starts_with("reading")) return "armchair";
-    if (room == "dining") return "dining_table";
-    if (room == "study") return "desk";
-    if (room == "living") return "sofa";
-    if (room == "bedroom") return "bed";
-    if (room == "kitchen") return "kitchen_counter";
-    return "";
+    const RoomType* type = find_room_type(room);
+    return type ? type->main_thing : "";
 }
 
 // "a bedroom with a desk in its office corner": parts of the room that was named otherwise become their main piece.
@@ -134,39 +131,30 @@ void find_next_room(Reading& r) {
     const auto first = std::find_if(m.begin(), m.end(), [](const Match& x) { return is_room(x) && !is_en_suite(x); });
     if (first == m.end()) return;
     const std::string room = first->word->meaning;
-    const bool en_suite = std::any_of(m.begin(), m.end(), is_en_suite);
+    const auto said_en_suite = std::find_if(m.begin(), m.end(), is_en_suite);
+    const std::string en_suite = said_en_suite == m.end() ? "" : said_en_suite->word->meaning;
     // "a second room with a piano": of no kind that was said.
     for (Match& x : m)
         if (x.is(WordKind::nuance) && x.word->meaning == "another room" && !x.negated && r.spec.next_room.empty()) {
-            r.spec.next_room = room == "living" ? "study" : "living";
+            const std::string& second = room_type(room).second_room;
+            r.spec.next_room = second.empty() ? default_room_type().name : second;
             x.word = Word{WordKind::nuance, "next room", true, kAnyKind};
             return;
         }
-    static constexpr std::array<std::string_view, 4> kNever{"attic", "loft", "sunroom", "kids"};
     for (auto x = m.begin(); x != m.end(); ++x) {
         if (!is_room(*x) || x == first || is_same_room(room, x->word->meaning) || !x->word->exact) continue;
         const std::string& type = x->word->meaning;
-        if (std::find(kNever.begin(), kNever.end(), type) != kNever.end() ||
-            (!r.spec.next_room.empty() && r.spec.next_room != type))
-            continue;
+        if (!room_type(type).next_door || (!r.spec.next_room.empty() && r.spec.next_room != type)) continue;
         r.spec.next_room = type;
-        const bool said = (en_suite && type == "bathroom") || std::any_of(first, x, joins_rooms);
+        const bool said = type == en_suite || std::any_of(first, x, joins_rooms);
         x->word = Word{WordKind::nuance, "next room", said};
     }
 }
 
 // What belongs into a room of a type and hardly anywhere else.
 bool belongs_to(const std::string& klass, const std::string& room) {
-    using Classes = std::array<std::string_view, 6>;
-    static constexpr std::array<std::pair<std::string_view, Classes>, 5> kOf{
-        {{"bathroom", {"bathtub", "shower", "toilet", "washbasin", "towel_rail", "vanity"}},
-         {"kitchen", {"kitchen_counter", "kitchen_island", "fridge", "bar_stool"}},
-         {"bedroom", {"bed", "nightstand"}},
-         {"dining", {"dining_table", "dining_table_round", "chair"}},
-         {"laundry", {"washing_machine"}}}};
-    return std::any_of(kOf.begin(), kOf.end(), [&](const auto& of) {
-        return of.first == room && std::find(of.second.begin(), of.second.end(), klass) != of.second.end();
-    });
+    const RoomType* type = find_room_type(room);
+    return type && is_own_thing(klass, *type);
 }
 
 }  // namespace

@@ -131,17 +131,16 @@ void read_state(Reading& r) {
     };
     const std::string& state = r.spec.clutter;
     if (!is_state(state)) return;
-    const std::string& room = r.spec.room;
     std::vector<Thing> things;
     if (state == "abandoned") things = {{"cobweb", 2}, {"rubble"}, {"paper_litter"}};
     if (state == "renovation")
         things = {{"step_ladder"}, {"drop_cloth"}, {"paint_buckets", 1, "next to", "step_ladder"}, {"moving_boxes"}};
     if (state == "moving") things = {{"moving_boxes", 3}};
     if (state == "messy") {
-        if (is_one_of(room, {"study", "kitchen", "dining", "hallway"}))
-            things = {{"paper_litter", 2}, {"moving_boxes"}};
-        else things = {{"clothes_heap", room == "bathroom" || room == "living" ? 1 : 2}, {"paper_litter"}};
-        if (room == "kids") things.push_back({"toy_blocks", 2, "on", "floor"});
+        static const RoomType unnamed;
+        const RoomType* type = find_room_type(r.spec.room);
+        for (const MessyThing& m : (type ? *type : unnamed).mess)
+            things.push_back({m.thing, m.count, m.on_floor ? "on" : "", m.on_floor ? "floor" : ""});
     }
     for (std::size_t i = 0; i < r.m.size(); ++i) {
         const bool said = r.m[i].word && (r.m[i].is(WordKind::mood) ? r.m[i].word->meaning == state

@@ -21,6 +21,10 @@ namespace {
 
 float share(const TomlTable& table, std::string_view key) { return static_cast<float>(table.needed_number(key, 0, 1)); }
 
+float share_or(const TomlTable& table, std::string_view key, float otherwise) {
+    return static_cast<float>(table.number(key, otherwise, 0, 1));
+}
+
 std::pair<float, float> range_of(const TomlTable& table, std::string_view key) {
     constexpr double kLeast = 1.5, kMost = 12;
     const std::vector<double> ends = table.numbers(key);
@@ -38,12 +42,42 @@ std::vector<std::string> things(const TomlTable& table, std::string_view key) {
     return names;
 }
 
+const std::vector<std::string>& keys_of_types() {
+    static const std::vector<std::string> keys{"name",
+                                               "title",
+                                               "words",
+                                               "words_near",
+                                               "rank",
+                                               "wet",
+                                               "for_children",
+                                               "deep_paints",
+                                               "next_rooms",
+                                               "next_door",
+                                               "second_room",
+                                               "kind_of",
+                                               "guess_rank",
+                                               "main_thing",
+                                               "own_things",
+                                               "table",
+                                               "table_when_near",
+                                               "cooks",
+                                               "upright_chairs",
+                                               "per_person",
+                                               "most_people",
+                                               "mess",
+                                               "meanings",
+                                               "size",
+                                               "shape",
+                                               "windows",
+                                               "touches",
+                                               "furnished_as",
+                                               "recipe"};
+    return keys;
+}
+
 class TypeReader {
   public:
-    TypeReader(const toml::table& document, const std::string& file)
-        : top_(document, file, "",
-               {"name", "title", "rank", "wet", "for_children", "deep_paints", "next_rooms", "size", "shape",
-                "touches"}) {}
+    TypeReader(const toml::table& document, const std::string& file) : top_(document, file, "", keys_of_types()) {}
 
     RoomType read() {
         t_.name = top_.needed_text("name");
@@ -55,8 +89,18 @@ class TypeReader {
         const std::vector<std::string> next = top_.texts("next_rooms");
         if (next.size() != 2) top_.fail("next_rooms", fmt::format("expected two room types, found {}", next.size()));
         t_.next_rooms = {next[0], next[1]};
+        t_.next_door = top_.flag("next_door", t_.next_door);
+        t_.second_room = top_.text("second_room");
+        t_.kind_of = top_.text("kind_of");
+        t_.furnished_as = top_.text("furnished_as");
+        t_.recipe = read_recipe(top_, "recipe");
+        if (t_.furnished_as.empty() == t_.recipe.empty())
+            top_.fail_missing("recipe", "either [[recipe]] or furnished_as = \"the name of a room type\"");
         read_shape();
+        read_windows();
         read_touches();
+        read_words();
+        read_things();
         return std::move(t_);
     }
 
@@ -70,17 +114,92 @@ class TypeReader {
         std::tie(t_.width_low_m, t_.width_high_m) = range_of(size, "width_m");
         std::tie(t_.depth_low_m, t_.depth_high_m) = range_of(size, "depth_m");
         const TomlTable shape = table("shape", {"breast_probability", "corner_probability", "bay_probability",
-                                                "alcove_probability", "doorway_probability"});
+                                                "alcove_probability", "doorway_probability", "sloped_ceiling",
+                                                "high_ceiling", "coffers", "panelling", "accent_wall", "wall_tiles"});
         t_.breast_probability = share(shape, "breast_probability");
         t_.corner_probability = share(shape, "corner_probability");
         t_.bay_probability = share(shape, "bay_probability");
         t_.alcove_probability = share(shape, "alcove_probability");
         t_.doorway_probability = share(shape, "doorway_probability");
+        t_.sloped_ceiling = shape.flag("sloped_ceiling", t_.sloped_ceiling);
+        t_.high_ceiling = shape.flag("high_ceiling", t_.high_ceiling);
+        t_.coffers = shape.flag("coffers", t_.coffers);
+        t_.panelling = shape.flag("panelling", t_.panelling);
+        t_.accent_wall = shape.flag("accent_wall", t_.accent_wall);
+        t_.wall_tiles = shape.flag("wall_tiles", t_.wall_tiles);
+    }
+
+    void read_windows() {
+        if (!top_.has("windows")) return;
+        constexpr double kHighestSill = 2;
+        const TomlTable t = table("windows",
+                                  {"size", "count", "second_probability", "first_on_far_wall", "least_sill_m",
+                                   "sill_beyond_doorway_m", "outlook", "outlook_probability"});
+        RoomWindows& w = t_.windows;
+        if (t.has("size")) w.size = file_fields::choice<WindowSize>(t, "size");
+        w.count = t.whole("count", w.count, 0, 4);
+        w.second_probability = share_or(t, "second_probability", w.second_probability);
+        w.first_on_far_wall = t.flag("first_on_far_wall", w.first_on_far_wall);
+        w.least_sill_m = static_cast<float>(t.number("least_sill_m", w.least_sill_m, 0, kHighestSill));
+        w.sill_beyond_doorway_m = static_cast<float>(
+            t.number("sill_beyond_doorway_m", w.sill_beyond_doorway_m, 0, kHighestSill));
+        if (!t.has("outlook")) return;
+        w.outlook = file_fields::choice<Sky::View>(t, "outlook");
+        w.outlook_probability = share(t, "outlook_probability");
+    }
+
+    void read_words() {
+        t_.words = top_.texts("words");
+        t_.words_near = top_.texts("words_near");
+        for (const toml::table* meaning : top_.tables("meanings")) {
+            const TomlTable t(*meaning, top_.file(), "[[meanings]]", {"words", "thing", "near"});
+            LocalMeaning m;
+            m.words = t.texts("words");
+            if (m.words.empty()) t.fail_missing("words", "a list of words");
+            m.thing = t.needed_text("thing", "a thing of the catalogue");
+            if (!find_thing(m.thing))
+                t.fail("thing", fmt::format("expected a thing of the catalogue, found \"{}\"", m.thing));
+            m.near = t.flag("near", false);
+            t_.meanings.push_back(std::move(m));
+        }
+    }
+
+    std::string one_thing(std::string_view key) const {
+        const std::string name = top_.text(key);
+        if (top_.has(key) && !find_thing(name))
+            top_.fail(key, fmt::format("expected a thing of the catalogue, found \"{}\"", name));
+        return name;
+    }
+    std::vector<std::string> some_things(std::string_view key) const {
+        return top_.has(key) ? things(top_, key) : std::vector<std::string>{};
+    }
+
+    void read_things() {
+        constexpr int kMostPeople = 99, kMostLying = 9;
+        t_.guess_rank = top_.whole("guess_rank", 0, 0, 1000);
+        t_.main_thing = one_thing("main_thing");
+        t_.own_things = some_things("own_things");
+        t_.table = one_thing("table");
+        t_.table_when_near = one_thing("table_when_near");
+        t_.cooks = top_.flag("cooks", t_.cooks);
+        t_.upright_chairs = top_.flag("upright_chairs", t_.upright_chairs);
+        t_.per_person = some_things("per_person");
+        t_.most_people = top_.whole("most_people", kMostPeople, 1, kMostPeople);
+        if (!top_.has("mess")) return;
+        t_.mess.clear();
+        for (const toml::table* thing : top_.tables("mess")) {
+            const TomlTable t(*thing, top_.file(), "[[mess]]", {"thing", "count", "on_floor"});
+            const std::string name = t.needed_text("thing", "a thing of the catalogue");
+            if (!find_thing(name))
+                t.fail("thing", fmt::format("expected a thing of the catalogue, found \"{}\"", name));
+            t_.mess.push_back({name, t.whole("count", 1, 1, kMostLying), t.flag("on_floor", false)});
+        }
     }
 
     void read_touches() {
-        const TomlTable t = table("touches", {"pieces", "pieces_per_m2", "sills", "shelves", "wall_shelf_probability",
-                                              "mirror_probability", "clock_probability"});
+        const TomlTable t = table(
+            "touches", {"pieces", "pieces_per_m2", "sills", "shelves", "wall_shelf_probability", "mirror_probability",
+                        "clock_probability", "picture_probability", "curtains", "chandeliers", "floor_lamp"});
         t_.pieces = things(t, "pieces");
         t_.pieces_per_m2 = share(t, "pieces_per_m2");
         t_.sills = things(t, "sills");
@@ -88,18 +207,27 @@ class TypeReader {
         t_.wall_shelf_probability = share(t, "wall_shelf_probability");
         t_.mirror_probability = share(t, "mirror_probability");
         t_.clock_probability = share(t, "clock_probability");
+        t_.picture_probability = share_or(t, "picture_probability", t_.picture_probability);
+        t_.curtains = t.flag("curtains", t_.curtains);
+        t_.chandeliers = t.flag("chandeliers", t_.chandeliers);
+        if (t.has("floor_lamp")) t_.floor_lamp = file_fields::choice<FloorLamp>(t, "floor_lamp");
     }
 
     TomlTable top_;
     RoomType t_;
 };
 
-void check_next_rooms(const std::vector<RoomType>& all) {
-    for (const RoomType& type : all)
-        for (const std::string& next : type.next_rooms)
-            if (std::none_of(all.begin(), all.end(), [&](const RoomType& other) { return other.name == next; }))
-                throw Error("room_types/{}.toml: next_rooms: expected the name of a room type, found \"{}\"", type.name,
-                            next);
+void check_references(const std::vector<RoomType>& all) {
+    const auto check = [&](const RoomType& type, std::string_view key, const std::string& name) {
+        if (std::none_of(all.begin(), all.end(), [&](const RoomType& other) { return other.name == name; }))
+            throw Error("room_types/{}.toml: {}: expected the name of a room type, found \"{}\"", type.name, key, name);
+    };
+    for (const RoomType& type : all) {
+        for (const std::string& next : type.next_rooms) check(type, "next_rooms", next);
+        if (!type.furnished_as.empty()) check(type, "furnished_as", type.furnished_as);
+        if (!type.second_room.empty()) check(type, "second_room", type.second_room);
+        if (!type.kind_of.empty()) check(type, "kind_of", type.kind_of);
+    }
 }
 
 }  // namespace
@@ -117,16 +245,32 @@ const std::vector<RoomType>& all_room_types() {
                                          "room_types/" + std::string(kRoomTypeTexts[i].first) + ".toml"));
         FASTSCENE_CHECK(!out.empty());
         std::stable_sort(out.begin(), out.end(), [](const RoomType& a, const RoomType& b) { return a.rank < b.rank; });
-        check_next_rooms(out);
+        check_references(out);
         return out;
     }();
     return all;
 }
 
-const RoomType& room_type(std::string_view name) {
+const RoomType* find_room_type(std::string_view name) {
     for (const RoomType& type : all_room_types())
-        if (type.name == name) return type;
-    return all_room_types().front();
+        if (type.name == name) return &type;
+    return nullptr;
+}
+
+const RoomType& default_room_type() { return all_room_types().front(); }
+
+const RoomType& room_type(std::string_view name) {
+    const RoomType* found = find_room_type(name);
+    return found ? *found : default_room_type();
+}
+
+bool is_own_thing(std::string_view thing, const RoomType& type) {
+    return std::find(type.own_things.begin(), type.own_things.end(), thing) != type.own_things.end();
+}
+
+const std::vector<RecipeStep>& recipe_of(std::string_view name) {
+    const RoomType& type = room_type(name);
+    return type.furnished_as.empty() ? type.recipe : room_type(type.furnished_as).recipe;
 }
 
 }  // namespace fastscene

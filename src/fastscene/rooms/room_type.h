@@ -2,21 +2,84 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "fastscene/rooms/recipe.h"
 #include "fastscene/rooms/style_choices.h"
 
 namespace fastscene {
 
+// Windows, where the prompt does not say how they are.
+enum class WindowSize : unsigned char { usual, small, large };
+template <>
+inline constexpr std::array<std::string_view, 3> kNamesOf<WindowSize>{"usual", "small", "large"};
+struct RoomWindows {
+    WindowSize size = WindowSize::usual;
+    int count = 0;  // 0: one, or two with second_probability
+    float second_probability = 0.45f;
+    bool first_on_far_wall = false;       // else at the visitor's right or before him
+    float least_sill_m = 0;               // something stands below them
+    float sill_beyond_doorway_m = 0.85f;  // where one looks into it through a doorway
+    std::optional<Sky::View> outlook;     // what they show; nothing: as the style has it
+    float outlook_probability = 0;
+};
+
+// Whether a lamp stands on the floor: by day as often as not, and always after dark; after dark only; never.
+enum class FloorLamp : unsigned char { usual, after_dark, never };
+template <>
+inline constexpr std::array<std::string_view, 3> kNamesOf<FloorLamp>{"usual", "after dark", "never"};
+
+struct MessyThing {
+    std::string thing;
+    int count = 1;
+    bool on_floor = false;  // not on tops
+};
+
+// Words that mean another thing in such a room: a "sink" in a bathroom is a washbasin.
+struct LocalMeaning {
+    std::vector<std::string> words;
+    std::string thing;
+    bool near = false;  // the nearest thing that there is, not the very thing
+};
+
 struct RoomType {
-    std::string name, title;  // "living", "living room"
-    int rank = 0;             // place among room_types(); the first stands in for unknown ones
-    bool wet = false;         // tiled; no paper, no boards on its ceiling
+    std::string name, title;              // "living", "living room"
+    std::vector<std::string> words;       // of prompts that name it, beside those of the lexicon
+    std::vector<std::string> words_near;  // of rooms that are like it: "bistro" for a dining room
+    int rank = 0;                         // place among room_types(); the first stands in for unknown ones
+    bool wet = false;                     // tiled; no paper, no boards on its ceiling
     bool for_children = false;
     bool deep_paints = false;               // may be painted dark
     std::array<std::string, 2> next_rooms;  // behind a doorway, one as often as the other
+    bool next_door = true;                  // may lie behind a doorway that the prompt names
+    std::string second_room;                // "a second room" of no named type is one of these
+    std::string kind_of;                    // "kids" is a kind of "bedroom": who names both means one room
+    bool sloped_ceiling = false;            // lies below a roof
+    bool high_ceiling = false;              // a hall: high, columns, large windows
+    bool coffers = false;                   // its ceiling may be coffered
+    bool panelling = true;                  // its walls may be panelled
+    bool accent_wall = true;                // one wall may have a paint of its own
+    bool wall_tiles = false;                // tiles that a prompt names are on its walls
+    RoomWindows windows;
+
+    // What its furniture says of it and it of its furniture.
+    int guess_rank = 0;                   // order in which types are guessed from things; 0: never
+    std::string main_thing;               // stands for it as a part of another room: "a desk" for "an office corner"
+    std::vector<std::string> own_things;  // stand here and hardly anywhere else
+    std::string table;                    // what "a table" means
+    std::string table_when_near;          // … in a room of `words_near`
+    bool cooks = true;                    // kitchen units have a stove
+    bool upright_chairs = false;          // a rattan chair is a chair to sit at a table, none to lounge in
+    std::vector<LocalMeaning> meanings;
+    std::vector<std::string> per_person;  // "a study for two": two of each
+    int most_people = 0;
+    std::vector<MessyThing> mess{{"clothes_heap", 2}, {"paper_litter"}};  // what lies about where nobody tidies up
+
+    std::string furnished_as;        // a type whose recipe it shares; empty: it has its own
+    std::vector<RecipeStep> recipe;  // what stands in it
 
     float width_low_m = 0, width_high_m = 0, depth_low_m = 0, depth_high_m = 0;  // usual inside sizes
     // How often rooms of the type have a feature.
@@ -28,6 +91,9 @@ struct RoomType {
     std::vector<std::string> sills;   // what stands at windows, in this order
     Shelves shelves = Shelves::books;
     float wall_shelf_probability = 0, mirror_probability = 0, clock_probability = 0;
+    float picture_probability = 0.8f;  // of each picture
+    bool curtains = true, chandeliers = true;
+    FloorLamp floor_lamp = FloorLamp::usual;
 };
 
 // Throws Error naming file, line and key for what is missing, unknown or out of range.
@@ -36,5 +102,12 @@ RoomType read_room_type(std::string_view text, const std::string& file);
 const std::vector<RoomType>& all_room_types();
 // The first for a name that none has.
 const RoomType& room_type(std::string_view name);
+const RoomType& default_room_type();
+// Null for a name that none has.
+const RoomType* find_room_type(std::string_view name);
+// Of whom this is one of the things that stand hardly anywhere else.
+bool is_own_thing(std::string_view thing, const RoomType& type);
+// What stands in a room of this type: its own recipe, or that of the type that it is furnished as.
+const std::vector<RecipeStep>& recipe_of(std::string_view type);
 
 }  // namespace fastscene

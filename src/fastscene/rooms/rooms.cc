@@ -12,6 +12,7 @@
 #include "fastscene/rooms/catalogue.h"
 #include "fastscene/rooms/layout.h"
 #include "fastscene/rooms/layout_relations.h"
+#include "fastscene/rooms/room_type.h"
 #include "fastscene/scene/pose_json.h"
 
 namespace fastscene {
@@ -71,11 +72,9 @@ void assume_time(PromptSpec& spec, std::uint64_t seed) {
 Sky::View outlook_of(PromptSpec& spec, const Style& style, Random& dice) {
     const float draw = dice.uniform();
     if (spec.outlook.empty()) {
-        // Lofts are in towns.
-        constexpr float kCityBelowLofts = 0.75f;
-        const bool loft = spec.room == "loft";
-        const Sky::View view = loft ? Sky::View::city : style.outlook;
-        const float probability = loft ? kCityBelowLofts : style.outlook_probability;
+        const RoomWindows& windows = room_type(spec.room).windows;
+        const Sky::View view = windows.outlook.value_or(style.outlook);
+        const float probability = windows.outlook ? windows.outlook_probability : style.outlook_probability;
         spec.outlook = kNamesOf<Sky::View>[static_cast<std::size_t>(draw < probability ? view : Sky::View::garden)];
         spec.assumed.push_back("outlook: " + spec.outlook);
     }

@@ -8,8 +8,11 @@ namespace fastscene::splat {
 // Forces inlining of what the inner loops call: the compiler's heuristic gives up when there are many calls, and with
 // AVX2 each call spills registers.
 
-// Once the transmittance is below this, further splats are invisible; blending of a block of pixels stops.
-inline constexpr float kOpaque = 1e-4f;
+// Once the transmittance is below this, further splats do not change an 8-bit picture; blending of a block of pixels
+// stops. A smaller threshold (1e-4) gives the same PSNR and takes an eighth more time.
+inline constexpr float kOpaque = 1.f / 255;
+// The outside is visible in a pixel if at least this transmittance remains before its first splat.
+inline constexpr float kOutsideVisible = 0.5f;
 
 template <class F>
 struct PixelState {

@@ -352,6 +352,7 @@ void Engine::backward() {
     const Stopwatch watch(times.backward);
     grow(slots_, static_cast<std::size_t>(slots_used_) * kSlotFloats + 2 * kBlock);
     Frame f = frame(depth_counts_);
+    f.outside_m = outside_m_;
     f.v_depth = depth_counts_ ? v_depth_.data() : nullptr;
     f.v_transmittance = transmittance_counts_ ? v_transmittance_.data() : nullptr;
     parallel_for(tiles_x_ * tiles_y_, 4, [&](std::int64_t begin, std::int64_t end) {

@@ -84,6 +84,9 @@ class Engine {
     // After either: adds `strength` times the mean remaining transmittance, which pushes pictures towards full opacity,
     // and returns it.
     double differentiate_transmittance(const View& view, float strength);
+    // Splats deeper than this belong to the outside. They are trained only by pixels that mostly show it
+    // (kOutsideVisible): walls are never fully opaque, and Adam takes full steps however small the gradient.
+    void set_outside(float depth_m) { outside_m_ = depth_m; }
     // After render(): sets dL/d color directly (tests). Three planes of width * height.
     void set_color_gradient(const std::vector<Vec3f>& v);
     // After any of these: backpropagates to the splats and applies one step of Adam.
@@ -122,6 +125,7 @@ class Engine {
     Lens<float> lens_{};
     Vec3f background_;
     AlignedFloats color_[3], transmittance_, depth_, v_[3], error_[3], v_depth_, v_transmittance_;
+    float outside_m_ = std::numeric_limits<float>::infinity();
     bool judges_ = false;                // the next gradient also collects statistics for density control
     bool depth_counts_ = false;          // the next gradient includes depth
     bool transmittance_counts_ = false;  // the next gradient includes transmittance

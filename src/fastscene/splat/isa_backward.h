@@ -12,6 +12,7 @@ namespace fastscene::splat::FASTSCENE_ISA {
 struct alignas(512) BlockGrad {  // a power of two, so that addressing is a shift
     PixelGradState<Lanes> pixel;
     Lanes error;
+    Lanes open;  // 1 where the outside is visible, else 0; set at the first splat of the outside
 };
 
 inline void start(BlockGrad& b, const Frame& f, std::ptrdiff_t at) {
@@ -61,11 +62,12 @@ struct SlotSums {
 #endif
     }
 };
-// One block.
-template <bool kDepth, bool kJudge, bool kHeld>
+// One block. kOutside: of a splat of the outside, which is trained only where it is visible.
+template <bool kDepth, bool kJudge, bool kHeld, bool kOutside>
 [[gnu::always_inline]] inline void blend_back(BlockGrad& b, const Footprint<Lanes>& splat, const Vec2<Lanes>& d,
                                               Lanes alpha, Lanes odds, SlotSums& sums) {
-    const BlendGrad<Lanes> grad = blend_grad<kDepth, kHeld>(b.pixel, splat, alpha, odds);
+    BlendGrad<Lanes> grad = blend_grad<kDepth, kHeld>(b.pixel, splat, alpha, odds);
+    if constexpr (kOutside) grad.g = grad.g * b.open, grad.weight = grad.weight * b.open;
     sums.moments(grad.g, d);
     sums.add(6, grad.weight, b.pixel.v.x), sums.add(7, grad.weight, b.pixel.v.y), sums.add(8, grad.weight, b.pixel.v.z);
     if constexpr (kJudge) sums.add(9, grad.weight), sums.add(10, grad.weight, b.error);
@@ -73,7 +75,7 @@ template <bool kDepth, bool kJudge, bool kHeld>
 }
 
 // All blocks that a splat touches, at least one.
-template <bool kDepth, bool kJudge, bool kHeld>
+template <bool kDepth, bool kJudge, bool kHeld, bool kOutside>
 [[gnu::always_inline]] inline Lanes tile_gradient(const Record& s, std::uint32_t touched, float tile_x, float tile_y,
                                                   const BlockPixels& grid, BlockGrad* blocks) {
     const Footprint<Lanes> splat = spread(s);
@@ -98,8 +100,8 @@ template <bool kDepth, bool kJudge, bool kHeld>
     count = 0;
     for (std::uint32_t bits = touched; bits; bits &= bits - 1, ++count) {
         const auto block = static_cast<std::size_t>(__builtin_ctz(bits));
-        blend_back<kDepth, kJudge, kHeld>(blocks[block], splat, offset(block), Lanes::load(shown[count]),
-                                          Lanes::load(shown[count] + kLanes), sums);
+        blend_back<kDepth, kJudge, kHeld, kOutside>(blocks[block], splat, offset(block), Lanes::load(shown[count]),
+                                                    Lanes::load(shown[count] + kLanes), sums);
     }
     return sums12(sums.all);
 }
@@ -130,19 +132,26 @@ inline void backward_tile(const Frame& f, int tile) {
                                  static_cast<std::size_t>(column - s.tile_x);
         return f.slots + slot * kSlotFloats;
     };
+    bool outside = false;
     for (std::uint32_t i = f.tile_begin[tile]; i < end; ++i) {
         __builtin_prefetch(&f.records[f.list[i + kRecordAhead < end ? i + kRecordAhead : i]]);
         __builtin_prefetch(slot_of(f.list[i + kSlotAhead < end ? i + kSlotAhead : i]), 1);
         const std::uint32_t record = f.list[i];
         const Record& s = f.records[record];
         Lanes sums;
-        const auto gradient = [&]<bool kHeld>() __attribute__((always_inline)) {
-            return tile_gradient<kDepth, kJudge, kHeld>(s, f.masks[i], static_cast<float>(column * kTile),
-                                                        static_cast<float>(row * kTile), grid, blocks);
+        if (!outside && s.depth_z > f.outside_m) {
+            outside = true;
+            for (BlockGrad& b : blocks)
+                b.open = select(b.pixel.transmittance > Lanes(kOutsideVisible), Lanes(1.f), Lanes(0.f));
+        }
+        const auto gradient = [&]<bool kHeld, bool kOutside>() __attribute__((always_inline)) {
+            return tile_gradient<kDepth, kJudge, kHeld, kOutside>(s, f.masks[i], static_cast<float>(column * kTile),
+                                                                  static_cast<float>(row * kTile), grid, blocks);
         };
-        if (f.masks[i])
-            sums = FASTSCENE_WIDE || s.log2_opacity > kLog2NeverHeld ? gradient.template operator()<true>()
-                                                                     : gradient.template operator()<false>();
+        if (!f.masks[i]) {
+        } else if (outside) sums = gradient.template operator()<true, true>();
+        else if (FASTSCENE_WIDE || s.log2_opacity > kLog2NeverHeld) sums = gradient.template operator()<true, false>();
+        else sums = gradient.template operator()<false, false>();
         store12(sums, slot_of(record));
     }
 }

@@ -8,7 +8,7 @@
 
 namespace fastscene::splat::FASTSCENE_ISA {
 
-inline constexpr float kBeta1 = 0.9f, kBeta2 = 0.999f, kEpsilon = 1e-15f;
+inline constexpr float kBeta1 = 0.9f, kBeta2 = 0.999f;
 
 // Adds the slots of the block's records to `sums` (one row per splat); returns a mask of visible splats.
 inline std::uint32_t sum_slots(const UpdateJob& job, std::int64_t block_end, std::int64_t& record,
@@ -44,7 +44,7 @@ inline void adam(const UpdateJob& job, std::int64_t at, Lanes rate, Lanes gradie
     const Lanes v1 = Lanes::load(v) * Lanes(kBeta2) + gradient * gradient * Lanes(1.f - kBeta2);
     m1.store(m);
     v1.store(v);
-    const Lanes root = sqrt(v1) * Lanes(job.inv_sqrt_bias2) + Lanes(kEpsilon);
+    const Lanes root = sqrt(v1) * Lanes(job.inv_sqrt_bias2) + Lanes(kAdamEpsilon);
     (Lanes::load(x) - rate * m1 * reciprocal(root)).store(x);
 }
 
@@ -63,7 +63,7 @@ inline void update_rest(const UpdateJob& job, std::int64_t first, const Lanes* g
                     x0 = Lanes::load(job.rest + at);
         const Lanes m1 = m0 * Lanes(kBeta1) + g * Lanes(1.f - kBeta1),
                     v1 = v0 * Lanes(kBeta2) + g * g * Lanes(1.f - kBeta2);
-        const Lanes root = sqrt(v1) * Lanes(job.rest_inv_sqrt_bias2) + Lanes(kEpsilon);
+        const Lanes root = sqrt(v1) * Lanes(job.rest_inv_sqrt_bias2) + Lanes(kAdamEpsilon);
         select(seen, m1, m0).store(job.rest_first_moment + at);
         select(seen, v1, v0).store(job.rest_second_moment + at);
         select(seen, x0 - Lanes(job.rest_rate) * m1 * reciprocal(root), x0).store(job.rest + at);

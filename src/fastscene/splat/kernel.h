@@ -39,6 +39,11 @@ struct PieceCount {
     std::uint32_t slots = 0;
 };
 
+// Adam's epsilon. Visible splats have gradients of 1e-6 and more. With the original trainer's 1e-15, splats behind
+// walls that are not fully opaque took full steps on vanishing gradients: from new viewpoints, the ground below a
+// window had the wall's color.
+inline constexpr float kAdamEpsilon = 1e-7f;
+
 // Splats in blocks of 16 (AoSoA): block k holds its 14 parameters one after the other, 16 floats each.
 struct ProjectJob {
     const float* parameters;
@@ -74,6 +79,7 @@ struct Frame {
     int piece_shift;                  // record >> piece_shift = its piece
     std::uint16_t* masks;             // per list entry: which of the tile's 4x4 blocks of 4x4 pixels it touches
     float* slots;
+    float outside_m;  // deeper splats are trained only where they are visible (Engine::set_outside)
 };
 
 struct LossSums {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <algorithm>
+#include <limits>
 #include <vector>
 
 #include "fastscene/scene/splats.h"
@@ -99,13 +100,14 @@ ReferencePicture<F> render_reference(const std::vector<Gaussian<F>>& splats, con
 }
 
 // dL/d(parameters) from v = dL/d(pixel color) and, if not empty, v_depth = dL/d(depth sum) and v_transmittance =
-// dL/d(remaining transmittance).
+// dL/d(remaining transmittance). Splats deeper than `outside_m` get gradients only where the outside is visible.
 template <class F>
 std::vector<Gaussian<F>> gradients_reference(const std::vector<Gaussian<F>>& splats, const Lens<F>& lens,
                                              const ReferencePicture<F>& picture, const std::vector<Vec3<F>>& v,
                                              const RestBands<F>& rest = {}, std::vector<F>* rest_out = nullptr,
                                              const std::vector<F>& v_depth = {},
-                                             const std::vector<F>& v_transmittance = {}) {
+                                             const std::vector<F>& v_transmittance = {},
+                                             F outside_m = std::numeric_limits<F>::infinity()) {
     std::vector<Gaussian<F>> out(splats.size());
     const auto n = static_cast<std::size_t>(3 * rest_functions(rest.degree));
     if (rest_out) rest_out->assign(splats.size() * n, F(0));
@@ -116,11 +118,15 @@ std::vector<Gaussian<F>> gradients_reference(const std::vector<Gaussian<F>>& spl
         const F open = v_transmittance.empty() ? F(0) : v_transmittance[i] * picture.pixels[i].transmittance;
         state[i] = {F(1), dot(v[i], picture.pixels[i].color) + z * picture.depth_sum[i] + open, v[i], z};
     }
+    std::vector<F> shows;  // 1 or 0 a pixel, from the first splat of the outside on
     for (const auto& d : detail::draw_order(splats, lens, rest)) {
+        if (shows.empty() && d.footprint.depth_z > outside_m)
+            for (const auto& pixel : state) shows.push_back(pixel.transmittance > F(kOutsideVisible) ? F(1) : F(0));
         PixelSums<F> sums;
         detail::each_pixel(d, picture.width, picture.height, lens.equirect(), [&](std::size_t i, F dx, F dy) {
             const F alpha = shown_alpha(raw_alpha(d.footprint, dx, dy));
-            const BlendGrad<F> b = blend_grad<true>(state[i], d.footprint, alpha, odds_of(alpha));
+            BlendGrad<F> b = blend_grad<true>(state[i], d.footprint, alpha, odds_of(alpha));
+            if (!shows.empty()) b.g *= shows[i], b.weight *= shows[i];
             sums.g += b.g;
             sums.g_dx += b.g * dx;
             sums.g_dy += b.g * dy;

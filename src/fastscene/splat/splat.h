@@ -34,8 +34,9 @@ struct SplatParams {
     // SH degree of view-dependent color; kAutomaticShDegree must be resolved before, fit_splats takes it as 0
     int sh_degree = 0;
     float opacity_reg = 0, scale_reg = 0;
-    float depth = 0;   // weight of the depth regularizer
-    float opaque = 0;  // weight of the transmittance loss
+    float depth = 0;      // weight of the depth regularizer
+    float opaque = 0;     // weight of the transmittance loss
+    float outside_m = 0;  // depth beyond which splats belong to the outside; 0: none do
     bool antialias = false;
     bool random_background = false;
     int eval_every = 0;
@@ -70,6 +71,8 @@ void visit_fields(SplatParams& p, V&& v) {
     v("depth", p.depth, Bounds{0, 10},
       "Weight of the depth regularizer: relative error of the rendered depth against that of the initial points.");
     v("opaque", p.opaque, Bounds{0, 10}, "Weight of the mean remaining transmittance in the loss, for closed scenes.");
+    v("outside", p.outside_m, Bounds{0, 1e6},
+      "Depth in metres beyond which a splat belongs to the outside and is trained only where it is visible. 0: none.");
     v("antialias", p.antialias,
       "Antialiasing: splats smaller than a pixel are dimmed instead of enlarged (Mip-Splatting's 2D filter); recorded "
       "in files.");

@@ -44,7 +44,7 @@ TEST_P(SplatKernel, PictureIsTheReference) {
             depth.add(engine.depth_sum(x, y), ruler.depth_sum[i]);
         }
     EXPECT_LT(color.relative(), 1e-4);
-    EXPECT_LT(transmittance.relative(), 1e-3);  // blending stops below 1e-4
+    EXPECT_LT(transmittance.relative(), 1e-3);  // blending stops at kOpaque
     EXPECT_LT(depth.relative(), 2e-4);
 }
 
@@ -70,6 +70,41 @@ TEST_P(SplatKernel, GradientsAreTheReference) {
         EXPECT_GT(distance.size2, 0) << p;
         EXPECT_LT(distance.relative(), 1e-4) << p;
     }
+}
+
+TEST_P(SplatKernel, TheOutsideLearnsOnlyWhereItShows) {
+    const Pinhole camera = test_camera(75, 58);
+    const Splats s = random_splats(60, 11);
+    const auto g = gaussians_of<double>(s);
+    const auto lens = lens_over<double>(lens_of(camera, test_pose()));
+    std::vector<double> depths;
+    for (const auto& x : g) depths.push_back((lens.rotation * x.mean + lens.translation).z);
+    std::vector<double> sorted = depths;
+    std::sort(sorted.begin(), sorted.end());
+    const double outside_m = 0.5 * (sorted[30] + sorted[31]);
+    Cloud cloud(s, true);
+    Engine engine(*kernel_);
+    engine.set_outside(static_cast<float>(outside_m));
+    engine.render(cloud, camera, test_pose(), kBackground, false);
+    const auto v = random_color_gradient(camera, 3);
+    std::vector<Vec3f> vf;
+    for (const Vec3d& x : v) vf.push_back({static_cast<float>(x.x), static_cast<float>(x.y), static_cast<float>(x.z)});
+    engine.set_color_gradient(vf);
+    const AlignedFloats mine = engine.gradients(cloud);
+    const auto picture = render_reference(g, lens, camera.width, camera.height, Vec3d{0.2f, 0.4f, 0.6f});
+    std::vector<double> no_bands;
+    auto ruler = gradients_reference(g, lens, picture, v, {}, &no_bands, {}, {}, outside_m),
+         all = gradients_reference(g, lens, picture, v);
+    Distance distance, held_back;
+    for (std::int64_t i = 0; i < cloud.count; ++i)
+        for (int p = 0; p < kParameters; ++p) {
+            const auto k = static_cast<std::size_t>(i);
+            distance.add(mine[cloud.at(i, p)], parameter(ruler[k], p));
+            if (depths[k] < outside_m) EXPECT_EQ(parameter(ruler[k], p), parameter(all[k], p));
+            else held_back.add(parameter(ruler[k], p), parameter(all[k], p));
+        }
+    EXPECT_LT(distance.relative(), 1e-3);  // a pixel at the threshold may fall to either side
+    EXPECT_GT(held_back.relative(), 0.05);
 }
 
 // Adam's first step has the length of the learning rate; beyond the reach, position steps (only those) grow in

@@ -16,6 +16,7 @@ class CpuStepper : public Stepper {
         LossSums sums = engine_.differentiate(view, plan.lambda_dssim, plan.judge);
         if (plan.depth) sums.loss += engine_.differentiate_depth(view, *plan.depth, plan.depth_strength);
         if (plan.alpha_strength > 0) sums.loss += engine_.differentiate_transmittance(view, plan.alpha_strength);
+        engine_.set_outside(plan.outside_m);
         engine_.step(cloud, plan.rates);
         return sums;
     }
@@ -34,7 +35,7 @@ void adam(AdamSlot slot, double gradient, double rate, int step) {
     slot.first_moment = static_cast<float>(m);
     slot.second_moment = static_cast<float>(v);
     slot.x = static_cast<float>(slot.x - rate * (m / (1 - std::pow(0.9, step))) /
-                                             (std::sqrt(v / (1 - std::pow(0.999, step))) + 1e-15));
+                                             (std::sqrt(v / (1 - std::pow(0.999, step))) + kAdamEpsilon));
 }
 
 class ReferenceStepper : public Stepper {
@@ -59,7 +60,7 @@ class ReferenceStepper : public Stepper {
                                                       v_transmittance);
         std::vector<double> rest_gradient;
         const auto gradients = gradients_reference(splats, lens, picture, loss.v, rest, &rest_gradient, v_depth,
-                                                   v_transmittance);
+                                                   v_transmittance, static_cast<double>(plan.outside_m));
         const int n = 3 * rest_functions(cloud.degree);
         for (std::int64_t i = 0; i < cloud.count; ++i) {
             const Gaussian<double>& g = gradients[static_cast<std::size_t>(i)];

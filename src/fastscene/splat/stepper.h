@@ -17,7 +17,8 @@ struct StepPlan {
     StepRates rates;
     const ImageF* depth = nullptr;  // target depth of the view (depth_loss.h), or null
     float depth_strength = 0;
-    float alpha_strength = 0;  // weight of the mean remaining transmittance
+    float outside_m = std::numeric_limits<float>::infinity();  // Engine::set_outside
+    float alpha_strength = 0;                                  // weight of the mean remaining transmittance
     bool judge = true;  // whether to collect statistics for density control: each splat's blending weight and error
 };
 struct Stepper {

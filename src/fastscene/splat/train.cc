@@ -230,6 +230,7 @@ class Training {
                      (params_.strategy == "classic" && done < Classic{}.until);
         if (depth_) plan.depth = &depth_->of(view), plan.depth_strength = params_.depth;
         plan.alpha_strength = params_.opaque;
+        if (params_.outside_m > 0) plan.outside_m = params_.outside_m;
         const LossSums sums = stepper_->step(state_.cloud, view, plan);
         state_.loss_sum += sums.loss, state_.squared_error_sum += sums.squared_error, ++state_.sum_steps;
         state_.step = now;

@@ -234,11 +234,14 @@ void collect_hidden(const Panorama& panorama, std::vector<Candidate>& out) {
 
 constexpr std::uint32_t kOutside = 0xffffffff;  // marks points of Outside, in place of a panorama's index
 
+// Includes a margin: at the border of the visible directions, discs overlap on one side only.
 void collect_outside(const Outside& outside, std::vector<Candidate>& out) {
+    constexpr float kMargin = 3.f * kPi / 180.f;
     const EquirectSize size{outside.color.width, outside.color.height};
+    const ImageF away = angle_to(outside.seen);
     for (int y = 0; y < size.height; ++y)
         for (int x = 0; x < size.width; ++x) {
-            if (!outside.seen.at(x, y)) continue;
+            if (away.at(x, y) > kMargin) continue;
             const float angle = static_cast<float>(pixel_solid_angle(y, size));
             out.push_back({kOutside, static_cast<std::uint32_t>(y * size.width + x), angle, angle,
                            angle * (0.01f + gradient_at(outside.color, x, y)), true});
@@ -342,11 +345,23 @@ std::vector<SurfacePoint> sample_points(const std::vector<Panorama>& panoramas, 
     return points;
 }
 
-std::vector<SurfacePoint> backdrop_points(const std::vector<Panorama>& panoramas, int count) {
+std::vector<SurfacePoint> backdrop_points(const std::vector<Panorama>& panoramas, int count, const Outside* outside) {
     constexpr float kBehind = 1.1f;  // times the sky's distance
     constexpr float kWide = 1.3f;    // times their spacing: they overlap well
     const Panorama& first = panoramas[0];
-    const EquirectSize size = first.size();
+    // Angular distance from its center at which a disc is still visible: three radii.
+    const float reach = 3 * kWide * std::sqrt(4 * kPi / static_cast<float>(count));
+    const bool known = outside && !outside->color.empty();
+    const ImageF away = known ? angle_to(outside->seen) : ImageF{};
+    const auto at = [](const auto& picture, Vec3f d) {
+        const Vec2f p = pixel_of_direction(d, {picture.width, picture.height});
+        return picture.at(wrap_column(static_cast<int>(p.x), picture.width),
+                          std::min(static_cast<int>(p.y), picture.height - 1));
+    };
+    // Gaps between the splats of the outside show more of it, not the floor that panorama 0 sees in that direction.
+    const auto color_of = [&](Vec3f d) {
+        return known && at(away, d) <= reach ? at(outside->color, d) : at(first.color, d);
+    };
     const float golden = kPi * (3.f - std::sqrt(5.f)), far = kBehind * sky_distance(panoramas),
                 n = static_cast<float>(count);
     std::vector<SurfacePoint> points;
@@ -354,10 +369,7 @@ std::vector<SurfacePoint> backdrop_points(const std::vector<Panorama>& panoramas
         const float y = 1.f - 2.f * (static_cast<float>(i) + 0.5f) / n, r = std::sqrt(1.f - y * y),
                     a = golden * static_cast<float>(i);
         const Vec3f d{r * std::cos(a), y, r * std::sin(a)};
-        const Vec2f at = pixel_of_direction(d, size);
-        const Vec3f color = first.color.at(wrap_column(static_cast<int>(at.x), size.width),
-                                           std::min(static_cast<int>(at.y), size.height - 1));
-        points.push_back({d * far, -d, srgb8_from_linear(color), kWide * far * std::sqrt(4 * kPi / n)});
+        points.push_back({d * far, -d, srgb8_from_linear(color_of(d)), kWide * far * std::sqrt(4 * kPi / n)});
     }
     return points;
 }

@@ -16,7 +16,8 @@ namespace fastscene {
 std::vector<SurfacePoint> sample_points(const std::vector<Panorama>& panoramas, int count, const Run& run,
                                         const Outside* outside = nullptr);
 // `count` points on a sphere behind everything, so that no pixel stays transparent where surfaces leave a gap. Colored
-// by what panorama 0 sees in each direction.
-std::vector<SurfacePoint> backdrop_points(const std::vector<Panorama>& panoramas, int count);
+// by `outside` in and near the directions where it is visible, elsewhere by what panorama 0 sees.
+std::vector<SurfacePoint> backdrop_points(const std::vector<Panorama>& panoramas, int count,
+                                          const Outside* outside = nullptr);
 
 }  // namespace fastscene

@@ -90,7 +90,7 @@ ViewSet project_views(std::vector<Panorama> panoramas, const ViewsParams& params
         if (panoramas[p].range.empty()) throw Error("views: panorama {} has no range map; expected one a panorama", p);
     ViewSet set;
     const std::vector<SurfacePoint> behind = panoramas.empty() ? std::vector<SurfacePoint>{}
-                                                               : backdrop_points(panoramas, params.backdrop);
+                                                               : backdrop_points(panoramas, params.backdrop, outside);
     // First, because it needs all panoramas at once, while cutting frees them one by one.
     set.points = sample_points(panoramas, params.points, run, outside);
     set.points.insert(set.points.end(), behind.begin(), behind.end());

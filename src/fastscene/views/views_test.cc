@@ -10,6 +10,7 @@
 
 #include "fastscene/image/color.h"
 #include "fastscene/scene/synthetic.h"
+#include "fastscene/views/points.h"
 
 namespace fastscene {
 namespace {
@@ -140,6 +141,19 @@ TEST(Points, ABackdropClosesTheSphereBehindEverything) {
             nearest = std::max(nearest, dot(normalize(p.position_m), d));
         }
         EXPECT_GT(nearest, std::cos(0.16f)) << "a gap in the backdrop";
+    }
+}
+
+TEST(Points, TheBackdropShowsTheOutsideWhereItIsKnown) {
+    const std::vector<Panorama> panoramas{render_synthetic(room(), {}, kSize, 1)};
+    const Vec3f green{0, 1, 0};
+    Outside outside{ImageColor(64, 32, green), ImageMask(64, 32, 0)};
+    for (int y = 16; y < 32; ++y)
+        for (int x = 0; x < 64; ++x) outside.seen.at(x, y) = 255;  // the lower half; y points down
+    for (const SurfacePoint& p : backdrop_points(panoramas, 6000, &outside)) {
+        const float elevation = std::asin(normalize(p.position_m).y);
+        if (elevation > 0) EXPECT_EQ(p.color, srgb8_from_linear(green));
+        if (elevation < -0.3f) EXPECT_NE(p.color, srgb8_from_linear(green)) << "nobody can look there";
     }
 }
 

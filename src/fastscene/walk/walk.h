@@ -35,7 +35,7 @@ inline constexpr const char* kRoomWalk = "room";
 // Fills holes by rendering the known room instead of inpainting.
 inline constexpr const char* kLookIntoRoom = "room";
 inline std::vector<std::string> hole_fillers() {
-    std::vector<std::string> names = inpainters();
+    std::vector<std::string> names = registered_names<InpaintBackend>();
     names.push_back(kLookIntoRoom);
     names.push_back("auto");
     return names;

@@ -10,6 +10,7 @@
 #include "fastscene/io/bytes.h"
 #include "fastscene/io/packed.h"
 #include "fastscene/io/ply.h"
+#include "fastscene/io/splat_format.h"
 #include "fastscene/io/splat_io.h"
 #include "fastscene/math/morton.h"
 
@@ -220,6 +221,12 @@ float sh_of_byte(double byte) {
 
 }  // namespace
 
+bool has_compressed_ply_header(std::string_view bytes) {
+    const std::string_view header = bytes.substr(0, bytes.find("end_header"));
+    return header.starts_with("ply") && header.find("element chunk ") != std::string_view::npos &&
+           header.find(" packed_position") != std::string_view::npos;
+}
+
 bool is_compressed_ply(const Ply& ply) {
     return ply.has("chunk") && ply.has("vertex") && Ply::find(ply.element("vertex"), "packed_position") >= 0;
 }
@@ -257,4 +264,25 @@ Splats splats_of_compressed_ply(const Ply& ply) {
     return splats;
 }
 
+namespace splat_formats {
+
+SplatFormat compressed_ply() {
+    return {.name = "compressed_ply",
+            .ending = ".compressed.ply",
+            .about = "PlayCanvas' compressed PLY: chunks of 256, 16 bytes a splat",
+            .readers = "SuperSplat, our viewer",
+            .keeps_order = false,
+            .precision = {.mean_m = 0.004f,
+                          .log_scale = 0.004f,
+                          .rotation = 0.006f,
+                          .opacity_logit = 0.05f,
+                          .sh0 = 0.01f,
+                          .sh_rest = 0.02f},
+            .recognizes = has_compressed_ply_header,
+            .read = [](const std::filesystem::path& file,
+                       std::string_view bytes) { return splats_of_compressed_ply(Ply(file, std::string(bytes))); },
+            .write = [](const Splats& splats, const SplatWriting&) { return compressed_ply_bytes(splats); }};
+}
+
+}  // namespace splat_formats
 }  // namespace fastscene

@@ -5,6 +5,7 @@
 #include "fastscene/base/error.h"
 #include "fastscene/base/file.h"
 #include "fastscene/io/ply.h"
+#include "fastscene/io/splat_format.h"
 #include "fastscene/io/splat_io.h"
 
 namespace fastscene {
@@ -17,7 +18,7 @@ bool is_antialiased(const Ply& ply) {
     });
 }
 
-void save_splat_ply(const std::filesystem::path& path, const Splats& splats, PlyBands bands) {
+std::string splat_ply_bytes(const Splats& splats, PlyBands bands) {
     const int have = splats.rest_coefficients(), written = bands == PlyBands::all ? 15 : have;
     std::string out = fmt::format("ply\nformat binary_little_endian 1.0\n{}element vertex {}\n", ply_comments(splats),
                                   splats.size());
@@ -50,7 +51,11 @@ void save_splat_ply(const std::filesystem::path& path, const Splats& splats, Ply
         put(q.w), put(q.x), put(q.y), put(q.z);
         out.append(reinterpret_cast<const char*>(row.data()), floats * 4);
     }
-    write_file(path, out);
+    return out;
+}
+
+void save_splat_ply(const std::filesystem::path& path, const Splats& splats, PlyBands bands) {
+    write_file(path, splat_ply_bytes(splats, bands));
 }
 
 Splats splats_of_ply(const Ply& ply) {
@@ -87,4 +92,20 @@ Splats splats_of_ply(const Ply& ply) {
     return splats;
 }
 
+namespace splat_formats {
+
+SplatFormat ply() {
+    return {.name = "ply",
+            .ending = ".ply",
+            .about = "INRIA's PLY; 62 floats a splat (`--compact`: only the bands that are there)",
+            .readers = "everything",
+            .recognizes =
+                [](std::string_view bytes) { return bytes.starts_with("ply") && !has_compressed_ply_header(bytes); },
+            .read = [](const std::filesystem::path& file,
+                       std::string_view bytes) { return splats_of_ply(Ply(file, std::string(bytes))); },
+            .write = [](const Splats& splats,
+                        const SplatWriting& writing) { return splat_ply_bytes(splats, writing.ply_bands); }};
+}
+
+}  // namespace splat_formats
 }  // namespace fastscene

@@ -1,0 +1,60 @@
+// The splat formats: one entry each, in a source file of its own under io/splat_formats/ (docs/extend/splat-format.md
+// shows how to add one). Everything that lists or chooses formats takes it from here: loaders, `convert`, --help,
+// errors and the contract test io/splat_contract_test.cc.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+#include "fastscene/base/registry.h"
+#include "fastscene/scene/splats.h"
+
+namespace fastscene {
+
+enum class PlyBands {
+    all,
+    present
+};  // always degree 3, as several readers insist (62 floats a splat); or only what there is
+struct SplatWriting {
+    PlyBands ply_bands = PlyBands::all;
+    int spz_version = 3;  // 2, 3 or 4: 3 is read most widely
+};
+
+// Largest errors after writing and reading again; 0: exact up to rounding. In the units of Splats' members.
+struct SplatPrecision {
+    float mean_m = 0;  // within a room
+    float log_scale = 0;
+    float rotation = 0;       // of the local axes, as the length of a difference
+    float opacity_logit = 0;  // for opacities of 5 to 95 %
+    float sh0 = 0;
+    float sh_rest = 0;  // root of the mean square, where harmonics share a codebook
+};
+
+struct SplatFormat {
+    std::string name = {};     // as its source file
+    std::string ending = {};   // of file names, with its dot, lower case; where two fit, the longer one counts
+    std::string about = {};    // what it is, in half a sentence
+    std::string readers = {};  // other programs that read it
+    int sh_degree = 3;         // the highest degree that it keeps
+    bool antialias = true;     // keeps Splats::antialias
+    bool keeps_order = true;   // splats come back in the order that they were written in
+    bool empty = true;         // can hold no splats at all
+    SplatPrecision precision = {};
+    Mat3d file_from_world = {};  // axes of its numbers: p_file = file_from_world * p_world
+    // Whether a file starts like one of this format. Null: the format has no signature, and the ending tells.
+    bool (*recognizes)(std::string_view bytes) = nullptr;
+    // `file` is for errors: they name it, the byte or line, what was expected and found.
+    Splats (*read)(const std::filesystem::path& file, std::string_view bytes) = nullptr;
+    // Splats are finite, of at most sh_degree, in the world's frame. Throws Error for what the format cannot hold.
+    std::string (*write)(const Splats& splats, const SplatWriting& writing) = nullptr;
+};
+
+// By the name's ending, upper or lower case; null if it has none of a format.
+const SplatFormat* splat_format_of_name(const std::filesystem::path& path);
+// ".compressed.ply, .glb, .ply, .sog, .splat or .spz"
+std::string splat_endings();
+// The axes in words: "x right, y down, z forward".
+std::string axes_in_words(const Mat3d& file_from_world);
+
+}  // namespace fastscene
