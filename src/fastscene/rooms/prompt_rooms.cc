@@ -46,6 +46,17 @@ void count_other_rooms(Matches& m) {
     }
 }
 
+// "a hotel suite with a walk-in closet": the approximated word is the room, the exact one lies next to it. Words for
+// whole houses ("an apartment with a kitchen") are approximated by the default type, and are not meant here.
+bool comes_with_another(const Matches& m) {
+    const auto is_named = [](const Match& x) { return x.is(WordKind::room) && !x.negated; };
+    const auto first = std::find_if(m.begin(), m.end(), is_named);
+    if (first == m.end() || first->word->exact || first->word->meaning == default_room_type().name) return false;
+    const auto with = std::find_if(first, m.end(), [](const Match& x) { return x.is_function("with"); });
+    const auto exact = [&](const Match& x) { return is_named(x) && x.word->exact; };
+    return std::none_of(first, with, exact) && std::any_of(with, m.end(), exact);
+}
+
 // A word for the whole house ("apartment", "castle") only names the room when no other word does.
 void choose_room(Matches& m, PromptSpec& spec) {
     for (std::size_t i = 0; i < m.size(); ++i)
@@ -67,7 +78,7 @@ void choose_room(Matches& m, PromptSpec& spec) {
     }
     const bool named = std::any_of(m.begin(), m.end(),
                                    [](const Match& x) { return x.is(WordKind::room) && x.word->exact && !x.negated; });
-    if (!named) return;
+    if (!named || comes_with_another(m)) return;
     for (Match& x : m)
         if (x.is(WordKind::room) && !x.word->exact) x.word = Word{WordKind::nuance, "house"};
 }
