@@ -54,7 +54,7 @@ says "models: expected one of list, pull, verify, path"
 expect 2 "$fastscene" render
 says "render: expected scene DIR|FILE, found none"
 expect 2 "$fastscene" depth train somewhere -o p
-says "depth train: expected its folder after --data, found \"somewhere\""
+says "depth train: expected its folder after --data, found only \"somewhere\""
 expect 2 "$fastscene"
 expect 2 "$fastscene" walk "$work/nowhere"
 says "no run.json"

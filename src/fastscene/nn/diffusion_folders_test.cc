@@ -355,7 +355,7 @@ TEST_F(Folders, WeightsThatAreNotNumbersAreToldByTheirComponentAndEarly) {
         fastscene::Run run;
         run.events = &heard;
         expect_says(message_of([&] { (void)Diffusion360(folder, settings, {}).paint("a room", run); }),
-                    {(folder / c.folder).string() + ":", "not finite"});
+                    {(folder / c.folder).string() + ":", "NaN or infinity"});
         EXPECT_EQ(heard.done.empty() ? -1 : heard.done.back(), c.steps);
     }
     const fs::path folder = with_photo();
@@ -364,7 +364,7 @@ TEST_F(Folders, WeightsThatAreNotNumbersAreToldByTheirComponentAndEarly) {
         (void)Diffusion360(folder, settings, {}, Diffusion360::From::photo)
             .paint_around(ImageRgb8(40, 30), "a room", {});
     };
-    expect_says(message_of(paint), {(folder / "sd-i2p").string() + ":", "not finite"});
+    expect_says(message_of(paint), {(folder / "sd-i2p").string() + ":", "NaN or infinity"});
 }
 
 TEST_F(Folders, LargerPicturesNameThePartThatIsNotNumbers) {
@@ -386,7 +386,7 @@ TEST_F(Folders, LargerPicturesNameThePartThatIsNotNumbers) {
             message_of([&] {
                 (void)Upscale360(folder, 64, settings, run).enlarge(ImageRgb8(64, 32, {90, 120, 200}), "a room", run);
             }),
-            {(folder / file).parent_path().string() + ":", "not finite"});
+            {(folder / file).parent_path().string() + ":", "NaN or infinity"});
         EXPECT_LE(heard.done.empty() ? 0 : heard.done.back(), 0) << "noticed in the first step";
     }
 }

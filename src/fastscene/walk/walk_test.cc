@@ -623,7 +623,7 @@ TEST(Walk, RefusesWhatIsNoRoom) {
     first.range = ImageF(64, 32, std::nanf(""));
     EXPECT_NE(error_of(first).find("no range in any"), std::string::npos);
     first.range = ImageF(64, 32, 0.03f);  // a camera inside a cushion
-    EXPECT_NE(error_of(first).find("inside a thing"), std::string::npos);
+    EXPECT_NE(error_of(first).find("inside an object"), std::string::npos);
     first.color = ImageColor(60, 32);
     first.range = ImageF(60, 32, 1.f);
     EXPECT_NE(error_of(first).find("twice as wide as high"), std::string::npos);

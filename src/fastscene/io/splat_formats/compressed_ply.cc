@@ -269,7 +269,7 @@ namespace splat_formats {
 SplatFormat compressed_ply() {
     return {.name = "compressed_ply",
             .ending = ".compressed.ply",
-            .about = "PlayCanvas' compressed PLY: chunks of 256, 16 bytes a splat",
+            .about = "PlayCanvas' compressed PLY: chunks of 256, 16 bytes per splat",
             .readers = "SuperSplat, our viewer",
             .keeps_order = false,
             .precision = {.mean_m = 0.004f,

@@ -97,7 +97,7 @@ namespace splat_formats {
 SplatFormat ply() {
     return {.name = "ply",
             .ending = ".ply",
-            .about = "INRIA's PLY; 62 floats a splat (`--compact`: only the bands that are there)",
+            .about = "INRIA's PLY; 62 floats per splat (`--compact`: only the existing SH degrees)",
             .readers = "everything",
             .recognizes =
                 [](std::string_view bytes) { return bytes.starts_with("ply") && !has_compressed_ply_header(bytes); },

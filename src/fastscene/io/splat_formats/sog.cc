@@ -288,7 +288,7 @@ class Bundle {
 SplatFormat sog() {
     return {.name = "sog",
             .ending = ".sog",
-            .about = "PlayCanvas' SOG bundle of pictures in lossless WebP: the smallest",
+            .about = "PlayCanvas' SOG: a bundle of lossless WebP images, the smallest",
             .readers = "SuperSplat, PlayCanvas",
             .keeps_order = false,
             .empty = false,

@@ -55,7 +55,7 @@ std::string write_splat(const Splats& splats, const SplatWriting&) {
 SplatFormat splat() {
     return {.name = "splat",
             .ending = ".splat",
-            .about = "32 bytes a splat, as the first viewers in browsers read it",
+            .about = "32 bytes per splat, the format of the first browser viewers",
             .readers = "antimatter15/splat, SuperSplat, gsplat.js",
             .sh_degree = 0,
             .antialias = false,
