@@ -67,10 +67,11 @@ template <bool kDepth, bool kJudge, bool kHeld, bool kOutside>
 [[gnu::always_inline]] inline void blend_back(BlockGrad& b, const Footprint<Lanes>& splat, const Vec2<Lanes>& d,
                                               Lanes alpha, Lanes odds, SlotSums& sums) {
     BlendGrad<Lanes> grad = blend_grad<kDepth, kHeld>(b.pixel, splat, alpha, odds);
+    const Lanes shown = grad.weight;  // density control counts it wherever the splat is visible
     if constexpr (kOutside) grad.g = grad.g * b.open, grad.weight = grad.weight * b.open;
     sums.moments(grad.g, d);
     sums.add(6, grad.weight, b.pixel.v.x), sums.add(7, grad.weight, b.pixel.v.y), sums.add(8, grad.weight, b.pixel.v.z);
-    if constexpr (kJudge) sums.add(9, grad.weight), sums.add(10, grad.weight, b.error);
+    if constexpr (kJudge) sums.add(9, shown), sums.add(10, shown, b.error);
     if constexpr (kDepth) sums.add(11, grad.weight, b.pixel.v_depth);
 }
 
