@@ -19,9 +19,9 @@ bool lies_on_seats(std::string_view klass);  // small things that need no table
 bool hangs_over(std::string_view klass);
 // What one sits or lies on: nothing is put there by itself.
 bool is_seat(std::string_view klass);
-// Blinds and shutters: they hang in windows, in all of them.
 // "a wall mounted TV": above its stand, not on it.
 bool is_hung_screen(const PromptObject& wish);
+// Blinds and shutters: they hang in windows, in all of them.
 bool is_blind(std::string_view klass);
 // What lights a room from its ceiling when it was asked for: the usual lamp is left out.
 bool lights_from_above(std::string_view klass);

@@ -149,10 +149,12 @@ inline void backward_tile(const Frame& f, int tile) {
             return tile_gradient<kDepth, kJudge, kHeld, kOutside>(s, f.masks[i], static_cast<float>(column * kTile),
                                                                   static_cast<float>(row * kTile), grid, blocks);
         };
-        if (!f.masks[i]) {
-        } else if (outside) sums = gradient.template operator()<true, true>();
-        else if (FASTSCENE_WIDE || s.log2_opacity > kLog2NeverHeld) sums = gradient.template operator()<true, false>();
-        else sums = gradient.template operator()<false, false>();
+        if (f.masks[i]) {
+            if (outside) sums = gradient.template operator()<true, true>();
+            else if (FASTSCENE_WIDE || s.log2_opacity > kLog2NeverHeld)
+                sums = gradient.template operator()<true, false>();
+            else sums = gradient.template operator()<false, false>();
+        }
         store12(sums, slot_of(record));
     }
 }

@@ -13,6 +13,12 @@ namespace {
 
 const Vec3f kBackground{0.2f, 0.4f, 0.6f};
 
+std::vector<Vec3f> as_floats(const std::vector<Vec3d>& v) {
+    std::vector<Vec3f> out;
+    for (const Vec3d& x : v) out.push_back({static_cast<float>(x.x), static_cast<float>(x.y), static_cast<float>(x.z)});
+    return out;
+}
+
 class SplatKernel : public ::testing::TestWithParam<const char*> {
   protected:
     void SetUp() override {
@@ -55,9 +61,7 @@ TEST_P(SplatKernel, GradientsAreTheReference) {
     Engine engine(*kernel_);
     engine.render(cloud, camera, test_pose(), kBackground, false);
     const auto v = random_color_gradient(camera, 3);
-    std::vector<Vec3f> vf;
-    for (const Vec3d& x : v) vf.push_back({static_cast<float>(x.x), static_cast<float>(x.y), static_cast<float>(x.z)});
-    engine.set_color_gradient(vf);
+    engine.set_color_gradient(as_floats(v));
     const AlignedFloats mine = engine.gradients(cloud);
     const auto g = gaussians_of<double>(s);
     const auto lens = lens_over<double>(lens_of(camera, test_pose()));
@@ -72,7 +76,7 @@ TEST_P(SplatKernel, GradientsAreTheReference) {
     }
 }
 
-TEST_P(SplatKernel, TheOutsideLearnsOnlyWhereItShows) {
+TEST_P(SplatKernel, TheOutsideIsTrainedOnlyWhereItIsVisible) {
     const Pinhole camera = test_camera(75, 58);
     const Splats s = random_splats(60, 11);
     const auto g = gaussians_of<double>(s);
@@ -87,9 +91,7 @@ TEST_P(SplatKernel, TheOutsideLearnsOnlyWhereItShows) {
     engine.set_outside(static_cast<float>(outside_m));
     engine.render(cloud, camera, test_pose(), kBackground, false);
     const auto v = random_color_gradient(camera, 3);
-    std::vector<Vec3f> vf;
-    for (const Vec3d& x : v) vf.push_back({static_cast<float>(x.x), static_cast<float>(x.y), static_cast<float>(x.z)});
-    engine.set_color_gradient(vf);
+    engine.set_color_gradient(as_floats(v));
     const AlignedFloats mine = engine.gradients(cloud);
     const auto picture = render_reference(g, lens, camera.width, camera.height, Vec3d{0.2f, 0.4f, 0.6f});
     std::vector<double> no_bands;
