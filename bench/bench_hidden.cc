@@ -118,7 +118,7 @@ void save_plane_pictures(const std::filesystem::path& folder, const Panorama& fi
                          const std::vector<ScenePlane>& planes, const WalkParams& walk, const Run& run) {
     const Image<std::int16_t> label = label_planes(first.range, planes);
     const WarpSource source = make_warp_source(first.color, first.range, label, {}, {});
-    const auto inpainter = make_inpainter(walk.inpainter, walk.inpaint_weights);
+    const auto inpainter = make_inpainter(walk.inpainter, walk.inpaint_weights, walk.device);
     const std::vector<PlanePicture> pictures = paint_planes(source.color, first.range, label, source.cuts, planes,
                                                             *inpainter, run);
     for (std::size_t i = 0; i < pictures.size(); ++i)

@@ -26,6 +26,7 @@ const std::string& about_depth_choices();
 struct DepthParams {
     std::string backend = kAutoDepth;
     std::string weights;           // of a network
+    std::string device = "auto";   // of a network: auto, cpu or cuda
     float camera_height_m = 1.6f;  // above the floor: a tripod at eye height
     int tta = 0;  // test-time augmentation: number of rotated and mirrored variants averaged; 0: automatic
 };
@@ -35,6 +36,8 @@ void visit_fields(DepthParams& p, V&& v) {
     v("weights", p.weights,
       "EGformer's weights (the published .pkl, or .safetensors); empty: the built-in ones, two networks whose outputs "
       "are averaged.");
+    v("device", p.device, Choices{{"auto", "cpu", "cuda"}},
+      "Where the network runs; auto: CUDA if libtorch supports it.");
     v("tta", p.tta, Bounds{0, 8},
       "Test-time augmentation: the network's outputs for this many rotated and mirrored variants are averaged; 0: "
       "eight for networks as small as the built-in ones, else one, as published.");

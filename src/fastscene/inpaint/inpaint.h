@@ -26,11 +26,12 @@ struct InpaintBackend {
     std::string name = {};   // as its source file
     std::string about = {};  // half a sentence, for --help
     std::string model = {};  // of models/registry.cc, whose file in the cache serves as its weights; empty: none
-    // `weights`: a checkpoint; empty: the shipped ones. Throws UsageError if there are none, Error naming the file if
-    // it is no such checkpoint.
-    std::unique_ptr<Inpainter> (*make)(const std::filesystem::path& weights) = nullptr;
+    // `weights`: a checkpoint; empty: the shipped ones. `device`: of a network. Throws UsageError if there are no
+    // weights or no such device, Error naming the file if it is no such checkpoint.
+    std::unique_ptr<Inpainter> (*make)(const std::filesystem::path& weights, const std::string& device) = nullptr;
 };
-// Throws UsageError with the names for an unknown one.
-std::unique_ptr<Inpainter> make_inpainter(std::string_view name, const std::filesystem::path& weights = {});
+// `device`: of --walk-device. Throws UsageError with the names for an unknown one.
+std::unique_ptr<Inpainter> make_inpainter(std::string_view name, const std::filesystem::path& weights = {},
+                                          const std::string& device = "auto");
 
 }  // namespace fastscene

@@ -1,8 +1,8 @@
 #include "fastscene/nn/adam.h"
 
-#include <ATen/core/grad_mode.h>
-
 #include <cmath>
+
+#include "fastscene/nn/libtorch.h"
 
 namespace fastscene::nn {
 

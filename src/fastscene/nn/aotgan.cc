@@ -6,6 +6,7 @@
 
 #include "fastscene/base/check.h"
 #include "fastscene/nn/aotgan_net.h"
+#include "fastscene/nn/precision.h"
 #include "fastscene/nn/runtime.h"
 #include "fastscene/nn/weights_torch.h"
 
@@ -14,6 +15,7 @@ namespace fastscene {
 struct Aotgan::State {
     nn::AotganShape shape;
     bool adds_to_fill = false;
+    at::Device device;
     nn::LoadedWeights weights;
     std::mutex one_at_a_time;  // parameters are created on first use, so calls are serialized
 };
@@ -23,17 +25,24 @@ Aotgan::Aotgan(Aotgan&&) noexcept = default;
 Aotgan& Aotgan::operator=(Aotgan&&) noexcept = default;
 Aotgan::~Aotgan() = default;
 
-Aotgan Aotgan::load(const std::filesystem::path& path) { return of(load_weights(path)); }
+Aotgan Aotgan::load(const std::filesystem::path& path, const DeviceChoice& device) {
+    return of(load_weights(path), device);
+}
 
-Aotgan Aotgan::of(Weights found) {
+Aotgan Aotgan::of(Weights found, const DeviceChoice& choice) {
     Weights weights = unwrapped(std::move(found), "encoder.1.weight");
     const nn::AotganShape shape = nn::aotgan_shape(weights);
     const std::string holes = weights.metadata.contains("holes") ? weights.metadata.at("holes") : "white";
     if (holes != "white" && holes != "harmonic")
         throw Error("{}: holes: expected white or harmonic in the metadata, found \"{}\"", weights.path.string(),
                     holes);
-    Aotgan out(
-        std::unique_ptr<State>(new State{shape, holes == "harmonic", nn::LoadedWeights(std::move(weights)), {}}));
+    const at::Device device = nn::device_named(choice.name, choice.flag);
+    Aotgan out(std::unique_ptr<State>(
+        new State{shape,
+                  holes == "harmonic",
+                  device,
+                  nn::LoadedWeights(std::move(weights), at::TensorOptions(device).dtype(at::kFloat)),
+                  {}}));
     // A trial run on the smallest picture reports mismatched weights now instead of in the middle of a walk.
     (void)out.paint({{ImageColor(kSmallest, kSmallest), ImageMask(kSmallest, kSmallest)}}, {});
     return out;
@@ -67,9 +76,10 @@ std::vector<ImageColor> Aotgan::paint(const std::vector<Picture>& pictures, cons
                                          : 2 * picture.color.at(x, y)[static_cast<std::size_t>(c)] - 1;
             }
     }
+    input = input.to(state_->device), mask = mask.to(state_->device);
     at::Tensor out = nn::aotgan_generator(nn::Scope(state_->weights), state_->shape, input, mask);
     if (adds_to_fill()) out = (input + out * mask).clamp(-1, 1);
-    out = out.contiguous();
+    out = out.contiguous().cpu();
     const auto painted = out.accessor<float, 4>();
     std::vector<ImageColor> result;
     for (std::int64_t i = 0; i < n; ++i) {

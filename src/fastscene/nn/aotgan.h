@@ -7,6 +7,7 @@
 
 #include "fastscene/base/run.h"
 #include "fastscene/image/image.h"
+#include "fastscene/nn/device.h"
 #include "fastscene/nn/weights.h"
 
 namespace fastscene {
@@ -14,10 +15,11 @@ namespace fastscene {
 class Aotgan {
   public:
     // Loads the official G*.pt, or a .safetensors with the same keys; width, number of blocks and branches come from
-    // the file. Throws Error naming the file, the missing or misshaped key, the expected and the actual shape.
-    static Aotgan load(const std::filesystem::path& weights);
+    // the file. Throws Error naming the file, the missing or misshaped key, the expected and the actual shape;
+    // UsageError naming the flag of a device that is not there.
+    static Aotgan load(const std::filesystem::path& weights, const DeviceChoice& device = {});
     // From weights in memory, such as those built into the program (nn/shipped.h).
-    static Aotgan of(Weights weights);
+    static Aotgan of(Weights weights, const DeviceChoice& device = {});
     Aotgan(Aotgan&&) noexcept;
     Aotgan& operator=(Aotgan&&) noexcept;
     ~Aotgan();

@@ -1,7 +1,6 @@
 #include "fastscene/nn/aotgan_net.h"
 
-#include <ATen/core/grad_mode.h>
-
+#include "fastscene/nn/libtorch.h"
 #include "fastscene/base/check.h"
 #include "fastscene/base/error.h"
 #include "fastscene/base/json.h"
@@ -12,7 +11,7 @@ namespace {
 
 using at::Tensor;
 
-// Reflection padding in channels-last order, for which at::reflection_pad2d is slow.
+// Reflection padding in channels-last order, for which at::reflection_pad2d is slow on a CPU.
 Tensor reflected_by_pixels(const Tensor& x, std::int64_t by) {
     const std::int64_t h = x.size(2), w = x.size(3);
     const Tensor out = at::empty({x.size(0), x.size(1), h + 2 * by, w + 2 * by},
@@ -33,7 +32,7 @@ Tensor reflected_by_pixels(const Tensor& x, std::int64_t by) {
 // libtorch 1.13 lacks at::reflection_pad2d for bfloat16, and autocast does not cover it.
 Tensor reflected(const Tensor& x, std::int64_t by) {
     FASTSCENE_CHECK(by < x.size(2) && by < x.size(3));
-    if (!at::GradMode::is_enabled() && x.is_contiguous(at::MemoryFormat::ChannelsLast))
+    if (!at::GradMode::is_enabled() && x.is_cpu() && x.is_contiguous(at::MemoryFormat::ChannelsLast))
         return reflected_by_pixels(x, by);
     if (x.scalar_type() != at::kBFloat16) return at::reflection_pad2d(x, {by, by, by, by});
     return at::reflection_pad2d(x.to(at::kFloat), {by, by, by, by}).to(at::kBFloat16);

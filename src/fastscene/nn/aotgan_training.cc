@@ -1,10 +1,9 @@
 #include "fastscene/nn/aotgan_training.h"
 
-#include <ATen/core/grad_mode.h>
-
 #include <algorithm>
 #include <cmath>
 
+#include "fastscene/nn/libtorch.h"
 #include "fastscene/nn/aotgan_losses.h"
 #include "fastscene/nn/aotgan_net.h"
 #include "fastscene/nn/aotgan_widen.h"

@@ -1,6 +1,7 @@
 #include "fastscene/nn/aotgan_widen.h"
 
 #include "fastscene/base/random.h"
+#include "fastscene/nn/libtorch.h"
 #include "fastscene/nn/weights_torch.h"
 
 namespace fastscene::nn {

@@ -92,10 +92,11 @@ ClipConfig clip_config(const Json& json, const std::string& where) {
             clip_vision_tower(part("vision_config"), where + ": vision_config"), f.whole("projection_dim", 512)};
 }
 
-ClipText clip_text(const Scope& root, const ClipTower& tower, const Tensor& ids) {
+ClipText clip_text(const Scope& root, const ClipTower& tower, const Tensor& tokens) {
     const Scope s = root / "text_model";
-    const std::int64_t length = ids.size(1);
+    const std::int64_t length = tokens.size(1);
     const Tensor words = (s / "embeddings" / "token_embedding").parameter("weight", {tower.vocabulary, tower.width});
+    const Tensor ids = tokens.to(words.device());
     const Tensor places = (s / "embeddings" / "position_embedding").parameter("weight", {tower.positions, tower.width});
     const Tensor x = (s / "embeddings").out(at::embedding(words, ids) + places.narrow(0, 0, length));
     const Tensor later = at::full({length, length}, -std::numeric_limits<float>::infinity(), x.options()).triu(1);

@@ -13,6 +13,7 @@
 #include "fastscene/nn/panorama_loops.h"
 #include "fastscene/nn/photo_sphere.h"
 #include "fastscene/nn/precision.h"
+#include "fastscene/nn/replay.h"
 #include "fastscene/nn/runtime.h"
 #include "fastscene/nn/sd_model.h"
 #include "fastscene/nn/sphere_tiles.h"
@@ -67,8 +68,9 @@ bool is_preview_step(int step, int steps) {
 struct Diffusion360::Parts {
     Diffusion360Settings settings;
     Diffusion360Info info;
-    nn::SdModel model;
+    mutable nn::SdModel model;  // its weights are read on first use
     std::optional<nn::ControlModel> control;
+    mutable nn::Replay replay;
     mutable at::Generator random;
 
     Parts(const fs::path& weights, const Diffusion360Settings& s, From from)
@@ -117,35 +119,37 @@ void Diffusion360::Parts::estimate(const Run& run) {
 }
 
 Tensor Diffusion360::Parts::decode(const Tensor& latents, const Run& run) const {
-    nn::StoppableWeights weights(*model.vae, run);
-    const Scope s(weights);
-    const nn::Autocast coarse(model.options.device,
-                              settings.precision == "bf16");  // residual sums stay in float
-    const Tensor z = (latents / model.vae_config.scale).to(model.options.device);
+    const nn::Autocast coarse(
+        at::kCPU, model.options.device.is_cpu() && settings.precision == "bf16");  // residual sums stay in float
+    const Tensor unscaled = (latents / model.vae_config.scale).to(model.options.device);
     const std::int64_t tile = model.vae_config.sample_size / kPixelsPerLatent;
     const nn::SphereTiles how{tile, tile / 4, 1, kPixelsPerLatent, {}};
-    const Tensor picture = decodes_in_tiles()
-                               ? nn::over_sphere(
-                                     z, how,
+    const auto decoded = [&](const Scope& s, at::ScalarType type) {
+        const Tensor z = unscaled.to(type);
+        return decodes_in_tiles()
+                   ? nn::over_sphere(z, how,
                                      [&](const Tensor& part) { return nn::vae_decode(s, model.vae_config, part); })
-                               : nn::circular_decode(s, model.vae_config, z, tile, !settings.published_seam);
+                   : nn::circular_decode(s, model.vae_config, z, tile, !settings.published_seam);
+    };
+    const Tensor picture = nn::without_overflow(model.vae, run, decoded);
     nn::expect_finite(picture, folder_of("vae"), model.options.type);
-    return picture.to(at::kCPU) / 2 + 0.5;
+    return picture / 2 + 0.5;
 }
 
 Tensor Diffusion360::Parts::encode(const Tensor& unit, const Run& run) const {
-    nn::StoppableWeights weights(*model.vae, run);
-    const Scope s(weights);
     const std::int64_t tile = model.vae_config.sample_size / kPixelsPerLatent,
                        channels = model.vae_config.latent_channels;
     const nn::SphereTiles how{tile, tile / 4, kPixelsPerLatent, 1, {}};
-    const Tensor both = nn::over_sphere(unit * 2 - 1, how, [&](const Tensor& part) {
-        const nn::Gaussian found = nn::vae_encode(s, model.vae_config, part.to(model.options.device));
-        return at::cat({found.mean, found.log_variance}, 1);
+    const Tensor picture = (unit * 2 - 1).to(model.options.device);
+    const Tensor both = nn::without_overflow(model.vae, run, [&](const Scope& s, at::ScalarType type) {
+        return nn::over_sphere(picture.to(type), how, [&](const Tensor& part) {
+            const nn::Gaussian found = nn::vae_encode(s, model.vae_config, part);
+            return at::cat({found.mean, found.log_variance}, 1);
+        });
     });
     nn::expect_finite(both, folder_of("vae"), model.options.type);
     const Tensor mean = both.narrow(1, 0, channels), spread = at::exp(both.narrow(1, channels, channels) / 2);
-    return (mean + spread * noise(mean.sizes())) * model.vae_config.scale;
+    return (mean + spread * noise(mean.sizes()).to(mean.device())) * model.vae_config.scale;
 }
 
 ImageRgb8 Diffusion360::Parts::finish(Tensor start, nn::TextToPanorama how, nn::Scheduler& scheduler,
@@ -157,10 +161,14 @@ ImageRgb8 Diffusion360::Parts::finish(Tensor start, nn::TextToPanorama how, nn::
     how.seam = settings.published_seam ? nn::Seam::published : nn::Seam::closed;
     how.blend_columns = latent_width() / 32;
     how.noise = [&](int, const Tensor& like) { return noise(like.sizes()); };
+    if (!settings.low_memory) how.replay = &replay;  // a record needs its weights where they were
     how.first_outputs = [&](const std::string& part, const Tensor& output) {
         nn::expect_finite(output, folder_of(part), model.options.type);
     };
-    how.listener = [&](int, double, const Tensor&) { progress.advance(); };
+    how.listener = [&](int, double, const Tensor&) {
+        run.check_stop();  // replayed networks ask for no weights
+        progress.advance();
+    };
     how.preview = [&](int step, double, const Tensor& clean) {
         if (preview && is_preview_step(step, settings.steps))
             preview(nn::picture_of_unit(decode(at::avg_pool2d(clean, {2, 2}), run)));
@@ -216,7 +224,8 @@ ImageRgb8 Diffusion360::paint_around(const ImageRgb8& photo, const std::string& 
     how.noised = true;
     return nn::fitting_the_card([&] {
         const Tensor clean = p.encode(placed.color, run);
-        return p.finish(scheduler->noised(clean, p.noise(clean.sizes()), 0), how, *scheduler, prompt, run, preview);
+        return p.finish(scheduler->noised(clean, p.noise(clean.sizes()).to(clean.device()), 0), how, *scheduler, prompt,
+                        run, preview);
     });
 }
 

@@ -1,12 +1,12 @@
 #include "fastscene/nn/egformer.h"
 
-#include <ATen/core/grad_mode.h>
-
 #include <utility>
 
+#include "fastscene/nn/libtorch.h"
 #include "fastscene/geometry/reproject.h"
 #include "fastscene/image/color.h"
 #include "fastscene/nn/egformer_net.h"
+#include "fastscene/nn/precision.h"
 #include "fastscene/nn/runtime.h"
 #include "fastscene/nn/shipped.h"
 #include "fastscene/nn/weights_torch.h"
@@ -14,6 +14,7 @@
 namespace fastscene {
 
 struct Egformer::State {
+    at::Device device;
     mutable nn::LoadedWeights weights;
     nn::EgformerConstants constants;
 };
@@ -40,11 +41,11 @@ EgformerShape shape_of(const Weights& weights) {
 }
 
 // Requests every parameter once on a tiny picture, so that an incomplete file is refused before any work.
-void check_all_keys(nn::LoadedWeights& weights, EgformerShape shape) {
+void check_all_keys(nn::LoadedWeights& weights, EgformerShape shape, at::Device device) {
     shape.height = 32;
     shape.width = 64;
-    const nn::EgformerConstants tiny(shape);
-    nn::egformer(nn::Scope(weights), tiny, at::zeros({1, 3, 32, 64}));
+    const nn::EgformerConstants tiny(shape, device);
+    nn::egformer(nn::Scope(weights), tiny, at::zeros({1, 3, 32, 64}, device));
 }
 
 }  // namespace
@@ -54,17 +55,22 @@ Egformer::Egformer(Egformer&&) noexcept = default;
 Egformer& Egformer::operator=(Egformer&&) noexcept = default;
 Egformer::~Egformer() = default;
 
-Egformer Egformer::load(const std::filesystem::path& path) {
-    return of(unwrapped(load_weights(path), "patch_embed.0.weight"));
+Egformer Egformer::load(const std::filesystem::path& path, const DeviceChoice& device) {
+    return of(unwrapped(load_weights(path), "patch_embed.0.weight"), device);
 }
-Egformer Egformer::shipped(std::string_view name) { return of(shipped_weights(name)); }
+Egformer Egformer::shipped(std::string_view name, const DeviceChoice& device) {
+    return of(shipped_weights(name), device);
+}
 
-Egformer Egformer::of(Weights weights) {
+Egformer Egformer::of(Weights weights, const DeviceChoice& choice) {
     const at::NoGradGuard no_gradients;
     use_our_threads();
     const EgformerShape shape = shape_of(weights);
-    auto state = std::make_unique<State>(State{nn::LoadedWeights(std::move(weights)), nn::EgformerConstants(shape)});
-    check_all_keys(state->weights, shape);
+    const at::Device device = nn::device_named(choice.name, choice.flag);
+    auto state = std::make_unique<State>(
+        State{device, nn::LoadedWeights(std::move(weights), at::TensorOptions(device).dtype(at::kFloat)),
+              nn::EgformerConstants(shape, device)});
+    check_all_keys(state->weights, shape, device);
     return Egformer(std::move(state));
 }
 
@@ -85,6 +91,7 @@ ImageF Egformer::relative_depth(const ImageColor& color, int augmentations) cons
         planes[seen.size() + i] = static_cast<float>(c.g) / 255.f;
         planes[2 * seen.size() + i] = static_cast<float>(c.b) / 255.f;
     }
+    input = input.to(state_->device);
     at::Tensor sum;
     for (int k = 0; k < augmentations; ++k) {
         const std::int64_t turn = k / 2 * (size.width / 4);
@@ -95,7 +102,7 @@ ImageF Egformer::relative_depth(const ImageColor& color, int augmentations) cons
         const at::Tensor back = (mirrored ? found.flip(3) : found).roll(-turn, 3);
         sum = k == 0 ? back : sum + back;
     }
-    const at::Tensor depth = (augmentations == 1 ? sum : sum / augmentations).contiguous();
+    const at::Tensor depth = (augmentations == 1 ? sum : sum / augmentations).contiguous().cpu();
     ImageF out(size.width, size.height);
     std::copy_n(depth.data_ptr<float>(), out.size(), out.pixels.begin());
     return out;

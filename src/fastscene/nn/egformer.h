@@ -8,6 +8,7 @@
 
 #include "fastscene/base/run.h"
 #include "fastscene/image/image.h"
+#include "fastscene/nn/device.h"
 #include "fastscene/nn/weights.h"
 
 namespace fastscene {
@@ -24,10 +25,11 @@ struct EgformerShape {
 class Egformer {
   public:
     // Loads the official .pkl or a .safetensors. The number of channels follows from the checkpoint; height and width
-    // from the file's metadata, or else the official ones. Throws Error naming a missing or misshaped key.
-    static Egformer load(const std::filesystem::path& weights);
+    // from the file's metadata, or else the official ones. Throws Error naming a missing or misshaped key, UsageError
+    // naming the flag of a device that is not there.
+    static Egformer load(const std::filesystem::path& weights, const DeviceChoice& device = {});
     // Loads weights built into the program (shipped.h) by name.
-    static Egformer shipped(std::string_view name);
+    static Egformer shipped(std::string_view name, const DeviceChoice& device = {});
     Egformer(Egformer&&) noexcept;
     Egformer& operator=(Egformer&&) noexcept;
     ~Egformer();
@@ -41,7 +43,7 @@ class Egformer {
 
   private:
     struct State;
-    static Egformer of(Weights weights);
+    static Egformer of(Weights weights, const DeviceChoice& device);
     explicit Egformer(std::unique_ptr<State> state);
     std::unique_ptr<State> state_;
 };

@@ -1,10 +1,9 @@
 #include "fastscene/nn/egformer_training.h"
 
-#include <ATen/core/grad_mode.h>
-
 #include <algorithm>
 #include <cmath>
 
+#include "fastscene/nn/libtorch.h"
 #include "fastscene/image/color.h"
 #include "fastscene/image/colormap.h"
 #include "fastscene/image/label.h"

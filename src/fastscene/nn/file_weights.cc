@@ -69,6 +69,13 @@ FileWeights::FileWeights(const fs::path& component, at::TensorOptions options, b
     if (parts_.size() == 1 && !expected.empty()) parts_[0] = unwrapped(std::move(parts_[0]), expected);
 }
 
+std::unique_ptr<FileWeights> FileWeights::in_type(at::ScalarType type) const {
+    auto out = std::make_unique<FileWeights>(*this);
+    out->options_ = options_.dtype(type);
+    out->ready_.clear();
+    return out;
+}
+
 const WeightTensor* FileWeights::find(const std::string& key) const {
     for (const std::string& name : {key, older_name(key)})
         for (const Weights& part : parts_)
@@ -147,7 +154,7 @@ const WeightTensor& FileWeights::checked(const std::string& key, at::IntArrayRef
 at::Tensor FileWeights::get(const std::string& key, at::IntArrayRef shape) {
     const auto ready = ready_.find(key);
     if (ready != ready_.end()) return ready->second;
-    const at::Tensor tensor = tensor_of(checked(key, shape)).to(options_).reshape(shape);
+    const at::Tensor tensor = placed(tensor_of(checked(key, shape)).reshape(shape), options_);
     if (keep_) ready_[key] = tensor;
     return tensor;
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <memory>
 #include <set>
 #include <unordered_map>
 #include <vector>
@@ -34,7 +35,10 @@ class FileWeights final : public WeightSource {
     std::vector<std::filesystem::path> files() const;
     // Total bytes of all parameters in the network's number type.
     std::int64_t bytes() const;
+    at::ScalarType type() const { return c10::typeMetaToScalarType(options_.dtype()); }
     std::int64_t dtype_bytes() const { return static_cast<std::int64_t>(options_.dtype().itemsize()); }
+    // The same parameters as another number type.
+    std::unique_ptr<FileWeights> in_type(at::ScalarType type) const;
     // Drops the cache of converted parameters.
     void release() { ready_.clear(); }
     std::int64_t kept_bytes() const;

@@ -5,6 +5,7 @@
 
 #include "fastscene/nn/lanes.h"
 #include "fastscene/nn/layers.h"
+#include "fastscene/nn/libtorch.h"
 
 namespace fastscene::nn {
 namespace {

@@ -6,6 +6,7 @@
 
 #include "fastscene/base/check.h"
 #include "fastscene/nn/attention.h"
+#include "fastscene/nn/libtorch.h"
 
 namespace fastscene::nn {
 
@@ -59,6 +60,13 @@ Tensor attention(const Tensor& q, const Tensor& k, const Tensor& v, std::int64_t
         const at::ScalarType type = q.scalar_type() == at::kBFloat16 ? at::kBFloat16 : at::kFloat;
         const auto rows = [heads, type](const Tensor& x) { return split_heads(x, heads).to(type); };
         return join_heads(tiled_attention(rows(q), rows(k), rows(v)), heads).to(v.scalar_type());
+    }
+    if (!mask.defined() && q.is_cuda()) {
+        const auto by_head = [heads](const Tensor& x) {  // a view: [N, L, heads d] -> [N, heads, L, d]
+            return x.reshape({x.size(0), x.size(1), heads, x.size(2) / heads}).transpose(1, 2);
+        };
+        const Tensor seen = fused_attention(by_head(q), by_head(k), by_head(v));
+        if (seen.defined()) return seen.transpose(1, 2).reshape(q.sizes());
     }
     const Tensor scaled = split_heads(q, heads) * (1 / std::sqrt(static_cast<double>(q.size(2) / heads)));
     const Tensor keys = split_heads(k, heads).transpose(1, 2), values = split_heads(v, heads);

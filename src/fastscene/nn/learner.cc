@@ -1,9 +1,8 @@
 #include "fastscene/nn/learner.h"
 
-#include <ATen/core/grad_mode.h>
-
 #include <cmath>
 
+#include "fastscene/nn/libtorch.h"
 #include "fastscene/base/random.h"
 #include "fastscene/nn/process_group.h"
 

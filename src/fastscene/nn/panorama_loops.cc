@@ -18,6 +18,10 @@ Tensor guided(const Tensor& both, double guidance) {
     return halves[0] + guidance * (halves[1] - halves[0]);
 }
 
+Tensor replayed(Replay* replay, const std::vector<Tensor>& inputs, const Replay::Net& net) {
+    return replay ? (*replay)(inputs, net) : net(inputs);
+}
+
 // One tile of the refinement: its position and its latents after the step.
 using TileRow = std::vector<Tensor>;
 
@@ -72,6 +76,8 @@ Tensor text_to_panorama(const Scope& s, const UNetConfig& config, Scheduler& sch
     const std::int64_t width = latents.size(3);
     const Tensor text = how.guidance == 1 ? prompts.narrow(0, 1, 1) : prompts;
     const auto repeated = [&](const Tensor& x) { return text.size(0) == 1 ? x : at::cat({x, x}, 0); };
+    const at::Device there = text.device();
+    latents = latents.to(there);
     if (!how.noised) latents = latents * scheduler.init_noise_sigma();
     Tensor held;
     if (how.control) held = how.control->picture.to(text.options());
@@ -81,31 +87,43 @@ Tensor text_to_panorama(const Scope& s, const UNetConfig& config, Scheduler& sch
     }
     if (held.defined()) held = repeated(held);
     for (int i = 0; i < scheduler.steps(); ++i) {
+        const bool heard = i == 0 && how.first_outputs;
+        // Latents, timestep and text; for a ControlNet its timestep and picture.
+        const auto networks = [&](const std::vector<Tensor>& in) {
+            std::optional<Residuals> hold;
+            if (in.size() > 3)
+                hold = controlnet(how.control->scope, how.control->config, in[0], in[3], in[2], in[4],
+                                  how.control->strength);
+            if (heard && hold) how.first_outputs("control", hold->middle);
+            return unet(s, config, in[0], in[1], in[2], hold ? &*hold : nullptr);
+        };
         const Tensor input = repeated(scheduler.scaled_input(latents, i).to(text.options()));
         const double t = scheduler.timestep(i);
-        std::optional<Residuals> hold;
-        if (held.defined())
-            hold = controlnet(how.control->scope, how.control->config, input, t, text, held, how.control->strength);
-        if (i == 0 && hold && how.first_outputs) how.first_outputs("control", hold->middle);
-        const Tensor output = guided(
-            unet(s, config, input, t, text, hold ? &*hold : nullptr).to(latents.device(), at::kFloat), how.guidance);
-        if (i == 0 && how.first_outputs) how.first_outputs("unet", output);
+        std::vector<Tensor> inputs{input, waves_of_time(t, config, input), text};
+        if (held.defined()) {
+            inputs.push_back(waves_of_time(t, how.control->config, input));
+            inputs.push_back(held);
+        }
+        const Tensor output = guided(replayed(how.replay, inputs, networks).to(at::kFloat), how.guidance);
+        if (heard) how.first_outputs("unet", output);
         if (how.preview) how.preview(i, t, scheduler.clean(output, i, latents).narrow(3, 0, width));
-        latents = scheduler.step(output, i, latents, scheduler.wants_noise() ? how.noise(i, latents) : Tensor())
-                      .contiguous();
+        Tensor noise;
+        if (scheduler.wants_noise()) noise = how.noise(i, latents).to(there, at::kFloat, /*non_blocking=*/true);
+        latents = scheduler.step(output, i, latents, noise).contiguous();
         if (how.listener) how.listener(i, scheduler.timestep(i), latents);
         latents = blend_columns(latents, latents.clone(), how.blend_columns);
     }
     return blend_columns(latents, latents.clone(), how.blend_columns).narrow(3, 0, width);
 }
 
-Tensor refine_panorama(const Scope& unet_scope, const UNetConfig& config, const Scope& control_scope,
+Tensor refine_panorama(const Scope& unet_scope, const UNetConfig& unet_config, const Scope& control_scope,
                        const UNetConfig& control_config, const Scheduler& scheduler, Tensor latents,
                        const Tensor& picture, const Tensor& text, const RefinePanorama& how) {
     const std::int64_t width = latents.size(3), half = how.tile / 2, factor = picture.size(2) / latents.size(2);
     FASTSCENE_CHECK(how.tile >= 2 && how.tile % 2 == 0 && latents.size(2) > half);
-    latents = extended(latents, half);
-    const Tensor held = extended(picture, half * factor);
+    const at::Device there = text.device();
+    latents = extended(latents.to(there), half);
+    const Tensor held = extended(picture.to(there), half * factor);
     for (int step = how.first_step; step < scheduler.steps(); ++step) {
         std::vector<TileRow> rows;
         for (std::int64_t y = 0; y < latents.size(2) - half; y += half) {
@@ -132,12 +150,18 @@ Tensor refine_panorama(const Scope& unet_scope, const UNetConfig& config, const 
                 const Tensor input = scheduler.scaled_input(x, step).to(text.options()),
                              twice = at::cat({input, input}, 0);
                 const double t = scheduler.timestep(step);
-                const Residuals hold = controlnet(control_scope, control_config, twice, t, prompts, at::cat({c, c}, 0),
-                                                  how.control);
                 const bool is_first = step == how.first_step && rows.empty() && from == 0 && how.first_outputs;
-                if (is_first) how.first_outputs("control", hold.middle);
-                const Tensor output = guided(
-                    unet(unet_scope, config, twice, t, prompts, &hold).to(x.device(), at::kFloat), how.guidance);
+                const auto networks = [&](const std::vector<Tensor>& in) {
+                    const Residuals hold = controlnet(control_scope, control_config, in[0], in[3], in[2], in[4],
+                                                      how.control);
+                    if (is_first) how.first_outputs("control", hold.middle);
+                    return unet(unet_scope, unet_config, in[0], in[1], in[2], &hold);
+                };
+                const Tensor both = replayed(how.replay,
+                                             {twice, waves_of_time(t, unet_config, twice), prompts,
+                                              waves_of_time(t, control_config, twice), at::cat({c, c}, 0)},
+                                             networks);
+                const Tensor output = guided(both.to(at::kFloat), how.guidance);
                 if (is_first) how.first_outputs("unet", output);
                 // A fresh sampler per tile and step: as published, every step is first order.
                 for (const Tensor& tile : scheduler.clone()->step(output, step, x, {}).split(1, 0))

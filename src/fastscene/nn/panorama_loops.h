@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "fastscene/nn/clip.h"
+#include "fastscene/nn/replay.h"
 #include "fastscene/nn/scheduler.h"
 #include "fastscene/nn/tokenizer.h"
 #include "fastscene/nn/unet.h"
@@ -48,11 +49,12 @@ struct TextToPanorama {
         false;  // the latents already contain the first step's noise (from a photo) instead of being pure noise
     NoiseSource noise;
     StepListener listener;
-    Listener first_outputs;  // receives the networks' outputs in the first step: "control", "unet"
-    StepListener preview;    // receives the predicted clean latents, [1, 4, H, W]
+    Listener first_outputs;    // receives the networks' outputs in the first step: "control", "unet"
+    StepListener preview;      // receives the predicted clean latents, [1, 4, H, W]
+    Replay* replay = nullptr;  // of the networks at these shapes and these weights, on a graphics card
 };
-// With guidance 1 the negative prompt has no effect and is not computed. latents [1, 4, H, W] of unit variance (or
-// noised); text [2, L, C]: negative prompt, prompt. -> [1, 4, H, W].
+// Samples on the text's device. With guidance 1 the negative prompt has no effect and is not computed. latents [1, 4,
+// H, W] of unit variance (or noised); text [2, L, C]: negative prompt, prompt. -> [1, 4, H, W].
 at::Tensor text_to_panorama(const Scope& s, const UNetConfig& config, Scheduler& scheduler, at::Tensor latents,
                             const at::Tensor& text, const TextToPanorama& how);
 
@@ -62,9 +64,11 @@ struct RefinePanorama {
     int first_step = 0;      // index into the scheduler's steps: strength 0.8 of 7 steps starts at 2
     std::int64_t batch = 0;  // tiles per network batch; 0 = a row of tiles, as published. Does not affect the result.
     StepListener listener;
-    Listener first_outputs;  // receives the networks' outputs for the first tile: "control", "unet"
+    Listener first_outputs;    // receives the networks' outputs for the first tile: "control", "unet"
+    Replay* replay = nullptr;  // as above
 };
-// latents [1, 4, H, W] with the noise of first_step, picture [1, 3, 8 H, 8 W] in [0, 1] that conditions the ControlNet.
+// Samples on the text's device. latents [1, 4, H, W] with the noise of first_step, picture [1, 3, 8 H, 8 W] in [0, 1]
+// that conditions the ControlNet.
 at::Tensor refine_panorama(const Scope& unet_scope, const UNetConfig& config, const Scope& control_scope,
                            const UNetConfig& control_config, const Scheduler& scheduler, at::Tensor latents,
                            const at::Tensor& picture, const at::Tensor& text, const RefinePanorama& how);

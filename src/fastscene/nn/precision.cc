@@ -2,34 +2,13 @@
 
 #include <ATen/Context.h>
 #include <ATen/autocast_mode.h>
-#include <torch/version.h>
 
 #include "fastscene/base/error.h"
 #include "fastscene/base/isa.h"
+#include "fastscene/nn/libtorch.h"
 
 namespace fastscene::nn {
 namespace {
-
-#if TORCH_VERSION_MAJOR > 2 || (TORCH_VERSION_MAJOR == 2 && TORCH_VERSION_MINOR >= 4)
-bool is_on(at::DeviceType device) { return at::autocast::is_autocast_enabled(device); }
-void turn(at::DeviceType device, bool on) {
-    at::autocast::set_autocast_dtype(device, at::kBFloat16);
-    at::autocast::set_autocast_enabled(device, on);
-}
-#else
-bool is_on(at::DeviceType device) {
-    return device == at::kCUDA ? at::autocast::is_enabled() : at::autocast::is_cpu_enabled();
-}
-void turn(at::DeviceType device, bool on) {
-    if (device == at::kCUDA) {
-        at::autocast::set_autocast_gpu_dtype(at::kBFloat16);
-        at::autocast::set_enabled(on);
-    } else {
-        at::autocast::set_autocast_cpu_dtype(at::kBFloat16);
-        at::autocast::set_cpu_enabled(on);
-    }
-}
-#endif
 
 bool cpu_has_bf16() {
 #if defined(__x86_64__)
@@ -64,13 +43,13 @@ bool trains_in_bf16(const TrainingParams& params) {
 Autocast::Autocast(at::Device device, bool on) : device_(device.type()), on_(on) {
     if (!on_) return;
     leave_bf16_to_libtorch(device_);
-    before_ = is_on(device_);
-    turn(device_, true);
+    before_ = is_autocast_on(device_);
+    set_autocast(device_, true);
 }
 Autocast::~Autocast() {
     if (!on_) return;
     at::autocast::clear_cache();  // it caches converted parameters, which the next step changes
-    turn(device_, before_);
+    set_autocast(device_, before_);
 }
 
 }  // namespace fastscene::nn

@@ -1,13 +1,13 @@
 #include "fastscene/nn/process_group.h"
 
-#include <ATen/core/grad_mode.h>
-#include <ATen/ops/cat.h>
-#include <ATen/ops/tensor.h>
+#include "fastscene/nn/libtorch.h"
 
-#include <chrono>
-
+#ifdef FASTSCENE_GLOO
 #include <torch/csrc/distributed/c10d/ProcessGroupGloo.hpp>
 #include <torch/csrc/distributed/c10d/TCPStore.hpp>
+#endif
+
+#include <chrono>
 
 #include "fastscene/base/error.h"
 
@@ -49,32 +49,14 @@ void apart(const at::Tensor& all, const std::vector<at::Tensor>& tensors) {
 
 }  // namespace
 
+#ifdef FASTSCENE_GLOO
 struct ProcessGroup::Connection {
     c10::intrusive_ptr<c10d::TCPStore> store;
     c10::intrusive_ptr<c10d::ProcessGroupGloo> gloo;
 
-    template <class Work>
-    void wait(const char* what, const Work& work) const {
-        try {
-            work()->wait();
-        } catch (const std::exception& e) {
-            throw Error("training: expected all processes to {}, found one gone or unresponsive: {}", what, e.what());
-        }
-    }
-};
-
-ProcessGroup::ProcessGroup(std::unique_ptr<Connection> group, int size, int process)
-    : group_(std::move(group)), size_(size), process_(process) {}
-ProcessGroup::~ProcessGroup() = default;
-
-std::unique_ptr<ProcessGroup> ProcessGroup::meet(const TrainingParams& params, double patience_s) {
-    if (params.processes == 1) return nullptr;
-    if (params.process >= params.processes)
-        throw UsageError("--process: expected 0 to {}, found {}", params.processes - 1, params.process);
-    const Place place = place_from(params.meet);
-    const auto in_ms = [](double s) { return Patience(static_cast<std::int64_t>(1000 * s)); };
-    auto group = std::make_unique<Connection>();
-    try {
+    static std::unique_ptr<Connection> open(const Place& place, const TrainingParams& params, double patience_s) {
+        const auto in_ms = [](double s) { return Patience(static_cast<std::int64_t>(1000 * s)); };
+        auto group = std::make_unique<Connection>();
         c10d::TCPStoreOptions where;
         where.port = place.port;
         where.isServer = params.process == 0;
@@ -85,6 +67,46 @@ std::unique_ptr<ProcessGroup> ProcessGroup::meet(const TrainingParams& params, d
         options->devices.push_back(c10d::ProcessGroupGloo::createDefaultDevice());
         group->gloo = c10::make_intrusive<c10d::ProcessGroupGloo>(group->store, params.process, params.processes,
                                                                   options);
+        return group;
+    }
+    template <class Work>
+    void wait(const char* what, const Work& work) const {
+        try {
+            work()->wait();
+        } catch (const std::exception& e) {
+            throw Error("training: expected all processes to {}, found one gone or unresponsive: {}", what, e.what());
+        }
+    }
+    void sum(std::vector<at::Tensor>& one) const {
+        wait("send their gradients", [&] { return gloo->allreduce(one); });
+    }
+    void from_first(std::vector<at::Tensor>& one) const {
+        wait("listen to the first", [&] { return gloo->broadcast(one); });
+    }
+};
+#else
+struct ProcessGroup::Connection {
+    static std::unique_ptr<Connection> open(const Place&, const TrainingParams&, double) { return nullptr; }
+    void sum(std::vector<at::Tensor>&) const {}
+    void from_first(std::vector<at::Tensor>&) const {}
+};
+#endif
+
+ProcessGroup::ProcessGroup(std::unique_ptr<Connection> group, int size, int process)
+    : group_(std::move(group)), size_(size), process_(process) {}
+ProcessGroup::~ProcessGroup() = default;
+
+std::unique_ptr<ProcessGroup> ProcessGroup::meet(const TrainingParams& params, double patience_s) {
+    if (params.processes == 1) return nullptr;
+    if (params.process >= params.processes)
+        throw UsageError("--process: expected 0 to {}, found {}", params.processes - 1, params.process);
+#ifndef FASTSCENE_GLOO
+    throw UsageError("--processes: expected 1, since this libtorch is built without Gloo, found {}", params.processes);
+#endif
+    const Place place = place_from(params.meet);
+    std::unique_ptr<Connection> group;
+    try {
+        group = Connection::open(place, params, patience_s);
     } catch (const std::exception& e) {
         throw Error("training: expected {} processes to join at {} within {:.0f} s: {}", params.processes, params.meet,
                     patience_s, e.what());
@@ -96,7 +118,7 @@ void ProcessGroup::mean(const std::vector<at::Tensor>& tensors) const {
     if (tensors.empty()) return;
     const at::NoGradGuard no_gradients;
     std::vector<at::Tensor> all{together(tensors)};
-    group_->wait("send their gradients", [&] { return group_->gloo->allreduce(all); });
+    group_->sum(all);
     apart(all[0] / size_, tensors);
 }
 
@@ -104,13 +126,13 @@ void ProcessGroup::from_first(const std::vector<at::Tensor>& tensors) const {
     if (tensors.empty()) return;
     const at::NoGradGuard no_gradients;
     std::vector<at::Tensor> all{together(tensors)};
-    group_->wait("listen to the first", [&] { return group_->gloo->broadcast(all); });
+    group_->from_first(all);
     apart(all[0], tensors);
 }
 
 std::int64_t ProcessGroup::from_first(std::int64_t number) const {
     std::vector<at::Tensor> one{at::tensor(number, at::kLong)};
-    group_->wait("listen to the first", [&] { return group_->gloo->broadcast(one); });
+    group_->from_first(one);
     return one[0].item<std::int64_t>();
 }
 

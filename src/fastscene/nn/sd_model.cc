@@ -78,10 +78,10 @@ SdModel::SdModel(const fs::path& folder, const SdOptions& with) : base(folder), 
     tokenizer = std::make_unique<ClipTokenizer>(base / "tokenizer");
     unet = std::make_unique<FileWeights>(base / "unet", at::TensorOptions(with.device).dtype(with.type), with.keep,
                                          "conv_in.weight");
-    // float: 16 bits overflow on some pictures.
-    vae = std::make_unique<FileWeights>(base / "vae", at::TensorOptions(with.device).dtype(at::kFloat), with.keep,
-                                        "decoder.conv_in.weight");
-    text = std::make_unique<FileWeights>(base / "text_encoder", at::kFloat, with.keep, kWords);
+    vae = std::make_unique<FileWeights>(base / "vae", at::TensorOptions(with.device).dtype(with.picture_type()),
+                                        with.keep, "decoder.conv_in.weight");
+    text = std::make_unique<FileWeights>(base / "text_encoder", at::TensorOptions(with.device).dtype(at::kFloat),
+                                         with.keep, kWords);
     check_text();
     check_families();
 }
@@ -187,6 +187,21 @@ void ControlModel::check_shapes() const {
     shapes.expect_all_of({"down_blocks.", "mid_block.", "controlnet_", "class_embedding."});
 }
 
+Tensor without_overflow(std::unique_ptr<FileWeights>& weights, const Run& run,
+                        const std::function<Tensor(const Scope&, at::ScalarType)>& make) {
+    const auto made = [&] {
+        StoppableWeights stoppable(*weights, run);
+        const Tensor out = make(Scope(stoppable), weights->type());
+        return out.is_cuda() ? out.to(at::kFloat) : out;
+    };
+    if (weights->type() == at::kHalf) {
+        const Tensor found = made();
+        if (at::isfinite(found).all().item<bool>()) return found;
+        weights = weights->in_type(at::kFloat);
+    }
+    return made();
+}
+
 void expect_finite(const Tensor& output, const fs::path& component, at::ScalarType type) {
     if (at::isfinite(output).all().item<bool>()) return;
     throw Error("{}: expected finite network output, found NaN or infinity; are its weights complete{}?",
@@ -203,7 +218,7 @@ Tensor unit_picture(const ImageRgb8& image) {
 }
 
 ImageRgb8 picture_of_unit(const Tensor& unit) {
-    const Tensor bytes = at::round(at::clamp(unit[0], 0, 1) * 255).permute({1, 2, 0}).to(at::kByte).contiguous();
+    const Tensor bytes = at::round(at::clamp(unit[0], 0, 1) * 255).permute({1, 2, 0}).to(at::kByte).contiguous().cpu();
     ImageRgb8 out(static_cast<int>(bytes.size(1)), static_cast<int>(bytes.size(0)));
     std::copy_n(reinterpret_cast<const Rgb8*>(bytes.data_ptr<std::uint8_t>()), out.size(), out.pixels.data());
     return out;

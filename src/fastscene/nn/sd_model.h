@@ -21,11 +21,15 @@ namespace fastscene::nn {
 constexpr std::int64_t kPixelsPerLatent = 8;
 
 struct SdOptions {
-    at::ScalarType type = at::kFloat;  // number type of the U-Net; text encoder and VAE run in float
-    at::Device device = at::kCPU;      // of U-Net and VAE; the text encoder is small and runs on the CPU
+    at::ScalarType type = at::kFloat;  // number type of the U-Net; the text encoder runs in float
+    at::Device device = at::kCPU;
     Sampler sampler = Sampler::euler_ancestral;
     bool keep = true;      // cache converted weights (file_weights.h)
     bool encoder = false;  // load the VAE's encoder, too
+
+    // Number type of networks on pictures. On a graphics card halves, which have more digits than bfloat16, unless they
+    // overflow (without_overflow).
+    at::ScalarType picture_type() const { return device.is_cuda() && type != at::kFloat ? at::kHalf : at::kFloat; }
 };
 
 // Parses the settings. Throws UsageError naming the flag.
@@ -67,10 +71,15 @@ struct ControlModel {
     std::unique_ptr<FileWeights> weights;
 };
 
+// make(weights, their type), on a graphics card in float. Where halves overflow, `weights` become floats for good, and
+// it is made once more.
+at::Tensor without_overflow(std::unique_ptr<FileWeights>& weights, const Run& run,
+                            const std::function<at::Tensor(const Scope&, at::ScalarType)>& make);
+
 // Throws Error naming the component whose output is not finite.
 void expect_finite(const at::Tensor& output, const std::filesystem::path& component, at::ScalarType type);
 
-// Converts pictures to network input, [1, 3, H, W] in [0, 1], and back (clamped).
+// Converts pictures to network input, [1, 3, H, W] in [0, 1] on the CPU, and back (clamped) from any device.
 at::Tensor unit_picture(const ImageRgb8& image);
 ImageRgb8 picture_of_unit(const at::Tensor& unit);
 // float, bf16, or on a GPU fp16. Throws UsageError naming the flag.

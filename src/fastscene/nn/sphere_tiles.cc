@@ -45,20 +45,21 @@ Tensor over_sphere(const Tensor& x, const SphereTiles& how, const std::function<
                        overlap = std::min({how.overlap, rows / 2, columns / 2});
     FASTSCENE_CHECK(overlap > 0 && x.size(0) == 1);
     const auto tops = row_starts(height, rows, overlap), lefts = column_starts(width, columns, overlap);
-    const auto wrapped = [](std::int64_t from, std::int64_t count, std::int64_t around) {
-        return at::remainder(at::arange(from, from + count, at::kLong), around);
+    const at::TensorOptions there = x.options().dtype(at::kFloat);
+    const auto wrapped = [&](std::int64_t from, std::int64_t count, std::int64_t around) {
+        return at::remainder(at::arange(from, from + count, there.dtype(at::kLong)), around);
     };
     const Tensor across = hat(columns * how.out, overlap * how.out, true, true);
-    Tensor sum, weights = at::zeros({1, 1, height * how.out, width * how.out}, at::kFloat);
+    Tensor sum, weights = at::zeros({1, 1, height * how.out, width * how.out}, there);
     std::int64_t done = 0;
     for (const std::int64_t top : tops) {
         const Tensor down = hat(rows * how.out, overlap * how.out, top > 0, top + rows < height);
-        const Tensor weight = (down.unsqueeze(1) * across.unsqueeze(0)).unsqueeze(0).unsqueeze(0);
+        const Tensor weight = (down.unsqueeze(1) * across.unsqueeze(0)).unsqueeze(0).unsqueeze(0).to(x.device());
         for (const std::int64_t left : lefts) {
             const Tensor tile = net(x.narrow(2, top * how.in, rows * how.in)
                                         .index_select(3, wrapped(left * how.in, columns * how.in, width * how.in)))
                                     .to(x.device(), at::kFloat);
-            if (!sum.defined()) sum = at::zeros({1, tile.size(1), height * how.out, width * how.out}, at::kFloat);
+            if (!sum.defined()) sum = at::zeros({1, tile.size(1), height * how.out, width * how.out}, there);
             const Tensor where = wrapped(left * how.out, columns * how.out, width * how.out);
             sum.narrow(2, top * how.out, rows * how.out).index_add_(3, where, tile * weight);
             weights.narrow(2, top * how.out, rows * how.out).index_add_(3, where, weight);

@@ -12,20 +12,8 @@ using at::Tensor;
 
 namespace {
 
-// Sinusoidal timestep embedding (Vaswani et al. 2017), in single precision whatever the network's type.
-Tensor waves_of_time(double t, std::int64_t width, const UNetConfig& config) {
-    const std::int64_t half = width / 2;
-    const Tensor exponent = at::arange(half, at::kFloat) *
-                            (-std::log(10000.0) / (static_cast<double>(half) - config.frequency_shift));
-    const Tensor angles = (at::exp(exponent) * static_cast<float>(t)).unsqueeze(0);
-    return config.cos_first ? at::cat({at::cos(angles), at::sin(angles)}, 1)
-                            : at::cat({at::sin(angles), at::cos(angles)}, 1);
-}
-
-Tensor time_embedding(const Scope& s, double t, const UNetConfig& config, const Tensor& like) {
+Tensor time_embedding(const Scope& s, const Tensor& waves, const UNetConfig& config) {
     const std::int64_t width = 4 * config.channels[0];
-    const Tensor waves =
-        waves_of_time(t, config.channels[0], config).expand({like.size(0), config.channels[0]}).to(like.options());
     return s.out(linear(s / "linear_2", at::silu(linear(s / "linear_1", waves, width)), width));
 }
 
@@ -97,9 +85,21 @@ Tensor picture_embedding(const Scope& s, const UNetConfig& config, const Tensor&
 
 }  // namespace
 
-Tensor unet(const Scope& s, const UNetConfig& config, const Tensor& latent, double t, const Tensor& text,
+// Sinusoidal timestep embedding (Vaswani et al. 2017), in single precision whatever the network's type.
+Tensor waves_of_time(double t, const UNetConfig& config, const Tensor& like) {
+    const std::int64_t width = config.channels[0], half = width / 2;
+    const Tensor exponent = at::arange(half, at::kFloat) *
+                            (-std::log(10000.0) / (static_cast<double>(half) - config.frequency_shift));
+    const Tensor angles = (at::exp(exponent) * static_cast<float>(t)).unsqueeze(0);
+    const Tensor waves = config.cos_first ? at::cat({at::cos(angles), at::sin(angles)}, 1)
+                                          : at::cat({at::sin(angles), at::cos(angles)}, 1);
+    // Without waiting for what a graphics card is at.
+    return waves.expand({like.size(0), width}).to(like.options(), /*non_blocking=*/true);
+}
+
+Tensor unet(const Scope& s, const UNetConfig& config, const Tensor& latent, const Tensor& waves, const Tensor& text,
             const Residuals* add) {
-    const Tensor time = time_embedding(s / "time_embedding", t, config, latent);
+    const Tensor time = time_embedding(s / "time_embedding", waves, config);
     std::vector<Tensor> kept = way_down(s, config, conv(s / "conv_in", latent, config.channels[0]), time, text);
     Tensor x = middle(s / "mid_block", config, kept.back(), time, text);
     if (add) {
@@ -111,9 +111,14 @@ Tensor unet(const Scope& s, const UNetConfig& config, const Tensor& latent, doub
                 config.out_channels);
 }
 
-Residuals controlnet(const Scope& s, const UNetConfig& config, const Tensor& latent, double t, const Tensor& text,
-                     const Tensor& picture, double strength) {
-    const Tensor time = time_embedding(s / "time_embedding", t, config, latent);
+Tensor unet(const Scope& s, const UNetConfig& config, const Tensor& latent, double t, const Tensor& text,
+            const Residuals* add) {
+    return unet(s, config, latent, waves_of_time(t, config, latent), text, add);
+}
+
+Residuals controlnet(const Scope& s, const UNetConfig& config, const Tensor& latent, const Tensor& waves,
+                     const Tensor& text, const Tensor& picture, double strength) {
+    const Tensor time = time_embedding(s / "time_embedding", waves, config);
     const Tensor first = conv(s / "conv_in", latent, config.channels[0]) +
                          picture_embedding(s / "controlnet_cond_embedding", config, picture);
     const std::vector<Tensor> kept = way_down(s, config, first, time, text);
@@ -125,6 +130,11 @@ Residuals controlnet(const Scope& s, const UNetConfig& config, const Tensor& lat
             strength);
     out.middle = conv(s / "controlnet_mid_block", x, x.size(1), {1, 1, 0}) * strength;
     return out;
+}
+
+Residuals controlnet(const Scope& s, const UNetConfig& config, const Tensor& latent, double t, const Tensor& text,
+                     const Tensor& picture, double strength) {
+    return controlnet(s, config, latent, waves_of_time(t, config, latent), text, picture, strength);
 }
 
 }  // namespace fastscene::nn

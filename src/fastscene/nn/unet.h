@@ -38,10 +38,16 @@ struct Residuals {
     at::Tensor middle;
 };
 
-// latent [N, 4, H, W], one timestep t for all, text [N, L, text_width] -> predicted noise (or v) [N, 4, H, W].
+// A timestep as the networks read it: [N, channels[0]], for latents `like` [N, 4, H, W] at one timestep t.
+at::Tensor waves_of_time(double t, const UNetConfig& config, const at::Tensor& like);
+// latent [N, 4, H, W], text [N, L, text_width] -> predicted noise (or v) [N, 4, H, W].
+at::Tensor unet(const Scope& s, const UNetConfig& config, const at::Tensor& latent, const at::Tensor& waves,
+                const at::Tensor& text, const Residuals* add = nullptr);
 at::Tensor unet(const Scope& s, const UNetConfig& config, const at::Tensor& latent, double t, const at::Tensor& text,
                 const Residuals* add = nullptr);
 // picture [N, picture_channels, 8 H, 8 W] in [0, 1].
+Residuals controlnet(const Scope& s, const UNetConfig& config, const at::Tensor& latent, const at::Tensor& waves,
+                     const at::Tensor& text, const at::Tensor& picture, double strength = 1);
 Residuals controlnet(const Scope& s, const UNetConfig& config, const at::Tensor& latent, double t,
                      const at::Tensor& text, const at::Tensor& picture, double strength = 1);
 

@@ -10,6 +10,7 @@
 #include "fastscene/nn/diffusion360.h"
 #include "fastscene/nn/diffusion_memory.h"
 #include "fastscene/nn/panorama_loops.h"
+#include "fastscene/nn/replay.h"
 #include "fastscene/nn/rrdbnet.h"
 #include "fastscene/nn/runtime.h"
 #include "fastscene/nn/sd_model.h"
@@ -28,6 +29,8 @@ namespace {
 
 constexpr std::int64_t kEnlargeTile = 384,
                        kEnlargeOverlap = 40;  // pixels; as published, where tiles extend 20 pixels beyond their ends
+
+constexpr std::int64_t kTilesOfACard = 4;  // one tile leaves a large card idle in the deeper levels
 
 // Real-ESRGAN's configuration, derived from its file.
 nn::RrdbConfig rrdb_config(const nn::FileWeights& file) {
@@ -72,10 +75,11 @@ fs::path needed_folder(const fs::path& weights, const char* name) {
 
 struct Upscale360::Parts {
     Upscale360Settings settings;
-    nn::SdModel model;
+    mutable nn::SdModel model;  // its weights are read on first use
     nn::ControlModel control;
-    std::unique_ptr<nn::FileWeights> larger;
+    mutable std::unique_ptr<nn::FileWeights> larger;
     nn::RrdbConfig larger_config;
+    mutable nn::Replay painting, enlarging;
     mutable at::Generator random;
 
     Parts(const fs::path& weights, const Upscale360Settings& s)
@@ -90,9 +94,10 @@ struct Upscale360::Parts {
                 "diffusion360-upscale)",
                 s.to, weights.string());
         // The official file has all tensors inside "params_ema".
-        larger = std::make_unique<nn::FileWeights>(weights / "RealESRGAN_x2plus.pth",
-                                                   at::TensorOptions(model.options.device).dtype(at::kFloat),
-                                                   !s.low_memory, "conv_first.weight");
+        larger = std::make_unique<nn::FileWeights>(
+            weights / "RealESRGAN_x2plus.pth",
+            at::TensorOptions(model.options.device).dtype(model.options.picture_type()), !s.low_memory,
+            "conv_first.weight");
         larger_config = rrdb_config(*larger);
     }
     void check_shapes() const {
@@ -117,42 +122,50 @@ struct Upscale360::Parts {
 
 ImageRgb8 Upscale360::Parts::painted_anew(const ImageRgb8& picture, const std::string& prompt, double guidance,
                                           const Run& run) const {
-    nn::StoppableWeights vae(*model.vae, run), unet(*model.unet, run), holding(*control.weights, run);
-    const Scope pictures(vae);
+    nn::StoppableWeights unet(*model.unet, run), holding(*control.weights, run);
     // a generator per stage: any stage may be the first one of a resumed run
     random = at::detail::createCPUGenerator(run.seed);
-    const Tensor unit = nn::unit_picture(picture),
+    const at::Device there = model.options.device;
+    const Tensor unit = nn::unit_picture(picture).to(there),
                  text = model.read_prompt(
                      larger_prompt(prompt),
                      settings.negative.empty() ? std::string(kDiffusion360Negative) : settings.negative, run);
-    const Tensor both = nn::over_sphere(unit * 2 - 1, tiles(kPixelsPerLatent, 1), [&](const Tensor& part) {
-        const nn::Gaussian found = nn::vae_encode(pictures, model.vae_config, part.to(model.options.device));
-        return at::cat({found.mean, found.log_variance}, 1);
+    const Tensor both = nn::without_overflow(model.vae, run, [&](const Scope& s, at::ScalarType type) {
+        return nn::over_sphere((unit * 2 - 1).to(type), tiles(kPixelsPerLatent, 1), [&](const Tensor& part) {
+            const nn::Gaussian found = nn::vae_encode(s, model.vae_config, part);
+            return at::cat({found.mean, found.log_variance}, 1);
+        });
     });
     nn::expect_finite(both, folder_of("vae"), model.options.type);
     const std::int64_t channels = model.vae_config.latent_channels;
     const Tensor mean = both.narrow(1, 0, channels),
-                 clean = (mean + at::exp(both.narrow(1, channels, channels) / 2) * noise(mean.sizes())) *
+                 clean = (mean + at::exp(both.narrow(1, channels, channels) / 2) * noise(mean.sizes()).to(there)) *
                          model.vae_config.scale;
     const auto scheduler = nn::make_scheduler(model.options.sampler, model.schedule, settings.steps);
     nn::RefinePanorama how;
     how.guidance = guidance;
     how.tile = std::min(settings.tile / kPixelsPerLatent, clean.size(2) / 2 * 2);  // no taller than the picture
     how.first_step = settings.steps - std::min(static_cast<int>(settings.steps * settings.strength), settings.steps);
-    how.batch = 1;  // one tile at a time bounds memory; the result is that of published rows
+    // Few tiles at a time bound memory; the result is that of published rows.
+    how.batch = there.is_cuda() && !settings.low_memory ? kTilesOfACard : 1;
+    if (!settings.low_memory) how.replay = &painting;  // a record needs its weights where they were
     how.first_outputs = [&](const std::string& part, const Tensor& output) {
         nn::expect_finite(output, folder_of(part), model.options.type);
     };
     Progress progress(run, fmt::format("larger {} x {}", picture.width, picture.height),
                       settings.steps - how.first_step + 1);
-    how.listener = [&](int, double, const Tensor&) { progress.advance(); };
+    how.listener = [&](int, double, const Tensor&) {
+        run.check_stop();  // replayed networks ask for no weights
+        progress.advance();
+    };
     const Tensor latents = nn::refine_panorama(
         Scope(unet), model.unet_config, Scope(holding), control.config, *scheduler,
-        scheduler->noised(clean, noise(clean.sizes()), how.first_step), unit, text, how);
+        scheduler->noised(clean, noise(clean.sizes()).to(there), how.first_step), unit, text, how);
     nn::expect_finite(latents, folder_of("unet"), model.options.type);
-    const Tensor decoded = nn::over_sphere(
-        latents / model.vae_config.scale, tiles(1, kPixelsPerLatent),
-        [&](const Tensor& part) { return nn::vae_decode(pictures, model.vae_config, part.to(model.options.device)); });
+    const Tensor decoded = nn::without_overflow(model.vae, run, [&](const Scope& s, at::ScalarType type) {
+        return nn::over_sphere((latents / model.vae_config.scale).to(type), tiles(1, kPixelsPerLatent),
+                               [&](const Tensor& part) { return nn::vae_decode(s, model.vae_config, part); });
+    });
     nn::expect_finite(decoded, folder_of("vae"), model.options.type);
     progress.advance();
     return nn::picture_of_unit(decoded / 2 + 0.5);
@@ -160,15 +173,19 @@ ImageRgb8 Upscale360::Parts::painted_anew(const ImageRgb8& picture, const std::s
 
 ImageRgb8 Upscale360::Parts::doubled(const ImageRgb8& picture, const Run& run) const {
     std::optional<Progress> progress;
-    nn::StoppableWeights weights(*larger, run);
     nn::SphereTiles how{kEnlargeTile, kEnlargeOverlap, 1, 2, {}};
     how.heard = [&](std::int64_t, std::int64_t total) {
+        run.check_stop();
         if (!progress)
             progress.emplace(run, fmt::format("larger {} x {}", 2 * picture.width, 2 * picture.height), total);
         progress->advance();
     };
-    const Tensor enlarged = nn::over_sphere(nn::unit_picture(picture), how, [&](const Tensor& part) {
-        return nn::rrdbnet(Scope(weights), larger_config, part.to(model.options.device));
+    const Tensor unit = nn::unit_picture(picture).to(model.options.device);
+    const Tensor enlarged = nn::without_overflow(larger, run, [&](const Scope& s, at::ScalarType type) {
+        const auto net = [&](const std::vector<Tensor>& in) { return nn::rrdbnet(s, larger_config, in[0]); };
+        return nn::over_sphere(unit.to(type), how, [&](const Tensor& part) {
+            return settings.low_memory ? net({part}) : enlarging({part}, net);
+        });
     });
     nn::expect_finite(enlarged, larger->path(), at::kFloat);
     return nn::picture_of_unit(enlarged);

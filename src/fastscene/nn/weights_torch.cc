@@ -1,11 +1,11 @@
 #include "fastscene/nn/weights_torch.h"
 
-#include <ATen/core/grad_mode.h>
-
 #include <cstring>
 #include <set>
 
 #include <fmt/ranges.h>
+
+#include "fastscene/nn/libtorch.h"
 
 namespace fastscene::nn {
 namespace {
@@ -52,6 +52,13 @@ at::Tensor tensor_of(const WeightTensor& weight) {
     return copy;
 }
 
+at::Tensor placed(const at::Tensor& stored, const at::TensorOptions& options) {
+    if (!options.device().is_cuda()) return stored.to(options);
+    const at::Tensor there = stored.to(options.device(), stored.scalar_type(), /*non_blocking=*/true)
+                                 .to(c10::typeMetaToScalarType(options.dtype()));
+    return there.dim() == 4 ? there.contiguous(at::MemoryFormat::ChannelsLast) : there;
+}
+
 WeightTensor weight_of(const at::Tensor& tensor) {
     const at::Tensor plain = tensor.detach().to(at::kCPU).contiguous();
     NumberType type = NumberType::f32;
@@ -73,7 +80,7 @@ at::Tensor LoadedWeights::get(const std::string& key, at::IntArrayRef shape) {
     if (tensor.is_floating_point() && !at::isfinite(tensor).all().item<bool>())
         throw Error("{}: {}: expected numbers, found NaN or infinity among its {}", weights_.path.string(), key,
                     tensor.numel());
-    return ready_[key] = tensor.to(options_);
+    return ready_[key] = placed(tensor, options_);
 }
 
 void load_into(const NamedTensors& targets, const Weights& weights, bool extra_allowed) {

@@ -15,6 +15,9 @@ namespace fastscene::nn {
 at::ScalarType scalar_type(NumberType type);
 // Shares the file's (read-only) bytes if they are aligned, otherwise copies.
 at::Tensor tensor_of(const WeightTensor& weight);
+// A parameter where the network runs. To a graphics card goes what the file has, to be converted there; kernels of
+// convolutions then lie channels last, as the card's matrix units take them.
+at::Tensor placed(const at::Tensor& stored, const at::TensorOptions& options);
 // For saving: in C order on the CPU. Shares memory if the tensor already is: later training changes both.
 WeightTensor weight_of(const at::Tensor& tensor);
 

@@ -154,7 +154,7 @@ Json walk_our_way(const Panorama& given, const std::vector<Panorama>& more, cons
     const bool looks = params.inpainter == kLookIntoRoom;
     std::vector<Mirror> mirrors = looks ? std::vector<Mirror>{} : find_mirrors(given);
     const Panorama first = looking_into_mirrors(given);
-    const auto inpainter = looks ? nullptr : make_inpainter(params.inpainter, params.inpaint_weights);
+    const auto inpainter = looks ? nullptr : make_inpainter(params.inpainter, params.inpaint_weights, params.device);
     const std::vector<ScenePlane> planes = find_planes(first.range, run.seed);
     const Image<std::int16_t> label = label_planes(first.range, planes);
 

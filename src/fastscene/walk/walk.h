@@ -29,6 +29,7 @@ struct WalkParams {
     int steps = 6;
     std::string inpainter = "auto";
     std::string inpaint_weights;
+    std::string device = "auto";  // of the inpainter's network: auto, cpu or cuda
 };
 // A scene from a prompt is rendered from viewpoints all over its room; nothing is inpainted (room_walk.h).
 inline constexpr const char* kRoomWalk = "room";
@@ -65,6 +66,8 @@ void visit_fields(WalkParams& p, V&& v) {
       "rendering the room (room). auto: aotgan, if the walk has holes.");
     v("inpaint-weights", p.inpaint_weights,
       "Weights for --walk-inpainter aotgan: the official G*.pt or a .safetensors; empty: the built-in ones.");
+    v("device", p.device, Choices{{"auto", "cpu", "cuda"}},
+      "Where the network of --walk-inpainter aotgan runs; auto: CUDA if libtorch supports it.");
 }
 // Resolves "auto". `known_room`: the panorama was rendered from a room, and its range is exact.
 WalkParams resolved(WalkParams params, bool known_room);

@@ -87,15 +87,16 @@ class EgformerEstimator : public DepthEstimator {
 
 std::unique_ptr<DepthEstimator> make_egformer(const DepthParams& params) {
     std::vector<Egformer> networks;
+    const DeviceChoice device{params.device, "--depth-device"};
     if (const std::filesystem::path file = params.weights; !file.empty()) {
-        networks.push_back(Egformer::load(file));
+        networks.push_back(Egformer::load(file, device));
         return std::make_unique<EgformerEstimator>(std::move(networks), file.filename().string(), params);
     }
     if (!are_shipped())
         throw UsageError(
             "--depth-backend egformer: expected --depth-weights FILE (fastscene models pull egformer says where to get "
             "it), found none");
-    for (const char* name : kShippedDepth) networks.push_back(Egformer::shipped(name));
+    for (const char* name : kShippedDepth) networks.push_back(Egformer::shipped(name, device));
     return std::make_unique<EgformerEstimator>(std::move(networks), fmt::format("{}", fmt::join(kShippedDepth, ", ")),
                                                params);
 }

@@ -7,10 +7,11 @@ namespace {
 
 constexpr std::string_view kShippedAotgan = "aotgan-rooms";  // models/aotgan-rooms.md
 
-std::unique_ptr<Inpainter> make_aotgan(const std::filesystem::path& weights) {
-    if (!weights.empty()) return std::make_unique<AotganInpainter>(Aotgan::load(weights));
+std::unique_ptr<Inpainter> make_aotgan(const std::filesystem::path& weights, const std::string& device) {
+    const DeviceChoice where{device, "--walk-device"};
+    if (!weights.empty()) return std::make_unique<AotganInpainter>(Aotgan::load(weights, where));
     if (is_shipped(kShippedAotgan))
-        return std::make_unique<AotganInpainter>(Aotgan::of(shipped_weights(kShippedAotgan)));
+        return std::make_unique<AotganInpainter>(Aotgan::of(shipped_weights(kShippedAotgan), where));
     throw UsageError(
         "inpainter aotgan: expected a file of weights (--walk-inpaint-weights; fastscene models pull aotgan-places2 "
         "says where the official one is), found none");

@@ -5,7 +5,7 @@ namespace fastscene::inpainters {
 InpaintBackend harmonic() {
     return {.name = "harmonic",
             .about = "the smoothest fill there is",
-            .make = [](const std::filesystem::path&) -> std::unique_ptr<Inpainter> {
+            .make = [](const std::filesystem::path&, const std::string&) -> std::unique_ptr<Inpainter> {
                 return std::make_unique<HarmonicInpainter>();
             }};
 }
