@@ -1,6 +1,9 @@
 # fastscene_ship(target): puts models/*.safetensors into the target, as nn/shipped.h finds them.
 function(fastscene_ship target)
-  file(GLOB models CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/models/*.safetensors)
+  if(NOT FASTSCENE_MODELS)
+    set(FASTSCENE_MODELS ${CMAKE_CURRENT_FUNCTION_LIST_DIR}/../models)
+  endif()
+  file(GLOB models CONFIGURE_DEPENDS ${FASTSCENE_MODELS}/*.safetensors)
   list(SORT models)
   set(symbols "")
   set(table "")
