@@ -3,6 +3,7 @@
 // `bench_diffusion --write`. One line of JSON per part.
 #include <ATen/ATen.h>
 #include <c10/core/InferenceMode.h>
+#include <dlfcn.h>
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -45,7 +46,7 @@ constexpr const char* kPrompt = "a living room with a sofa, a wooden table and a
 struct Settings {
     std::string part = "paint", weights, models, device = "auto", precision = "float", keep, against;
     int width = 1024, steps = 20, runs = 3, threads = 0;
-    bool search = false;
+    bool search = false, profile = false;
 };
 
 double now_s() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
@@ -182,6 +183,18 @@ Json kinds_of(nn::SdModel& model, const Tensor& x, const Tensor& waves, const Te
     return Json(seconds);
 }
 
+// Runs `work` between cudaProfilerStart and cudaProfilerStop: ncu --profile-from-start off sees nothing else.
+void profiled(const at::Device& device, const std::function<void()>& work) {
+    const auto tell = [](const char* name) {
+        if (void* const found = dlsym(RTLD_DEFAULT, name)) reinterpret_cast<int (*)()>(found)();
+    };
+    nn::wait_for(device);
+    tell("cudaProfilerStart");
+    work();
+    nn::wait_for(device);
+    tell("cudaProfilerStop");
+}
+
 // What a panorama's seconds are made of.
 Json parts(const Settings& with) {
     const fs::path base = fs::exists(fs::path(with.weights) / "sd-base") ? fs::path(with.weights) / "sd-base"
@@ -221,6 +234,11 @@ Json parts(const Settings& with) {
     };
     out["decode_first_s"] = seconds_of(1, device, decode)[0];
     out["decode_s"] = least(seconds_of(with.runs, device, decode));
+    if (with.profile)
+        profiled(device, [&] {
+            eager = net({x, waves, text});
+            decode();
+        });
     out["decode_finite"] = at::isfinite(picture).all().item<bool>();
     return out;
 }
@@ -304,6 +322,7 @@ int main(int argc, char** argv) try {
     app.add_option("--keep", with.keep, "Writes the picture's bytes here");
     app.add_option("--against", with.against, "Compares with bytes that --keep wrote");
     app.add_flag("--search", with.search, "Lets cuDNN try its algorithms");
+    app.add_flag("--profile", with.profile, "parts: shows a profiler one step and one decoded picture");
     CLI11_PARSE(app, argc, argv);
     set_threads(with.threads);
     const c10::InferenceMode inference;
