@@ -25,6 +25,7 @@
 #include "fastscene/nn/circular.h"
 #include "fastscene/nn/diffusion360.h"
 #include "fastscene/nn/egformer.h"
+#include "fastscene/nn/fused.h"
 #include "fastscene/nn/hashed_aotgan.h"
 #include "fastscene/nn/libtorch.h"
 #include "fastscene/nn/panorama_loops.h"
@@ -183,6 +184,31 @@ Json kinds_of(nn::SdModel& model, const Tensor& x, const Tensor& waves, const Te
     return Json(seconds);
 }
 
+// Our kernels against libtorch's layers, on a picture like those of a step: seconds of each, and the largest
+// difference.
+Json kernels_on(const at::TensorOptions& there, std::int64_t w, int runs) {
+    const at::Device device = there.device();
+    const Tensor x = at::randn({2, 320, w / 2, w}, at::kFloat).to(there).contiguous(at::MemoryFormat::ChannelsLast),
+                 weight = at::randn({320}, at::kFloat).to(there), bias = at::randn({320}, at::kFloat).to(there),
+                 both = at::randn({2, w / 2 * w, 2560}, at::kFloat).to(there);
+    const auto compared = [&](const std::function<Tensor()>& ours, const std::function<Tensor()>& theirs) -> Json {
+        Tensor a = ours(), b = theirs();
+        if (!a.defined()) return nullptr;
+        const double ours_s = least(seconds_of(runs, device, [&] { a = ours(); })),
+                     theirs_s = least(seconds_of(runs, device, [&] { b = theirs(); }));
+        return {{"s", ours_s},
+                {"libtorch_s", theirs_s},
+                {"differs_by", (a.to(at::kFloat) - b.to(at::kFloat)).abs().max().item<double>()}};
+    };
+    return {{"group_norm", compared([&] { return nn::fused_group_norm(x, weight, bias, 32, 1e-5, true); },
+                                    [&] { return at::silu(at::group_norm(x, 32, weight, bias, 1e-5)); })},
+            {"gated_gelu", compared([&] { return nn::fused_gated_gelu(both); },
+                                    [&] {
+                                        const std::vector<Tensor> halves = both.chunk(2, -1);
+                                        return halves[0] * at::gelu(halves[1]);
+                                    })}};
+}
+
 // Runs `work` between cudaProfilerStart and cudaProfilerStop: ncu --profile-from-start off sees nothing else.
 void profiled(const at::Device& device, const std::function<void()>& work) {
     const auto tell = [](const char* name) {
@@ -234,6 +260,7 @@ Json parts(const Settings& with) {
     };
     out["decode_first_s"] = seconds_of(1, device, decode)[0];
     out["decode_s"] = least(seconds_of(with.runs, device, decode));
+    out["kernels"] = kernels_on(there, w, with.runs);
     if (with.profile)
         profiled(device, [&] {
             eager = net({x, waves, text});

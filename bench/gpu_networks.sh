@@ -50,10 +50,14 @@ fi
 (timeout 60 "${configure[@]}" -B "$build/found" -DCMAKE_PREFIX_PATH="$torch" > "$build/found.log" 2>&1
  echo $? > "$build/found.status") &
 found=$!
-if ! timeout 150 cmake --build "$build/tree" -j "$jobs" --target bench_diffusion bench_networks > "$build/build.log" 2>&1; then
-  failed build "$build/build.log"
-  timeout 60 cmake --build "$build/tree" -j "$jobs" --target bench_networks -- -k 0 > "$build/build2.log" 2>&1
-fi
+# Without what does not compile: first our kernels, then all of CUDA but libtorch's own.
+for without in "" -DFASTSCENE_NVCC=NO -DFASTSCENE_PLAIN=ON; do
+  [ -z "$without" ] || "${configure[@]}" -B "$build/tree" "$without" > "$build/configure.log" 2>&1
+  timeout "${FASTSCENE_BENCH_BUILD_S:-150}" cmake --build "$build/tree" -j "$jobs" --target bench_networks bench_diffusion \
+    -- -k 0 > "$build/build$without.log" 2>&1 && break
+  failed "build $without" "$build/build$without.log"
+  [ ! -x "$build/tree/bench_networks" ] || break
+done
 say "built"
 bench=$build/tree/bench_networks
 [ -x "$bench" ] || exit 1
@@ -70,13 +74,14 @@ say "weights of Stable Diffusion 1.5's sizes: $(du -shL "$weights" 2> /dev/null 
 run() {
   local name=$1 limit=$2
   shift 2
-  local log=$build/$name.log
+  local log=$build/$name.log failed=1
   (while sleep 0.3; do nvidia-smi --query-gpu=memory.used --format=csv,noheader,nounits; done) > "$build/$name.mib" 2> /dev/null &
   local watch=$!
   if timeout "$limit" "$bench" --device "$device" --width "$width" --weights "$weights" --models "$models" "$@" \
       > "$build/$name.json" 2> "$log"; then
     local mib
     mib=$(sort -n "$build/$name.mib" | tail -1)
+    failed=0
     sed "s/^{/{\"name\":\"$name\",\"card_mib\":${mib:-0},/" "$build/$name.json" | tee -a "$lines"
   else
     failed "$name" "$log"
@@ -85,19 +90,25 @@ run() {
   kill "$watch" 2> /dev/null
   wait "$watch" 2> /dev/null
   say "$name done"
+  return $failed
 }
 half=fp16
 [ "$device" = cpu ] && half=bf16
 
-run parts_half 60 --part parts --precision $half --runs 5
-run paint_float 60 --part paint --precision float --runs 2 --keep "$build/float.rgb"
-run paint_half 60 --part paint --precision $half --runs 5 --against "$build/float.rgb"
-run paint_bf16 60 --part paint --precision bf16 --runs 3 --against "$build/float.rgb"
-run enlarge_half 60 --part enlarge --precision $half --runs 2
-FASTSCENE_CUDA_GRAPHS=0 run paint_half_no_graphs 45 --part paint --precision $half --runs 3 --against "$build/float.rgb"
-run depth 60 --part depth --runs 3
+# A first part that fails goes without our kernels, then without graphs, and so do the others.
+if ! run parts_half 40 --part parts --precision $half --runs 5; then
+  export FASTSCENE_CUDA_KERNELS=0
+  run parts_half_no_kernels 40 --part parts --precision $half --runs 5 || export FASTSCENE_CUDA_GRAPHS=0
+fi
+run paint_half 40 --part paint --precision $half --runs 5 --keep "$build/half.rgb"
+run enlarge_half 60 --part enlarge --precision $half --runs 1
+run paint_float 40 --part paint --precision float --runs 2 --keep "$build/float.rgb" --against "$build/half.rgb"
+FASTSCENE_CUDA_KERNELS=0 run paint_half_no_kernels 40 --part paint --precision $half --runs 3 --against "$build/float.rgb"
+FASTSCENE_CUDA_GRAPHS=0 run paint_half_no_graphs 40 --part paint --precision $half --runs 3 --against "$build/float.rgb"
+run depth 40 --part depth --runs 3
 run inpaint 60 --part inpaint --runs 2
-run paint_half_search 60 --part paint --precision $half --runs 3 --search --against "$build/float.rgb"
+run paint_bf16 40 --part paint --precision bf16 --runs 2 --against "$build/float.rgb"
+run paint_half_search 60 --part paint --precision $half --runs 2 --search --against "$build/float.rgb"
 bench_width=$width width=256
 device_wanted=$device device=cpu
 run small_cpu 60 --part paint --precision float --steps 4 --runs 1 --keep "$build/small.rgb"

@@ -7,6 +7,8 @@
 // from which the command-line flag, --help, the settings file, the docs and the cache key are derived.
 #pragma once
 
+#include <fmt/ranges.h>
+
 #include <string>
 #include <string_view>
 #include <type_traits>

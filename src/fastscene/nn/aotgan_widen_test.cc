@@ -1,4 +1,5 @@
 // A widened generator computes the same function, and its copies can learn different things.
+#include "fastscene/nn/libtorch.h"
 #include "fastscene/nn/aotgan_widen.h"
 
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+#include "fastscene/nn/libtorch.h"
 #include "fastscene/nn/attention.h"
 
 #include <ATen/ATen.h>

@@ -1,4 +1,5 @@
 // CLIP from files: defaults of config.json, and the same network in each published format.
+#include "fastscene/nn/libtorch.h"
 #include "fastscene/nn/clip.h"
 
 #include <gtest/gtest.h>

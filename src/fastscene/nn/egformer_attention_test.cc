@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "fastscene/base/parallel.h"
+#include "fastscene/nn/libtorch.h"
 #include "fastscene/nn/deformable_attention.h"
 #include "fastscene/nn/runtime.h"
 #include "fastscene/nn/window_attention.h"

@@ -6,6 +6,7 @@
 
 #include "fastscene/base/check.h"
 #include "fastscene/nn/attention.h"
+#include "fastscene/nn/fused.h"
 #include "fastscene/nn/libtorch.h"
 
 namespace fastscene::nn {
@@ -31,7 +32,25 @@ Tensor group_norm(const Scope& s, const Tensor& x, std::int64_t groups, double e
     const std::int64_t channels = x.size(1);
     const Tensor weight = s.parameter(
         "weight", {channels});  // the accumulation type, even if a preceding convolution used lower precision
-    return s.out(at::group_norm(x.to(weight.scalar_type()), groups, weight, s.parameter("bias", {channels}), eps));
+    const Tensor bias = s.parameter("bias", {channels}), given = x.to(weight.scalar_type());
+    const Tensor fused = fused_group_norm(given, weight, bias, groups, eps, false);
+    return s.out(fused.defined() ? fused : at::group_norm(given, groups, weight, bias, eps));
+}
+
+Tensor group_norm_silu(const Scope& s, const Tensor& x, std::int64_t groups, double eps) {
+    if (s.is_heard()) return at::silu(group_norm(s, x, groups, eps));  // the norm's own output is asked for
+    const std::int64_t channels = x.size(1);
+    const Tensor weight = s.parameter("weight", {channels}), bias = s.parameter("bias", {channels});
+    const Tensor given = x.to(weight.scalar_type());
+    const Tensor fused = fused_group_norm(given, weight, bias, groups, eps, true);
+    return fused.defined() ? fused : at::silu(at::group_norm(given, groups, weight, bias, eps));
+}
+
+Tensor gated_gelu(const Tensor& x) {
+    const Tensor fused = fused_gated_gelu(x);
+    if (fused.defined()) return fused;
+    const std::vector<Tensor> halves = x.chunk(2, -1);
+    return halves[0] * at::gelu(halves[1]);
 }
 
 Tensor layer_norm(const Scope& s, const Tensor& x, double eps) {

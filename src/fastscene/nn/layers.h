@@ -15,6 +15,9 @@ at::Tensor conv(const Scope& s, const at::Tensor& x, std::int64_t out, Conv shap
 // x [..., C] -> [..., out].
 at::Tensor linear(const Scope& s, const at::Tensor& x, std::int64_t out, bool bias = true);
 at::Tensor group_norm(const Scope& s, const at::Tensor& x, std::int64_t groups, double eps);
+at::Tensor group_norm_silu(const Scope& s, const at::Tensor& x, std::int64_t groups, double eps);
+// Half of the last dimension, gated by the other half through GELU.
+at::Tensor gated_gelu(const at::Tensor& x);
 // Exact GELU (by erf), with a correct gradient in any memory layout, unlike libtorch's own (gelu.cc).
 at::Tensor exact_gelu(const at::Tensor& x);
 // Over the last dimension.

@@ -107,7 +107,7 @@ Tensor unet(const Scope& s, const UNetConfig& config, const Tensor& latent, cons
         x = x + add->middle;
     }
     x = way_up(s, config, x, kept, time, text);
-    return conv(s / "conv_out", at::silu(group_norm(s / "conv_norm_out", x, config.groups, config.eps)),
+    return conv(s / "conv_out", group_norm_silu(s / "conv_norm_out", x, config.groups, config.eps),
                 config.out_channels);
 }
 

@@ -16,11 +16,10 @@ Tensor attend(const Scope& s, const Tensor& x, const Tensor& context, const Tran
     return s.out(linear(s / "to_out" / 0, seen, width));
 }
 
-// GEGLU: half of the channels, through GELU, gate the other half.
+// GEGLU
 Tensor feed_forward(const Scope& s, const Tensor& x) {
     const std::int64_t width = x.size(2);
-    const std::vector<Tensor> halves = linear(s / "net" / 0 / "proj", x, 8 * width).chunk(2, -1);
-    const Tensor inner = (s / "net" / 0).out(halves[0] * at::gelu(halves[1]));
+    const Tensor inner = (s / "net" / 0).out(gated_gelu(linear(s / "net" / 0 / "proj", x, 8 * width)));
     return s.out(linear(s / "net" / 2, inner, width));
 }
 
@@ -34,9 +33,9 @@ Tensor transformer_block(const Scope& s, Tensor x, const Tensor& text, const Tra
 }  // namespace
 
 Tensor resnet(const Scope& s, const Tensor& x, std::int64_t out, std::int64_t groups, double eps, const Tensor& time) {
-    Tensor h = conv(s / "conv1", at::silu(group_norm(s / "norm1", x, groups, eps)), out);
+    Tensor h = conv(s / "conv1", group_norm_silu(s / "norm1", x, groups, eps), out);
     if (time.defined()) h = h + linear(s / "time_emb_proj", at::silu(time), out).unsqueeze(-1).unsqueeze(-1);
-    h = conv(s / "conv2", at::silu(group_norm(s / "norm2", h, groups, eps)), out);
+    h = conv(s / "conv2", group_norm_silu(s / "norm2", h, groups, eps), out);
     return s.out((x.size(1) == out ? x : conv(s / "conv_shortcut", x, out, {1, 1, 0})) + h);
 }
 

@@ -34,7 +34,7 @@ Tensor middle(const Scope& s, Tensor x, const VaeConfig& config) {
 }
 
 Tensor head(const Scope& s, const Tensor& x, std::int64_t out, const VaeConfig& config) {
-    return conv(s / "conv_out", at::silu(group_norm(s / "conv_norm_out", x, config.groups, kEps)), out);
+    return conv(s / "conv_out", group_norm_silu(s / "conv_norm_out", x, config.groups, kEps), out);
 }
 
 Tensor halved(const Scope& s, const Tensor& x) {  // padded on the right and at the bottom only
