@@ -5,6 +5,7 @@
 # that fails does not stop the others. Takes about three minutes on 16 cores.
 #
 # FASTSCENE_DEPENDENCIES: what bench/gpu/collect.sh made, where Debian's packages are missing.
+# FASTSCENE_BENCH_S: seconds after which no further part starts (210).
 # FASTSCENE_BENCH_DEVICE=cpu FASTSCENE_BENCH_WIDTH=256: to try this script without a card.
 set -uo pipefail
 root=$(cd "$(dirname "$0")/.." && pwd)
@@ -12,6 +13,7 @@ build=${1:-${TMPDIR:-/tmp}/fastscene-networks}
 out=${OUT:-$build}
 device=${FASTSCENE_BENCH_DEVICE:-cuda}
 width=${FASTSCENE_BENCH_WIDTH:-1024}
+budget=${FASTSCENE_BENCH_S:-210}
 jobs=$(nproc)
 models=$(cd "${FASTSCENE_MODELS:-$root/models}" && pwd)
 lines=$out/networks.jsonl
@@ -31,7 +33,7 @@ nvidia-smi --query-gpu=name,driver_version,memory.total --format=csv,noheader 2>
 generator=()
 command -v ninja > /dev/null && generator=(-G Ninja)
 configure=(cmake -S "$root/bench/gpu" "${generator[@]}" -DFASTSCENE_MODELS="$models"
-  -DFASTSCENE_DEPENDENCIES="${FASTSCENE_DEPENDENCIES:-}")
+  -DFASTSCENE_DEPENDENCIES="${FASTSCENE_DEPENDENCIES:-}" -DFASTSCENE_CUDA_ARCH="${FASTSCENE_CUDA_ARCH:-native}")
 
 # A log's end, where a step failed.
 failed() {
@@ -70,10 +72,14 @@ if [ ! -e "$weights/RealESRGAN_x2plus.pth" ]; then
 fi
 say "weights of Stable Diffusion 1.5's sizes: $(du -shL "$weights" 2> /dev/null | cut -f1)"
 
+# Whether a part of so many seconds still fits.
+has() { [ $((SECONDS - begin + $1)) -le "$budget" ] || { say "no time for $2"; return 1; }; }
+
 # run NAME SECONDS flags…: one part, its line with its name and the card's memory.
 run() {
   local name=$1 limit=$2
   shift 2
+  has 8 "$name" || return 0
   local log=$build/$name.log failed=1
   (while sleep 0.3; do nvidia-smi --query-gpu=memory.used --format=csv,noheader,nounits; done) > "$build/$name.mib" 2> /dev/null &
   local watch=$!
@@ -103,23 +109,23 @@ fi
 run paint_half 40 --part paint --precision $half --runs 5 --keep "$build/half.rgb"
 run enlarge_half 60 --part enlarge --precision $half --runs 1
 run paint_float 40 --part paint --precision float --runs 2 --keep "$build/float.rgb" --against "$build/half.rgb"
-FASTSCENE_CUDA_KERNELS=0 run paint_half_no_kernels 40 --part paint --precision $half --runs 3 --against "$build/float.rgb"
-FASTSCENE_CUDA_GRAPHS=0 run paint_half_no_graphs 40 --part paint --precision $half --runs 3 --against "$build/float.rgb"
 run depth 40 --part depth --runs 3
 run inpaint 60 --part inpaint --runs 2
+FASTSCENE_CUDA_KERNELS=0 run paint_half_no_kernels 40 --part paint --precision $half --runs 3 --against "$build/float.rgb"
+FASTSCENE_CUDA_GRAPHS=0 run paint_half_no_graphs 40 --part paint --precision $half --runs 3 --against "$build/float.rgb"
 run paint_bf16 40 --part paint --precision bf16 --runs 2 --against "$build/float.rgb"
+wanted_width=$width wanted_device=$device width=256 device=cpu
+run small_cpu 40 --part paint --precision float --steps 4 --runs 1 --keep "$build/small.rgb"
+device=$wanted_device
+run small_float 40 --part paint --precision float --steps 4 --runs 1 --against "$build/small.rgb"
+width=$wanted_width
 run paint_half_search 60 --part paint --precision $half --runs 2 --search --against "$build/float.rgb"
-bench_width=$width width=256
-device_wanted=$device device=cpu
-run small_cpu 60 --part paint --precision float --steps 4 --runs 1 --keep "$build/small.rgb"
-device=$device_wanted
-run small_float 60 --part paint --precision float --steps 4 --runs 1 --against "$build/small.rgb"
-width=$bench_width
 
 wait "$found" 2> /dev/null
 say "find_package(Torch) of libtorch's own: exit code $(cat "$build/found.status" 2> /dev/null)"
 [ "$(cat "$build/found.status" 2> /dev/null)" = 0 ] || tail -15 "$build/found.log"
-if timeout 60 cmake --build "$build/tree" -j "$jobs" --target networks_training > "$build/training.log" 2>&1; then
+if ! has 30 "compiling training"; then :
+elif timeout 60 cmake --build "$build/tree" -j "$jobs" --target networks_training > "$build/training.log" 2>&1; then
   say "training compiles as well"
 else
   failed "compiling training" "$build/training.log"

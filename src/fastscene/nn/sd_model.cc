@@ -211,16 +211,16 @@ void expect_finite(const Tensor& output, const fs::path& component, at::ScalarTy
                                                  type == at::kHalf ? "narrow" : "coarse"));
 }
 
-Tensor unit_picture(const ImageRgb8& image) {
-    const Tensor bytes = at::from_blob(const_cast<Rgb8*>(image.pixels.data()), {image.height, image.width, 3},
-                                       at::kByte);
+Tensor unit_picture(const ImageRgb8& image, at::Device device) {
+    const Tensor bytes =
+        at::from_blob(const_cast<Rgb8*>(image.pixels.data()), {image.height, image.width, 3}, at::kByte).to(device);
     return (bytes.permute({2, 0, 1}).to(at::kFloat) / 255).unsqueeze(0).contiguous();
 }
 
 ImageRgb8 picture_of_unit(const Tensor& unit) {
-    const Tensor bytes = at::round(at::clamp(unit[0], 0, 1) * 255).permute({1, 2, 0}).to(at::kByte).contiguous().cpu();
+    const Tensor bytes = at::round(at::clamp(unit[0], 0, 1) * 255).permute({1, 2, 0}).to(at::kByte).contiguous();
     ImageRgb8 out(static_cast<int>(bytes.size(1)), static_cast<int>(bytes.size(0)));
-    std::copy_n(reinterpret_cast<const Rgb8*>(bytes.data_ptr<std::uint8_t>()), out.size(), out.pixels.data());
+    at::from_blob(out.pixels.data(), bytes.sizes(), at::kByte).copy_(bytes);
     return out;
 }
 

@@ -79,8 +79,8 @@ at::Tensor without_overflow(std::unique_ptr<FileWeights>& weights, const Run& ru
 // Throws Error naming the component whose output is not finite.
 void expect_finite(const at::Tensor& output, const std::filesystem::path& component, at::ScalarType type);
 
-// Converts pictures to network input, [1, 3, H, W] in [0, 1] on the CPU, and back (clamped) from any device.
-at::Tensor unit_picture(const ImageRgb8& image);
+// Converts pictures to network input, [1, 3, H, W] in [0, 1], and back (clamped).
+at::Tensor unit_picture(const ImageRgb8& image, at::Device device = at::kCPU);
 ImageRgb8 picture_of_unit(const at::Tensor& unit);
 // float, bf16, or on a GPU fp16. Throws UsageError naming the flag.
 at::ScalarType type_of_precision(const std::string& name, at::Device device);

@@ -126,7 +126,7 @@ ImageRgb8 Upscale360::Parts::painted_anew(const ImageRgb8& picture, const std::s
     // a generator per stage: any stage may be the first one of a resumed run
     random = at::detail::createCPUGenerator(run.seed);
     const at::Device there = model.options.device;
-    const Tensor unit = nn::unit_picture(picture).to(there),
+    const Tensor unit = nn::unit_picture(picture, there),
                  text = model.read_prompt(
                      larger_prompt(prompt),
                      settings.negative.empty() ? std::string(kDiffusion360Negative) : settings.negative, run);
@@ -180,7 +180,7 @@ ImageRgb8 Upscale360::Parts::doubled(const ImageRgb8& picture, const Run& run) c
             progress.emplace(run, fmt::format("larger {} x {}", 2 * picture.width, 2 * picture.height), total);
         progress->advance();
     };
-    const Tensor unit = nn::unit_picture(picture).to(model.options.device);
+    const Tensor unit = nn::unit_picture(picture, model.options.device);
     const Tensor enlarged = nn::without_overflow(larger, run, [&](const Scope& s, at::ScalarType type) {
         const auto net = [&](const std::vector<Tensor>& in) { return nn::rrdbnet(s, larger_config, in[0]); };
         return nn::over_sphere(unit.to(type), how, [&](const Tensor& part) {
