@@ -55,7 +55,7 @@ found=$!
 # Without what does not compile: first our kernels, then all of CUDA but libtorch's own.
 for without in "" -DFASTSCENE_NVCC=NO -DFASTSCENE_PLAIN=ON; do
   [ -z "$without" ] || "${configure[@]}" -B "$build/tree" "$without" > "$build/configure.log" 2>&1
-  timeout "${FASTSCENE_BENCH_BUILD_S:-150}" cmake --build "$build/tree" -j "$jobs" --target bench_networks bench_diffusion \
+  timeout "${FASTSCENE_BENCH_BUILD_S:-150}" cmake --build "$build/tree" -j "$jobs" --target bench_networks bench_diffusion card_test \
     -- -k 0 > "$build/build$without.log" 2>&1 && break
   failed "build $without" "$build/build$without.log"
   [ ! -x "$build/tree/bench_networks" ] || break
@@ -101,6 +101,11 @@ run() {
 half=fp16
 [ "$device" = cpu ] && half=bf16
 
+if [ -x "$build/tree/card_test" ]; then
+  timeout 60 "$build/tree/card_test" > "$build/card_test.log" 2>&1 || failed "tests on the card" "$build/card_test.log"
+  tail -4 "$build/card_test.log"
+  say "tests done"
+fi
 # A first part that fails goes without our kernels, then without graphs, and so do the others.
 if ! run parts_half 40 --part parts --precision $half --runs 5; then
   export FASTSCENE_CUDA_KERNELS=0

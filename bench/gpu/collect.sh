@@ -5,7 +5,7 @@ set -euo pipefail
 to=${1:?"a folder"}
 rm -rf "$to/include" "$to/lib"
 mkdir -p "$to/include" "$to/lib"
-for headers in fmt nlohmann oneapi tbb CLI unicode zlib.h zconf.h; do
+for headers in fmt nlohmann oneapi tbb CLI unicode gtest zlib.h zconf.h; do
   for place in /usr/include /usr/include/"$(gcc -print-multiarch)"; do
     if [ -e "$place/$headers" ]; then
       cp -rL "$place/$headers" "$to/include/"
@@ -19,6 +19,7 @@ for library in fmt tbb icuuc z; do
   cp "$(readlink -f "$file")" "$to/lib/$(objdump -p "$(readlink -f "$file")" | awk '/SONAME/ {print $2}')"
   ln -s "$(basename "$(ls "$to"/lib/lib"$library".so.*)")" "$to/lib/lib$library.so"
 done
+cp "$(gcc -print-file-name=libgtest.a)" "$to/lib/"
 # ICU's tables are 30 MB. What a tokenizer asks of letters lies in libicuuc itself: an empty table is enough.
 uc=$(ls "$to"/lib/libicuuc.so.*)
 data=$(objdump -p "$uc" | awk '/NEEDED.*icudata/ {print $2}')
