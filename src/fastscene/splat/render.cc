@@ -2,6 +2,7 @@
 #include "fastscene/splat/engine.h"
 #include "fastscene/splat/reference.h"
 #include "fastscene/splat/splat.h"
+#include "fastscene/splat/vulkan/engine.h"
 
 namespace fastscene {
 namespace {
@@ -48,13 +49,21 @@ SplatPicture render_slowly(const Splats& splats, const Pinhole& camera, const Ri
     return out;
 }
 
+SplatPicture render_on_card(const Splats& splats, const Pinhole& camera, const Rigid& world_from_camera,
+                            Vec3f background, CameraModel model, const std::string& device) {
+    splat::vulkan::VulkanEngine engine(device);
+    engine.load(splat::Cloud(splats, false));
+    return engine.render(camera, world_from_camera, background, model);
+}
+
 }  // namespace
 
 SplatPicture render_splats(const Splats& splats, const Pinhole& camera, const Rigid& world_from_camera,
-                           Vec3f background, const std::string& backend, CameraModel model) {
+                           Vec3f background, const std::string& backend, CameraModel model, const std::string& device) {
     if (backend == "cpu") return render_cpu(splats, camera, world_from_camera, background, model);
+    if (backend == "vulkan") return render_on_card(splats, camera, world_from_camera, background, model, device);
     if (backend == "reference") return render_slowly(splats, camera, world_from_camera, background, model);
-    throw UsageError("splat: unknown backend \"{}\"; expected cpu or reference", backend);
+    throw UsageError("splat: unknown backend \"{}\"; expected cpu, vulkan or reference", backend);
 }
 
 }  // namespace fastscene

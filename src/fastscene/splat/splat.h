@@ -1,5 +1,6 @@
 // Splat: views become 3D Gaussians (Kerbl et al. 2023), loss (1 - lambda) L1 + lambda D-SSIM, lambda = 0.2.
-// Backends: "reference" (slow, readable, double precision possible) and "cpu" (tiles, SIMD, threads).
+// Backends: "cpu" (tiles, SIMD, threads), "vulkan" (graphics cards) and "reference" (slow, readable, double precision
+// possible).
 #pragma once
 
 #include <cstdint>
@@ -20,8 +21,9 @@ inline constexpr int kAutomaticShDegree = -1;
 
 struct SplatParams {
     std::string backend = "cpu";
-    int count = 200000;  // maximum number of Gaussians; fixed, so memory is known in advance
-    float per_m2 = 0;    // Gaussians per square metre of surface, if that gives fewer
+    std::string device = "auto";  // of backend vulkan (gpu::choose_device)
+    int count = 200000;           // maximum number of Gaussians; fixed, so memory is known in advance
+    float per_m2 = 0;             // Gaussians per square metre of surface, if that gives fewer
     int steps = 3000;
     float start_opacity = 0.6f;  // high enough to cover, low enough that occluded splats still get gradients
     float start_overlap = 0.6f;  // standard deviations per point spacing: neighbours close the surface
@@ -48,8 +50,11 @@ struct SplatParams {
 };
 template <class V>
 void visit_fields(SplatParams& p, V&& v) {
-    v("backend", p.backend, Choices{{"cpu", "reference"}},
-      "Renderer: cpu (tiles, SIMD, threads) or reference (slow, readable).");
+    v("backend", p.backend, Choices{{"cpu", "vulkan", "reference"}},
+      "Renderer: cpu (tiles, SIMD, threads), vulkan (a graphics card) or reference (slow, readable).");
+    v("device", p.device,
+      "vulkan: the graphics card, by number or part of its name as `doctor` lists them; auto: the one with the most "
+      "memory.");
     v("count", p.count, Bounds{1, 2e7}, "Number of Gaussians; never exceeded, whatever the strategy.");
     v("per-m2", p.per_m2, Bounds{0, 1e6},
       "Gaussians per square metre of surface, up to --splat-count; 0: always that count.");
@@ -145,7 +150,7 @@ struct SplatPicture {
 };
 SplatPicture render_splats(const Splats& splats, const Pinhole& camera, const Rigid& world_from_camera,
                            Vec3f background = {}, const std::string& backend = "cpu",
-                           CameraModel model = CameraModel::pinhole);
+                           CameraModel model = CameraModel::pinhole, const std::string& device = "auto");
 
 // A still: one picture, perspective or panoramic.
 struct Still {

@@ -1,0 +1,14 @@
+// The compute kernels of splatting, compiled for one device.
+#pragma once
+
+#include "fastscene/gpu/device.h"
+
+namespace fastscene::splat::vulkan {
+
+struct Kernels {
+    explicit Kernels(gpu::Device& device);
+    gpu::Kernel project, radix_count, radix_scatter, pairs_count, pairs_write, tiles, forward, ssim, loss_grad,
+        backward, update;
+};
+
+}  // namespace fastscene::splat::vulkan
