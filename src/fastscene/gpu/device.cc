@@ -50,7 +50,8 @@ struct Instance {
             why_not = "no Vulkan loader (libvulkan.so.1)";
             return;
         }
-        const bool validate = std::getenv("FASTSCENE_VULKAN_VALIDATION") != nullptr;
+        const char* const wanted = std::getenv("FASTSCENE_VULKAN_VALIDATION");
+        const bool validate = wanted && std::string_view(wanted) != "0";
         auto app = tagged<VkApplicationInfo>(VK_STRUCTURE_TYPE_APPLICATION_INFO);
         app.pApplicationName = "fastscene", app.apiVersion = VK_API_VERSION_1_2;
         auto info = tagged<VkInstanceCreateInfo>(VK_STRUCTURE_TYPE_INSTANCE_CREATE_INFO);

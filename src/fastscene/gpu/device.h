@@ -52,7 +52,7 @@ class Device {
     // Milliseconds that each kernel took on the device since the last call, summed by name; measured from now on. Slows
     // the device down a little.
     std::map<std::string, double> kernel_times();
-    // Messages of the validation layer since the start; empty unless FASTSCENE_VULKAN_VALIDATION is set.
+    // Messages of the validation layer since the start; empty unless FASTSCENE_VULKAN_VALIDATION is set (and not 0).
     std::vector<std::string> validation_messages() const;
 
     DeviceHandles& handles() const { return *handles_; }

@@ -21,6 +21,7 @@ class HostStepper : public Stepper {
         const View& v = *views_[view];
         losses_.push_back(step_now(cloud, v, depth_of_ ? &depth_of_(v) : nullptr, plan));
     }
+    bool relocate(float, const Relocation&, std::uint64_t, int) override { return false; }
     std::vector<LossSums> losses() override { return std::exchange(losses_, {}); }
     void store(Cloud&) override {}
 
@@ -85,7 +86,7 @@ class ReferenceStepper : public HostStepper {
             double all[kParameters] = {g.mean.x,      g.mean.y,     g.mean.z,     g.log_scale.x, g.log_scale.y,
                                        g.log_scale.z, g.rotation.w, g.rotation.x, g.rotation.y,  g.rotation.z,
                                        g.logit,       g.sh0.x,      g.sh0.y,      g.sh0.z};
-            add_regularizers(splats[static_cast<std::size_t>(i)], plan.rates, all);
+            add_regularizers(splats[static_cast<std::size_t>(i)], plan.rates, cloud.count, all);
             bool seen = false;
             for (const double x : all) seen |= x != 0;
             const Vec3d m = splats[static_cast<std::size_t>(i)].mean;
@@ -107,10 +108,11 @@ class ReferenceStepper : public HostStepper {
         return {loss.loss, loss.squared_error};
     }
 
-    static void add_regularizers(const Gaussian<double>& g, const StepRates& rates, double* all) {
+    static void add_regularizers(const Gaussian<double>& g, const StepRates& rates, std::int64_t count, double* all) {
+        const auto n = static_cast<double>(count);
         const double opacity = 1 / (1 + std::exp(-g.logit));
-        all[10] += rates.opacity_reg * opacity * (1 - opacity);
-        for (std::size_t a = 0; a < 3; ++a) all[3 + a] += rates.scale_reg * std::exp(g.log_scale[a]);
+        all[10] += rates.opacity_reg / n * opacity * (1 - opacity);
+        for (std::size_t a = 0; a < 3; ++a) all[3 + a] += rates.scale_reg / (3 * n) * std::exp(g.log_scale[a]);
     }
 };
 

@@ -10,6 +10,7 @@
 
 #include "fastscene/scene/view.h"
 #include "fastscene/splat/engine.h"
+#include "fastscene/splat/relocate.h"
 
 namespace fastscene::splat {
 
@@ -33,6 +34,8 @@ struct Stepper {
     virtual void set_views(std::vector<const View*> views, DepthOf depth_of) = 0;
     // Renders views[view], backpropagates and applies Adam; may return before it is done.
     virtual void step(Cloud& cloud, std::size_t view, const StepPlan& plan) = 0;
+    // Density control (relocate.h) without bringing the splats back; false: the backend cannot, the caller must.
+    virtual bool relocate(float growth, const Relocation& how, std::uint64_t seed, int step) = 0;
     // The losses of steps done and not yet returned, in order.
     virtual std::vector<LossSums> losses() = 0;
     // Waits for all steps, and brings `cloud` up to date.

@@ -220,8 +220,7 @@ class Training {
         plan.rates.adam_step = now;
         constexpr float kReach = 4.f;  // times the scene's radius
         plan.rates.middle = extent_.middle, plan.rates.reach_m = kReach * extent_.radius_m;
-        const auto count = static_cast<float>(state_.cloud.count);
-        plan.rates.opacity_reg = params_.opacity_reg / count, plan.rates.scale_reg = params_.scale_reg / (3 * count);
+        plan.rates.opacity_reg = params_.opacity_reg, plan.rates.scale_reg = params_.scale_reg;
         if (params_.sh_degree > 0 && now % tuning_.rest_every == 0)
             plan.rates.rest_rate = tuning_.rest * std::pow(tuning_.other_end, done),
             plan.rates.rest_adam_step = now / tuning_.rest_every;
@@ -281,16 +280,16 @@ class Training {
 
     void move_splats(int now, float done, float rate_m) {
         const bool relocates = now % density_every_ == 0 && done < tuning_.relocate_until;
-        if (tuning_.noise <= 0 && !relocates) return;
+        const Relocation how{tuning_.relocate_fraction};
+        if (tuning_.noise <= 0 && (!relocates || stepper_->relocate(tuning_.growth, how, run_.seed, now))) return;
         bring_back();
-        if (tuning_.noise > 0) add_noise(state_.cloud, tuning_.noise * rate_m, run_.seed, now);
-        if (relocates) relocate_splats(now);
-        stepper_->load(state_.cloud);
-    }
-    void relocate_splats(int now) {
-        grow(state_.cloud, static_cast<std::int64_t>(tuning_.growth * static_cast<float>(state_.cloud.count)),
-             run_.seed, now);
-        relocate(state_.cloud, {tuning_.relocate_fraction}, run_.seed, now);
+        Cloud& cloud = state_.cloud;
+        if (tuning_.noise > 0) add_noise(cloud, tuning_.noise * rate_m, run_.seed, now);
+        if (relocates) {
+            grow(cloud, static_cast<std::int64_t>(tuning_.growth * static_cast<float>(cloud.count)), run_.seed, now);
+            relocate(cloud, how, run_.seed, now);
+        }
+        stepper_->load(cloud);
     }
     void densify_splats(int now, float done) {
         const Classic classic;

@@ -96,6 +96,15 @@ void VulkanEngine::allocate_splats(std::int64_t capacity, int degree, bool train
     rest_first_ = floats(train ? rest : 0, "moments"), rest_second_ = floats(train ? rest : 0, "moments");
     seen_ = floats(train ? 4 : 0, "statistics");
     gradients_ = {}, rest_gradients_ = {};
+    if (train) {
+        const auto make = [&](std::int64_t bytes) {
+            return gpu::Buffer(device_, bytes, gpu::Memory::device, "density control");
+        };
+        const std::int64_t groups = groups_of(capacity_);
+        density_ = make(16), density_errors_ = make(groups * 4), density_dead_ = make(groups * 4);
+        density_claims_ = make(capacity_ * 4), density_choices_ = make(capacity_ * 4);
+        density_ranks_ = make(capacity_ * 4), density_free_ = make(capacity_ * 4);
+    }
     records_ = 0;
     reserve_pairs(std::max<std::int64_t>({kLeastPairs, static_cast<std::int64_t>(pair_capacity_),
                                           static_cast<std::int64_t>(kPairsASplat * static_cast<float>(capacity_))}));
@@ -159,7 +168,12 @@ void VulkanEngine::write_tables() {
     t.v = v_.address(), t.v_more = v_more_.address(), t.slots = t.slot_floats = slots_.address(),
     t.dssim = dssim_.address();
     t.sums = sums_.address(), t.counters = counters_.address(), t.outcomes = outcomes_.address();
-    t.capacity = static_cast<std::uint32_t>(capacity_), t.pair_capacity = pair_capacity_;
+    t.density = density_.address(), t.density_errors = density_errors_.address();
+    t.density_dead = density_dead_.address(), t.density_claims = density_claims_.address();
+    t.density_choices = density_choices_.address(), t.density_ranks = density_ranks_.address();
+    t.density_free = density_free_.address();
+    t.capacity = static_cast<std::uint32_t>(capacity_), t.most_splats = static_cast<std::uint32_t>(most_);
+    t.pair_capacity = pair_capacity_;
     gpu::upload(device_, tables_buffer_, 0, &t, sizeof t);
 }
 
@@ -172,7 +186,7 @@ void VulkanEngine::load(const Cloud& cloud) {
     drain();
     const bool train = !cloud.first_moment.empty();
     allocate_splats(std::max(cloud.capacity, cloud.count), cloud.degree, train);
-    count_ = cloud.count, antialias_ = cloud.antialias;
+    count_ = cloud.count, most_ = std::max(cloud.capacity, cloud.count), antialias_ = cloud.antialias;
     std::vector<float> planes;
     const auto send = [&](const AlignedFloats& from, const gpu::Buffer& to, int values) {
         if (!to || from.empty()) return;
@@ -195,9 +209,16 @@ void VulkanEngine::load(const Cloud& cloud) {
     write_tables();
 }
 
+std::uint32_t VulkanEngine::device_count() {
+    Counters c;
+    gpu::download(device_, counters_, 0, &c, sizeof c);
+    return c.count;
+}
+
 void VulkanEngine::store(Cloud& cloud) {
     drain();
     FASTSCENE_CHECK(cloud.capacity <= capacity_ && cloud.degree == degree_);
+    count_ = device_count();
     cloud.count = count_;
     std::vector<float> planes(static_cast<std::size_t>(capacity_ * std::max(kParameters, 3 * rest_functions(degree_))));
     const auto fetch = [&](const gpu::Buffer& from, AlignedFloats& to, int values) {
@@ -299,6 +320,28 @@ Plan VulkanEngine::plan_of(const Picture& picture, const StepPlan& step) const {
 
 void VulkanEngine::step(std::size_t view, const StepPlan& plan) { enqueue(plan_of(pictures_.at(view), plan)); }
 
+void VulkanEngine::relocate(float growth, std::uint32_t seed) {
+    Plan p;
+    p.flags = kDensity | static_cast<std::uint32_t>(degree_) << 16;
+    p.rates[0] = growth, p.degree = seed;
+    enqueue(p);
+    count_ = std::min(most_, count_ + static_cast<std::int64_t>(growth * static_cast<float>(count_)));
+}
+
+void VulkanEngine::record_density(Batch& batch, std::uint64_t address) {
+    const Kernels& k = *kernels_;
+    const std::uint32_t groups = groups_of(capacity_);
+    Push push{tables_buffer_.address(), address, 0, 0, 0, 0};
+    for (push.first = 0; push.first < 2; ++push.first) {  // growth, relocation
+        batch.commands.run(k.density_sum, {groups}, push);
+        batch.commands.run(k.density_scan, {1}, push);
+        batch.commands.run(k.density_sample, {groups}, push);
+        batch.commands.run(k.density_rank, {1}, push);
+        batch.commands.run(k.density_split, {groups}, push);
+        batch.commands.run(k.density_finish, {groups}, push);
+    }
+}
+
 void VulkanEngine::enqueue(const Plan& plan) {
     while (!current().is_recording && current().is_running) collect_oldest();
     Batch& batch = current();
@@ -312,7 +355,9 @@ void VulkanEngine::enqueue(const Plan& plan) {
     const std::size_t place = batch.steps.size();
     p.number = ++number_, p.outcome = batch.first_outcome + static_cast<std::uint32_t>(place);
     std::memcpy(static_cast<char*>(batch.mapped_plans.mapped()) + place * sizeof p, &p, sizeof p);
-    record(batch, p, batch.plans.address() + place * sizeof p);
+    const std::uint64_t address = batch.plans.address() + place * sizeof p;
+    if (p.flags & kDensity) record_density(batch, address);
+    else record(batch, p, address);
     batch.steps.push_back(p);
     if (batch.steps.size() >= batch_limit_) submit();
 }
@@ -367,6 +412,7 @@ void VulkanEngine::collect_oldest() {
                               std::min(kMostSteps, 2 * batch_limit_));
     const Outcome* const outcomes = static_cast<const Outcome*>(outcomes_.mapped()) + batch.first_outcome;
     for (std::size_t i = 0; i < batch.steps.size(); ++i) {
+        if (batch.steps[i].flags & kDensity) continue;
         if (const Outcome& o = outcomes[i]; o.failed)
             return repeat({batch.steps.begin() + static_cast<std::ptrdiff_t>(i), batch.steps.end()}, o.pairs);
         pairs_ = outcomes[i].pairs;
@@ -384,7 +430,7 @@ void VulkanEngine::repeat(std::vector<Plan> steps, std::uint32_t pairs) {
     }
     if (current().is_recording) steps.insert(steps.end(), current().steps.begin(), current().steps.end());
     current().is_recording = false;
-    set_counters(static_cast<std::uint32_t>(count_));
+    set_counters(device_count());
     reserve_pairs(std::int64_t{pairs} + pairs / 4);
     number_ = steps.front().number - 1;
     for (const Plan& p : steps) enqueue(p);

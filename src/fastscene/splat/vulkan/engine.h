@@ -38,6 +38,9 @@ class VulkanEngine {
 
     // Enqueues a step on views[view].
     void step(std::size_t view, const StepPlan& plan);
+    // Enqueues density control: adds up to `growth` times the splats, then moves dead ones (splat/relocate.h), both
+    // with random numbers of `seed`.
+    void relocate(float growth, std::uint32_t seed);
     // Waits for all steps enqueued, and returns the losses of those not yet returned, in order.
     std::vector<LossSums> finish();
     // The losses that are known without waiting.
@@ -90,6 +93,8 @@ class VulkanEngine {
     void allocate_splats(std::int64_t capacity, int degree, bool train);
     void write_tables();
     void set_counters(std::uint32_t count);
+    void record_density(Batch& batch, std::uint64_t address);
+    std::uint32_t device_count();
     Batch& current() { return *batches_[batch_]; }
 
     gpu::Device device_;
@@ -97,11 +102,13 @@ class VulkanEngine {
     Tables tables_{};
     gpu::Buffer tables_buffer_, counters_, histogram_, block_pairs_;
     // Of the splats.
-    std::int64_t count_ = 0, capacity_ = 0, records_ = 0;
+    std::int64_t count_ = 0, most_ = 0, capacity_ = 0, records_ = 0;  // capacity_: whole blocks, at least most_
     int degree_ = 0;
     bool antialias_ = false, trains_ = false;
     gpu::Buffer parameters_, first_moment_, second_moment_, rest_, rest_first_, rest_second_, seen_, gradients_,
         rest_gradients_;
+    gpu::Buffer density_, density_errors_, density_dead_, density_claims_, density_choices_, density_ranks_,
+        density_free_;
     gpu::Buffer records_buffer_, boxes_, first_pair_, depth_keys_[2], depth_records_[2];
     gpu::Buffer pair_tiles_[2], pair_records_[2], slots_;
     std::uint32_t pair_capacity_ = 0, pairs_ = 0;

@@ -41,6 +41,12 @@ struct Outcome {
 };
 layout(buffer_reference, std430, buffer_reference_align = 16) buffer Outcomes { Outcome at[]; };
 
+// What density control counts.
+layout(buffer_reference, std430, buffer_reference_align = 16) buffer Density {
+    float error;  // of all splats
+    uint dead, taken;
+};
+
 const uint kEquirect = 1, kAntialias = 2, kJudge = 4, kDepth = 8, kOpen = 16, kMoves = 32, kGradientsOnly = 64,
            kNoLoss = 128, kRenderOnly = 256;
 
@@ -55,7 +61,9 @@ layout(buffer_reference, std430, buffer_reference_align = 16) readonly buffer Pl
     vec4 adam;                 // 1 / sqrt(bias 2), the same for SH degrees >= 1, strengths of the regularizers
     vec4 weights;              // of the depth loss and of transmittance, a pixel; half the picture's size in pixels
     uvec4 size;                // width, height, tiles across, tiles down
-    uint flags, degree, number, outcome;  // number: of the step, from 1; outcome: its place in the list
+    // number: of the step, from 1; outcome: its place in the list. For density control: rates[0] is the growth, degree
+    // a seed, and flags the SH degree << 16.
+    uint flags, degree, number, outcome;
     Words target;              // RGB and weight, one byte each
     Floats depth;              // the target's, metres; 0: unknown
 };
@@ -83,7 +91,13 @@ layout(buffer_reference, std430, buffer_reference_align = 16) buffer Tables {
     Vec4s sums;      // of each tile: L1, squared error, depth, transmittance
     Counters counters;
     Outcomes outcomes;
-    uint capacity;       // splats
+    Density density;
+    Floats density_errors;  // of each group of splats; then of all groups before
+    Words density_dead;     // likewise
+    Words density_claims;   // of each splat: the first sample that chose it
+    Words density_choices, density_ranks, density_free;
+    uint capacity;       // floats of a plane
+    uint most_splats;
     uint pair_capacity;
 };
 

@@ -27,7 +27,8 @@ enum Flag : std::uint32_t {
     kMoves = 32,
     kGradientsOnly = 64,
     kNoLoss = 128,
-    kRenderOnly = 256
+    kRenderOnly = 256,
+    kDensity = 512  // not a step but density control; on the host only
 };
 
 struct Plan {
@@ -47,7 +48,8 @@ struct Tables {
     std::uint64_t histogram, block_pairs, tile_begin, stops, color, depth, maps, v, v_more, slots, slot_floats, dssim,
         sums;
     std::uint64_t counters, outcomes;
-    std::uint32_t capacity, pair_capacity;
+    std::uint64_t density, density_errors, density_dead, density_claims, density_choices, density_ranks, density_free;
+    std::uint32_t capacity, most_splats, pair_capacity;
 };
 
 struct Push {

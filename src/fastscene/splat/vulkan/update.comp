@@ -97,11 +97,11 @@ void update(uint i, PixelSums s, bool seen) {
     [[unroll]] for (int p = 0; p < kParameters; ++p) {
         float x = is_sound(gradient[p]) ? gradient[p] : 0.0;
         if (p == 10) {
-            const float pull = opacity * (1.0 - opacity) * plan_adam().z;
+            const float pull = opacity * (1.0 - opacity) * plan_adam().z / float(t.counters.count);
             x += is_sound(pull) ? pull : 0.0;
         }
         if (p >= 3 && p < 6) {
-            const float pull = exp(g.log_scale[p - 3]) * plan_adam().w;
+            const float pull = exp(g.log_scale[p - 3]) * plan_adam().w / (3.0 * float(t.counters.count));
             x += is_sound(pull) ? pull : 0.0;
         }
         const uint at = uint(p) * t.capacity + i;

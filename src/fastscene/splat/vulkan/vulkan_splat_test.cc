@@ -5,6 +5,8 @@
 #include <cstdlib>
 #include <cstring>
 
+#include "bench/textured_room.h"
+#include "fastscene/splat/relocate.h"
 #include "fastscene/splat/splat.h"
 #include "fastscene/splat/test_scene.h"
 #include "fastscene/splat/vulkan/engine.h"
@@ -17,7 +19,7 @@ const Vec3f kBackground{0.2f, 0.4f, 0.6f};
 class VulkanSplat : public ::testing::Test {
   protected:
     static void SetUpTestSuite() {
-        setenv("FASTSCENE_VULKAN_VALIDATION", "1", 1);
+        setenv("FASTSCENE_VULKAN_VALIDATION", "1", 0);
         engine_ = new VulkanEngine(gpu::has_card() ? "auto" : "llvmpipe");
     }
     static void TearDownTestSuite() { delete engine_; }
@@ -244,6 +246,81 @@ TEST_F(VulkanSplat, MemoryForPairsGrows) {
     EXPECT_EQ(roomy.first.size(), 20u);
     EXPECT_EQ(roomy.first, tight.first);
     EXPECT_EQ(roomy.second, tight.second);
+}
+
+// Growth and relocation. A splat that is sampled twice is split once, so somewhat fewer are made than asked for.
+TEST_F(VulkanSplat, DensityControlSplitsWhereTheErrorIs) {
+    const Case c{"density", 2};
+    Scene s = scene_of(c, 1000, 5);
+    for (std::size_t i = 0; i < 1000; i += 10) s.splats.opacity_logit[i] = -9;  // dead
+    for (Vec3f& scale : s.splats.log_scale) scale = {-3.5f, -3.2f, -3.4f};
+    s.splats.mean_m[50].x = std::numeric_limits<float>::quiet_NaN();
+    s.plan.judge = true;
+    const auto run = [&] {
+        Cloud cloud(s.splats, true, 1500);
+        engine().load(cloud);
+        engine().set_views({&s.view});
+        engine().step(0, s.plan);  // rates of zero: only the statistics change
+        engine().store(cloud);
+        const AlignedFloats error = cloud.seen_error;
+        engine().relocate(0.2f, 99);
+        engine().store(cloud);
+        return std::pair(error, cloud);
+    };
+    const auto [error, cloud] = run();
+    EXPECT_GT(cloud.count, 1120);
+    EXPECT_LE(cloud.count, 1200);
+    const Splats after = cloud.splats();
+    int split = 0, dead = 0;
+    for (std::size_t i = 0; i < 1000; ++i) {
+        const bool changed = after.mean_m[i] != s.splats.mean_m[i], was_dead = i % 10 == 0;
+        EXPECT_EQ(cloud.seen_error[i], 0);
+        if (was_dead) dead += !changed || after.opacity_logit[i] < -5;
+        if (was_dead || !changed) continue;
+        EXPECT_GT(error[i], 0) << i;
+        ++split;
+    }
+    EXPECT_GT(split, 150);
+    EXPECT_LT(dead, 40);
+    EXPECT_TRUE(std::isfinite(after.mean_m[50].x) || dead > 0);
+    // The same choice each time, and another one for another seed.
+    EXPECT_EQ(run().second.splats(), after);
+    // The first splat that was appended and its other half are what split() makes.
+    Cloud expected(s.splats, true, 1500);
+    expected.count = 1001;
+    std::size_t from = 0;
+    for (std::size_t i = 0; i < 1000; ++i)
+        if (after.sh0[i] == after.sh0[1000] && after.sh_rest[24 * i] == after.sh_rest[24000]) from = i;
+    splat::split(expected, static_cast<std::int64_t>(from), 1000);
+    const Splats two = expected.splats();
+    for (std::size_t k = 0; k < 3; ++k) EXPECT_NEAR(two.mean_m[1000][k], after.mean_m[1000][k], 1e-4f);
+    EXPECT_NEAR(two.opacity_logit[1000], after.opacity_logit[1000], 1e-3f);
+}
+
+// Training on the card from sentence to splats: as good as on the processor.
+TEST_F(VulkanSplat, TrainingIsAsGoodAsOnTheProcessor) {
+    const bench::RoomSet set = bench::room_set(96, 1, 4000, 0, 4);
+    SplatParams params;
+    params.count = 3000, params.steps = 150, params.sh_degree = 1, params.eval_every = 150, params.holdout = 4;
+    params.coarse = 0.2f;
+    const FittedSplats cpu = fit_splats(set.train, params, fastscene::Run{});
+    params.backend = "vulkan", params.device = gpu::has_card() ? "auto" : "llvmpipe";
+    const FittedSplats card = fit_splats(set.train, params, fastscene::Run{});
+    EXPECT_EQ(card.splats.size(), cpu.splats.size());
+    EXPECT_EQ(card.curve.size(), cpu.curve.size());
+    EXPECT_NEAR(card.evals.back().psnr, cpu.evals.back().psnr, 0.1f);
+    EXPECT_NEAR(card.evals.back().ssim, cpu.evals.back().ssim, 0.01f);
+    EXPECT_EQ(fit_splats(set.train, params, fastscene::Run{}).splats, card.splats);
+}
+
+TEST_F(VulkanSplat, UnknownDevicesAreNamed) {
+    for (const std::string name : {"99", "no such card"}) try {
+            const VulkanEngine other(name);
+            ADD_FAILURE() << name;
+        } catch (const UsageError& e) {
+            EXPECT_NE(std::string(e.what()).find("--splat-device " + name), std::string::npos) << e.what();
+            EXPECT_NE(std::string(e.what()).find(engine().device().info().name), std::string::npos) << e.what();
+        }
 }
 
 // Sizes at which something could go wrong: fewer pixels than a tile, more tiles than a byte counts, no splat in sight.
