@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -19,11 +20,24 @@ namespace fastscene {
 
 inline constexpr int kAutomaticShDegree = -1;
 
+// What renders splats.
+struct SplatBackend {
+    std::string name = "cpu";     // cpu, vulkan or reference
+    std::string device = "auto";  // of vulkan (gpu::choose_device)
+};
+template <class V>
+void visit_fields(SplatBackend& b, V&& v) {
+    v("backend", b.name, Choices{{"cpu", "vulkan", "reference"}},
+      "Renderer of splats: cpu (SIMD, threads), vulkan (a graphics card) or reference (slow, readable).");
+    v("device", b.device,
+      "vulkan: the graphics card, by number or part of its name as `doctor` lists them; auto: the one with the most "
+      "memory.");
+}
+
 struct SplatParams {
-    std::string backend = "cpu";
-    std::string device = "auto";  // of backend vulkan (gpu::choose_device)
-    int count = 200000;           // maximum number of Gaussians; fixed, so memory is known in advance
-    float per_m2 = 0;             // Gaussians per square metre of surface, if that gives fewer
+    SplatBackend backend;
+    int count = 200000;  // maximum number of Gaussians; fixed, so memory is known in advance
+    float per_m2 = 0;    // Gaussians per square metre of surface, if that gives fewer
     int steps = 3000;
     float start_opacity = 0.6f;  // high enough to cover, low enough that occluded splats still get gradients
     float start_overlap = 0.6f;  // standard deviations per point spacing: neighbours close the surface
@@ -50,11 +64,7 @@ struct SplatParams {
 };
 template <class V>
 void visit_fields(SplatParams& p, V&& v) {
-    v("backend", p.backend, Choices{{"cpu", "vulkan", "reference"}},
-      "Renderer: cpu (tiles, SIMD, threads), vulkan (a graphics card) or reference (slow, readable).");
-    v("device", p.device,
-      "vulkan: the graphics card, by number or part of its name as `doctor` lists them; auto: the one with the most "
-      "memory.");
+    visit_fields(p.backend, v);
     v("count", p.count, Bounds{1, 2e7}, "Number of Gaussians; never exceeded, whatever the strategy.");
     v("per-m2", p.per_m2, Bounds{0, 1e6},
       "Gaussians per square metre of surface, up to --splat-count; 0: always that count.");
@@ -148,9 +158,28 @@ struct SplatPicture {
     ImageF depth_z;  // alpha-weighted mean, metres along the optical axis (equirectangular: range along the ray); 0
                      // where alpha is 0
 };
-SplatPicture render_splats(const Splats& splats, const Pinhole& camera, const Rigid& world_from_camera,
-                           Vec3f background = {}, const std::string& backend = "cpu",
-                           CameraModel model = CameraModel::pinhole, const std::string& device = "auto");
+
+// Renders pictures of the same splats, which must live as long; for one picture, splats convert to it. Throws
+// UsageError for an unknown backend or device. Not thread safe.
+class SplatRenderer {
+  public:
+    SplatRenderer(const Splats& splats, const SplatBackend& backend = {});
+    ~SplatRenderer();
+    SplatRenderer(SplatRenderer&&) noexcept;
+
+    // On `background` (sRGB, 0..1). Throws Error if a graphics card has too little memory or stops answering.
+    SplatPicture picture(const Pinhole& camera, const Rigid& world_from_camera, Vec3f background = {},
+                         CameraModel model = CameraModel::pinhole) const;
+
+    struct Impl;
+
+  private:
+    std::unique_ptr<Impl> impl_;
+};
+inline SplatPicture render_splats(const SplatRenderer& splats, const Pinhole& camera, const Rigid& world_from_camera,
+                                  Vec3f background = {}, CameraModel model = CameraModel::pinhole) {
+    return splats.picture(camera, world_from_camera, background, model);
+}
 
 // A still: one picture, perspective or panoramic.
 struct Still {
@@ -160,8 +189,9 @@ struct Still {
         distance;  // metres; perspective: along the optical axis (depth_z), panorama: along the ray (range); 0 = empty
 };
 // On `background` (sRGB, 0..1).
-Still still_of(const Splats& splats, const Pinhole& camera, const Rigid& world_from_camera, Vec3f background = {});
+Still still_of(const SplatRenderer& splats, const Pinhole& camera, const Rigid& world_from_camera,
+               Vec3f background = {});
 // Equirectangular, width = 2 height: resampled from six perspective pictures.
-Still sphere_of(const Splats& splats, int width, const Rigid& world_from_pano, Vec3f background = {});
+Still sphere_of(const SplatRenderer& splats, int width, const Rigid& world_from_pano, Vec3f background = {});
 
 }  // namespace fastscene

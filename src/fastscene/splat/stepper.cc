@@ -118,11 +118,11 @@ class ReferenceStepper : public HostStepper {
 
 }  // namespace
 
-std::unique_ptr<Stepper> make_stepper(const std::string& backend, const std::string& device) {
-    if (backend == "cpu") return std::make_unique<CpuStepper>();
-    if (backend == "reference") return std::make_unique<ReferenceStepper>();
-    if (backend == "vulkan") return make_vulkan_stepper(device);
-    throw UsageError("splat: unknown backend \"{}\"; expected cpu, vulkan or reference", backend);
+std::unique_ptr<Stepper> make_stepper(const SplatBackend& backend) {
+    if (backend.name == "cpu") return std::make_unique<CpuStepper>();
+    if (backend.name == "reference") return std::make_unique<ReferenceStepper>();
+    if (backend.name == "vulkan") return make_vulkan_stepper(backend.device);
+    throw UsageError("splat: unknown backend \"{}\"; expected cpu, vulkan or reference", backend.name);
 }
 
 }  // namespace fastscene::splat

@@ -11,6 +11,7 @@
 #include "fastscene/scene/view.h"
 #include "fastscene/splat/engine.h"
 #include "fastscene/splat/relocate.h"
+#include "fastscene/splat/splat.h"
 
 namespace fastscene::splat {
 
@@ -41,8 +42,8 @@ struct Stepper {
     // Waits for all steps, and brings `cloud` up to date.
     virtual void store(Cloud& cloud) = 0;
 };
-// `device` is for "vulkan" only. Throws UsageError for an unknown backend or device.
-std::unique_ptr<Stepper> make_stepper(const std::string& backend, const std::string& device = "auto");
+// Throws UsageError for an unknown backend or device.
+std::unique_ptr<Stepper> make_stepper(const SplatBackend& backend);
 std::unique_ptr<Stepper> make_vulkan_stepper(const std::string& device);
 
 }  // namespace fastscene::splat

@@ -123,9 +123,10 @@ EvalPoint evaluate(const TrainState& state, const std::vector<const View*>& view
 std::vector<EvalPicture> eval_pictures(const Splats& splats, const std::vector<const View*>& views) {
     constexpr std::size_t kMost = 6;
     std::vector<EvalPicture> out;
+    const SplatRenderer renderer(splats);
     for (std::size_t i = 0; i < std::min(views.size(), kMost); ++i) {
         const View& v = *views[i * views.size() / std::min(views.size(), kMost)];
-        const SplatPicture p = render_splats(splats, v.camera, v.world_from_camera, {}, "cpu", v.model);
+        const SplatPicture p = renderer.picture(v.camera, v.world_from_camera, {}, v.model);
         out.push_back({v.name, srgb8_from_unit(p.color), v.color});
     }
     return out;
@@ -147,7 +148,7 @@ class Training {
           run_(run),
           views_(split_views(set, params)),
           order_(views_.train.size(), run.seed),
-          stepper_(make_stepper(params.backend, params.device)),
+          stepper_(make_stepper(params.backend)),
           extent_(scene_extent(set)),
           state_(start(set)),
           summed_(state_.step) {

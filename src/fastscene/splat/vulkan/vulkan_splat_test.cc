@@ -166,7 +166,7 @@ TEST_F(VulkanSplat, StepsAreTheReference) {
     s.plan.rates.rates = {2e-4f, 2e-4f, 2e-4f, 2e-3f, 2e-3f, 2e-3f, 1e-3f,
                           1e-3f, 1e-3f, 1e-3f, 2e-2f, 2e-3f, 2e-3f, 2e-3f};
     s.plan.rates.reach_m = 2, s.plan.rates.opacity_reg = 1e-5f, s.plan.rates.scale_reg = 1e-5f;
-    const auto steppers = {make_stepper("reference"), make_stepper("cpu")};
+    const auto steppers = {make_stepper({"reference"}), make_stepper({"cpu"})};
     Cloud mine(s.splats, true);
     engine().load(mine);
     engine().set_views({&s.view});
@@ -304,7 +304,7 @@ TEST_F(VulkanSplat, TrainingIsAsGoodAsOnTheProcessor) {
     params.count = 3000, params.steps = 150, params.sh_degree = 1, params.eval_every = 150, params.holdout = 4;
     params.coarse = 0.2f;
     const FittedSplats cpu = fit_splats(set.train, params, fastscene::Run{});
-    params.backend = "vulkan", params.device = gpu::has_card() ? "auto" : "llvmpipe";
+    params.backend = {"vulkan", gpu::has_card() ? "auto" : "llvmpipe"};
     const FittedSplats card = fit_splats(set.train, params, fastscene::Run{});
     EXPECT_EQ(card.splats.size(), cpu.splats.size());
     EXPECT_EQ(card.curve.size(), cpu.curve.size());
