@@ -122,6 +122,7 @@ struct FittedSplats {
     std::vector<EvalPoint> evals;            // empty without eval_every
     std::vector<EvalPicture> eval_pictures;  // at the end
     int steps = 0;                           // steps taken, including those before a resumed checkpoint
+    std::string device;                      // what trained them: "processor", or a graphics card's name and driver
 };
 
 // Throws UsageError naming a flag that is out of bounds or contradicts another.

@@ -13,6 +13,7 @@ namespace {
 // Steps that are done when step() returns, on the caller's cloud.
 class HostStepper : public Stepper {
   public:
+    std::string device() const override { return "processor"; }
     void load(const Cloud&) override {}
     void set_views(std::vector<const View*> views, DepthOf depth_of) override {
         views_ = std::move(views), depth_of_ = std::move(depth_of);

@@ -29,6 +29,7 @@ struct StepPlan {
 using DepthOf = std::function<const ImageF&(const View&)>;
 struct Stepper {
     virtual ~Stepper() = default;
+    virtual std::string device() const = 0;  // FittedSplats::device
     // Takes over the splats, or what was changed about them.
     virtual void load(const Cloud& cloud) = 0;
     // The views of the steps to come, which must live as long, and their target depths, if there are any.

@@ -178,6 +178,7 @@ class Training {
         out.splats = params_.strategy == "classic" ? alive(state_.cloud.splats(), Classic{}.faint)
                                                    : state_.cloud.splats();
         out.curve = state_.curve, out.evals = state_.evals, out.steps = state_.step;
+        out.device = stepper_->device();
         close_curve(out.curve, state_.step);
         if (!views_.held_out.empty()) {
             if (out.evals.empty() || out.evals.back().step != state_.step)

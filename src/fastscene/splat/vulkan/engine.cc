@@ -369,19 +369,22 @@ void VulkanEngine::record(Batch& batch, const Plan& plan, std::uint64_t address)
     const bool equirect = plan.flags & kEquirect;
     const std::int64_t records = count_ * (equirect ? 2 : 1), tiles = std::int64_t{plan.tiles_x} * plan.tiles_y;
     commands.run(k.project, {groups_of(count_)}, push);
-    const auto sort = [&](int bits, std::uint32_t first, std::uint32_t groups) {
+    // Any number of groups sorts alike; how many are best is known from earlier steps.
+    const auto sort = [&](int bits, std::uint32_t first, std::int64_t items, std::int64_t later_items) {
         const int passes = std::max(1, (bits + 7) / 8), each = (bits + passes - 1) / passes;
         for (int pass = 0; pass < passes; ++pass) {
             push.shift = static_cast<std::uint32_t>(pass * each), push.bits = static_cast<std::uint32_t>(each);
             push.side = pass % 2, push.first = pass == 0 || first == 2 ? first : 0;
+            const std::uint32_t groups = sort_groups(pass == 0 ? items : later_items);
             commands.run(k.radix_count, {groups}, push), commands.run(k.radix_scatter, {groups}, push);
         }
         push.side = passes % 2;
     };
-    sort(32, 1, sort_groups(records));
+    sort(32, 1, records, visible_ ? visible_ : records / 4);
+    const std::int64_t pairs = pairs_ ? pairs_ : pair_capacity_ / 4;
     const std::uint32_t pieces = std::min(kMostSortGroups, groups_of(count_, kGroup));
     commands.run(k.pairs_count, {pieces}, push), commands.run(k.pairs_write, {pieces}, push);
-    sort(std::bit_width(static_cast<std::uint64_t>(tiles - 1)), 2, sort_groups(pair_capacity_ / 4));
+    sort(std::bit_width(static_cast<std::uint64_t>(tiles - 1)), 2, pairs, pairs);
     commands.run(k.tiles, {kMostSortGroups}, push);
     const auto picture = static_cast<std::uint32_t>(tiles);
     commands.run(k.forward, {picture}, push);
@@ -415,7 +418,7 @@ void VulkanEngine::collect_oldest() {
         if (batch.steps[i].flags & kDensity) continue;
         if (const Outcome& o = outcomes[i]; o.failed)
             return repeat({batch.steps.begin() + static_cast<std::ptrdiff_t>(i), batch.steps.end()}, o.pairs);
-        pairs_ = outcomes[i].pairs;
+        visible_ = outcomes[i].visible, pairs_ = outcomes[i].pairs;
         losses_.push_back({static_cast<double>(outcomes[i].loss), static_cast<double>(outcomes[i].squared_error)});
     }
 }

@@ -27,6 +27,7 @@ class VulkanEngine {
     ~VulkanEngine();
 
     gpu::Device& device() { return device_; }
+    const gpu::Device& device() const { return device_; }
 
     // Copies the splats to the device and back; their capacity is the host's. Both wait for all steps.
     void load(const Cloud& cloud);
@@ -111,7 +112,8 @@ class VulkanEngine {
         density_free_;
     gpu::Buffer records_buffer_, boxes_, first_pair_, depth_keys_[2], depth_records_[2];
     gpu::Buffer pair_tiles_[2], pair_records_[2], slots_;
-    std::uint32_t pair_capacity_ = 0, pairs_ = 0;
+    std::uint32_t pair_capacity_ = 0;
+    std::uint32_t visible_ = 0, pairs_ = 0;  // records and pairs of the last step known
     // Of the picture.
     std::int64_t pixels_ = 0, tiles_ = 0;
     gpu::Buffer color_, depth_, maps_, v_, v_more_, tile_begin_, stops_, dssim_, sums_;

@@ -20,16 +20,14 @@ float weight_of(ivec2 p, uint target) {
     return row * float(target >> 24) / 255.0;
 }
 
-shared float reduced[256];
-// The workgroup's sum, in a fixed order.
-float sum_of_tile(float x) {
+shared vec4 reduced[256 / kSubgroup];
+// The workgroup's sum, in a fixed order; for its first invocation.
+vec4 sum_of_tile(vec4 x) {
+    const vec4 sum = subgroupAdd(x);
+    if (subgroupElect()) reduced[gl_SubgroupID] = sum;
     barrier();
-    reduced[gl_LocalInvocationID.x] = x;
-    barrier();
-    for (uint half_size = 128; half_size > 0; half_size /= 2) {
-        if (gl_LocalInvocationID.x < half_size)
-            reduced[gl_LocalInvocationID.x] += reduced[gl_LocalInvocationID.x + half_size];
-        barrier();
-    }
-    return reduced[0];
+    vec4 all = vec4(0);
+    if (gl_LocalInvocationID.x == 0)
+        for (uint k = 0; k < 256 / kSubgroup; ++k) all += reduced[k];
+    return all;
 }

@@ -75,7 +75,6 @@ void main() {
         t.v.at[i] = v;
         if (flag(kDepth) || flag(kOpen)) others = other_losses(i, weight, color.w);
     }
-    const vec4 sums = vec4(sum_of_tile(there ? v.w : 0.0), sum_of_tile(there ? squared : 0.0), sum_of_tile(others.x),
-                           sum_of_tile(others.y));
+    const vec4 sums = sum_of_tile(there ? vec4(v.w, squared, others) : vec4(0));
     if (gl_LocalInvocationID.x == 0) t.sums.at[gl_WorkGroupID.x] = sums;
 }

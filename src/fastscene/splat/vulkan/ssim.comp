@@ -49,6 +49,6 @@ void main() {
         t.maps.at[at + 2 * pixels()] = k * a1;
         dissimilarity = w - w * ssim;
     }
-    const float sum = sum_of_tile(dissimilarity);
-    if (lane == 0) t.dssim.at[channel * plan_size().z * plan_size().w + gl_WorkGroupID.x] = sum;
+    const vec4 sum = sum_of_tile(vec4(dissimilarity, 0, 0, 0));
+    if (lane == 0) t.dssim.at[channel * plan_size().z * plan_size().w + gl_WorkGroupID.x] = sum.x;
 }

@@ -10,6 +10,9 @@ namespace {
 class VulkanStepper : public Stepper {
   public:
     explicit VulkanStepper(const std::string& device) : engine_(device) {}
+    std::string device() const override {
+        return fmt::format("{} ({})", engine_.device().info().name, engine_.device().info().driver);
+    }
     void load(const Cloud& cloud) override { engine_.load(cloud); }
     void set_views(std::vector<const View*> views, DepthOf depth_of) override { engine_.set_views(views, depth_of); }
     void step(Cloud&, std::size_t view, const StepPlan& plan) override { engine_.step(view, plan); }

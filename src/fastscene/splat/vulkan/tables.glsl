@@ -37,7 +37,7 @@ layout(buffer_reference, std430, buffer_reference_align = 16) buffer Counters {
 // What the host learns of a step.
 struct Outcome {
     float loss, squared_error;
-    uint pairs, failed;
+    uint visible, pairs, failed;
 };
 layout(buffer_reference, std430, buffer_reference_align = 16) buffer Outcomes { Outcome at[]; };
 

@@ -15,7 +15,7 @@ struct Counters {
 };
 struct Outcome {
     float loss, squared_error;
-    std::uint32_t pairs, failed;
+    std::uint32_t visible, pairs, failed;
 };
 
 enum Flag : std::uint32_t {

@@ -133,7 +133,7 @@ void finish_step() {
     const float scale = 1.0 / (3.0 * float(plan_size().x) * float(plan_size().y)), lambda = plan_background().w;
     const vec4 all = reduced[0];
     t.outcomes.at[plan.outcome] = Outcome(((1.0 - lambda) * all.x + lambda * all.w) * scale + all.z, all.y * scale,
-                                          t.counters.pairs, t.counters.failed);
+                                          t.counters.visible, t.counters.pairs, t.counters.failed);
     t.counters.visible = 0;
 }
 
