@@ -10,6 +10,7 @@
 #include "fastscene/base/hash.h"
 #include "fastscene/base/memory.h"
 #include "fastscene/base/random.h"
+#include "fastscene/gpu/device.h"
 #include "fastscene/image/color.h"
 #include "fastscene/splat/classic.h"
 #include "fastscene/splat/coarse.h"
@@ -161,7 +162,7 @@ class Training {
         density_every_ = std::max(tuning.relocate_every, static_cast<int>(views_.train.size()));
     }
 
-    FittedSplats go() {
+    FittedSplats go() try {
         Progress progress(run_, "splat", last_);
         progress.advance(std::min(state_.step, last_));
         while (state_.step < last_ && !stalled()) {
@@ -186,6 +187,9 @@ class Training {
             out.eval_pictures = eval_pictures(out.splats, views_.held_out);
         }
         return out;
+    } catch (const gpu::DeviceLost& e) {
+        if (saved_ <= 0) throw;
+        throw Error("{}; the same command continues from step {}", e.what(), saved_);
     }
 
   private:
