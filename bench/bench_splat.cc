@@ -3,6 +3,7 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <string_view>
 #include <vector>
@@ -12,6 +13,7 @@
 #include "fastscene/base/json.h"
 #include "fastscene/splat/engine.h"
 #include "fastscene/splat/splat.h"
+#include "fastscene/splat/vulkan/engine.h"
 
 namespace {
 
@@ -64,12 +66,52 @@ double step_gflop(int size, double visits, double visible, double count, double 
                    count * functions * kAdam);
 }
 
+constexpr std::array<float, fastscene::splat::kParameters> kRates{5e-4f, 5e-4f, 5e-4f, 5e-3f, 5e-3f, 5e-3f, 2e-3f,
+                                                                  2e-3f, 2e-3f, 2e-3f, 5e-2f, 5e-3f, 5e-3f, 5e-3f};
+
+// Steps recorded ahead, as in training; then as many with each kernel timed on the card.
+fastscene::Json on_card(const std::string& device, const fastscene::bench::RoomSet& set,
+                        const fastscene::splat::Cloud& cloud, int warm, int steps) {
+    using namespace fastscene;
+    splat::vulkan::VulkanEngine engine(device, "--device");
+    engine.load(cloud);
+    std::vector<const View*> views;
+    for (const View& v : set.train.views) views.push_back(&v);
+    engine.set_views(views);
+    int step = 0;
+    const auto run = [&](int count) {
+        for (const int end = step + count; step < end;) {
+            splat::StepPlan plan;
+            plan.rates.rates = kRates, plan.rates.adam_step = ++step, plan.judge = true;
+            engine.step(static_cast<std::size_t>(step) % views.size(), plan);
+        }
+        double loss = 0;
+        for (const auto& l : engine.finish()) loss += l.loss;
+        return loss / count;
+    };
+    run(warm);
+    const double wall_before = wall_ms(), cpu_before = cpu_ms(), loss = run(steps);
+    const double wall = wall_ms() - wall_before, cpu = cpu_ms() - cpu_before;
+    engine.device().kernel_times();
+    run(steps);
+    Json kernels = Json::object();
+    double sum = 0;
+    for (const auto& [name, ms] : engine.device().kernel_times()) kernels[name] = ms / steps, sum += ms / steps;
+    return {{"device", engine.device().info().name},
+            {"wall_ms_per_step", wall / steps},
+            {"cpu_ms_per_step", cpu / steps},
+            {"kernel_ms_per_step", sum},
+            {"kernel_ms", kernels},
+            {"tile_entries", engine.pairs()},
+            {"loss", loss}};
+}
+
 }  // namespace
 
 int main(int argc, char** argv) try {
     using namespace fastscene;
     int size = 512, count = 50000, threads = 1, steps = 40, warm = 15;
-    std::string kernel;
+    std::string kernel, device;
     bool json = false;
     CLI::App app{"Cost of one splat training step"};
     app.add_option("--size", size, "Width and height of the views, pixels")->check(CLI::Range(16, 4096));
@@ -78,6 +120,7 @@ int main(int argc, char** argv) try {
     app.add_option("--steps", steps, "Steps measured")->check(CLI::Range(1, 100000));
     app.add_option("--warm", warm, "Steps before measuring")->check(CLI::Range(0, 100000));
     app.add_option("--kernel", kernel, "avx512, avx2 or baseline; default: the best one here");
+    app.add_option("--device", device, "A graphics card, by number or part of its name, or auto, instead of the CPU");
     app.add_flag("--json", json, "One JSON line");
     CLI11_PARSE(app, argc, argv);
 
@@ -86,8 +129,12 @@ int main(int argc, char** argv) try {
     splat::Cloud cloud(initial_splats(set.train.points, count, Run{}), true);
     const splat::Kernel& chosen = splat::choose_kernel(kernel.empty() ? nullptr : kernel.c_str());
     splat::Engine engine(chosen);
-    const std::array<float, splat::kParameters> rates{5e-4f, 5e-4f, 5e-4f, 5e-3f, 5e-3f, 5e-3f, 2e-3f,
-                                                      2e-3f, 2e-3f, 2e-3f, 5e-2f, 5e-3f, 5e-3f, 5e-3f};
+    if (!device.empty()) {
+        Json out = on_card(device, set, cloud, warm, steps);
+        out["size"] = size, out["count"] = count, out["steps"] = steps;
+        fmt::print("{}\n", json ? out.dump() : out.dump(2));
+        return 0;
+    }
     double loss = 0;
     std::vector<double> cpu, wall;
     std::int64_t visible = 0, entries = 0, visits = 0;
@@ -97,7 +144,7 @@ int main(int argc, char** argv) try {
         const View& view = set.train.views[static_cast<std::size_t>(step) % set.train.views.size()];
         engine.render(cloud, view.camera, view.world_from_camera, {}, false);
         loss += engine.differentiate(view, 0.2f).loss;
-        engine.step(cloud, rates, step);
+        engine.step(cloud, kRates, step);
         visible += engine.visible(), entries += engine.entries(), visits += engine.block_visits();
         if (step > warm) cpu.push_back(cpu_ms() - cpu_before), wall.push_back(wall_ms() - wall_before);
     }

@@ -142,9 +142,8 @@ Verb add_convert(CLI::App& app) {
         ->type_name("FILE")
         ->required();
     const auto axes = one_of({"y", "z", "-y"});
-    verb->add_option(
-            "--up", flags->up,
-            fmt::format("Up axis of the output coordinates; default: the format's own ({}).", own_up_axes()))
+    verb->add_option("--up", flags->up,
+                     fmt::format("Up axis of the output coordinates; default: the format's own ({}).", own_up_axes()))
         ->type_name("y|z|-y")
         ->check(axes);
     verb->add_option("--from-up", flags->from_up,

@@ -11,6 +11,7 @@
 #include "fastscene/base/parallel.h"
 #include "fastscene/base/program.h"
 #include "fastscene/cli/verb.h"
+#include "fastscene/gpu/device.h"
 #include "fastscene/models/cache.h"
 #include "fastscene/nn/diffusion_memory.h"
 #include "fastscene/pipeline/build_info.h"
@@ -44,6 +45,16 @@ std::string instruction_sets() {
 std::string instruction_set_in_use() {
     const char* const why = isa() < processor_isa() ? "as FASTSCENE_ISA says" : "the best of this processor";
     return fmt::format("{} in use, {}; compiled for {} and above", isa_name(isa()), why, isa_name(compiled_isa()));
+}
+
+// Listed with the number that --splat-device takes.
+Finding graphics_card(const gpu::DeviceInfo& d) {
+    const std::string state = fmt::format("{}: {}, {:.1f} GiB, {}{}", d.index, d.name,
+                                          static_cast<double>(d.memory) / (1 << 30), d.driver,
+                                          d.is_card ? "" : "; a processor, used only if asked for by number or name");
+    if (d.missing.empty()) return {"graphics card", state, ""};
+    return {"graphics card", fmt::format("{}; lacks {}", state, fmt::join(d.missing, ", ")),
+            "install a newer driver; --splat-backend cpu works without"};
 }
 
 double memory_gib(const std::string& field) {
@@ -156,6 +167,7 @@ std::vector<Finding> examine() {
     all.push_back({"processor", instruction_sets(), ""});
     all.push_back({"instruction set", instruction_set_in_use(), ""});
     all.push_back({"threads", std::to_string(thread_count()), ""});
+    for (const gpu::DeviceInfo& device : gpu::list_devices()) all.push_back(graphics_card(device));
     all.push_back(memory());
     all.push_back(painting_memory());
     all.push_back(pulled_models());

@@ -36,6 +36,7 @@ Verb add_metrics(CLI::App& app) {
     verb->add_flag("--truth", flags->truth, "Trace the prompt's room as ground truth and compare.");
     verb->add_option("--seed", flags->seed, "Seed of the poses.")->type_name("N")->capture_default_str();
     add_fields(*verb, "", TruthParams{}, flags->given, "Settings of --truth");
+    add_fields(*verb, "", SplatBackend{}, flags->given, "Settings of --truth");
     verb->footer(
         "Examples:\n  fastscene metrics out/bedroom --truth --views 30\n  fastscene metrics images renders --reference "
         "truth");
@@ -56,10 +57,13 @@ Verb add_metrics(CLI::App& app) {
             if (flags->given->count("--radius")) params.where = "near";  // --radius implies poses near panorama 0
             apply_fields("", params, *flags->given);
             check_fields("", params);
+            SplatBackend backend;
+            apply_fields("", backend, *flags->given);
+            check_fields("", backend);
             if (params.where != "near" && flags->given->count("--radius"))
                 throw UsageError("--radius: expected with --where near, found --where {}", params.where);
             const Json report = measure_run(flags->folder, params,
-                                            session.run(number_from<std::uint64_t>("--seed", flags->seed)));
+                                            session.run(number_from<std::uint64_t>("--seed", flags->seed)), backend);
             session.print((RunFolder{flags->folder}.metrics() / "report.json").string(), report);
         }};
 }

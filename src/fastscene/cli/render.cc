@@ -29,6 +29,7 @@ struct Flags {
     std::vector<float> position{0, 0, 0}, background{0, 0, 0};
     float yaw_deg = 0, pitch_deg = 0, fov_deg = 75;
     bool sphere = false;
+    std::shared_ptr<Given> given = std::make_shared<Given>();
     CLI::App* verb = nullptr;  // which flags were given
 };
 
@@ -72,10 +73,13 @@ struct Subject {
     std::function<Still(int width, const Rigid& world_from_pano)> sphere;  // equirectangular
 };
 
-Subject subject_of_splats(Splats given, Vec3f background) {
+Subject subject_of_splats(Splats given, const SplatBackend& backend, Vec3f background) {
     const auto splats = std::make_shared<const Splats>(std::move(given));
-    return {[=](const Pinhole& camera, const Rigid& pose) { return still_of(*splats, camera, pose, background); },
-            [=](int width, const Rigid& pose) { return sphere_of(*splats, width, pose, background); }};
+    const auto renderer = std::make_shared<const SplatRenderer>(*splats, backend);
+    return {[=](const Pinhole& camera, const Rigid& pose) {
+                return (void)splats, still_of(*renderer, camera, pose, background);
+            },
+            [=](int width, const Rigid& pose) { return (void)splats, sphere_of(*renderer, width, pose, background); }};
 }
 
 // Path traced, with the noise level of the ground truth for metrics.
@@ -215,6 +219,11 @@ void render(const Flags& flags, const Session& session) {
         throw UsageError("--samples: expected with --of room, found with --of {}", flags.of);
     if (flags.verb->count("--background") && of_room)
         throw UsageError("--background: expected with --of splats, found with --of room");
+    SplatBackend backend;
+    apply_fields("", backend, *flags.given);
+    check_fields("", backend);
+    if (of_room && !flags.given->empty())
+        throw UsageError("{}: expected with --of splats, found with --of room", flags.given->begin()->first);
     CameraPath camera;
     parse_size(!flags.size.empty() ? flags.size : flags.sphere ? "2048x1024" : "1280x720", camera.width, camera.height);
     if (flags.sphere && camera.width != 2 * camera.height)
@@ -256,7 +265,7 @@ void render(const Flags& flags, const Session& session) {
             if (!file.empty()) check_writable(file);
     const Subject subject = of_room
                                 ? subject_of_room(flags.scene, flags.samples, session)
-                                : subject_of_splats(load_scene(flags.scene, session.run(0)).splats,
+                                : subject_of_splats(load_scene(flags.scene, session.run(0)).splats, backend,
                                                     {flags.background[0], flags.background[1], flags.background[2]});
     if (capture) return render_cameras(subject, *capture, out, session);
     if (!flags.path.empty()) return render_film(subject, camera, out, flags, session);
@@ -312,6 +321,7 @@ Verb add_render(CLI::App& app) {
             "Camera path (JSON: fps, fov_deg, size, keys with time_s, position_m, yaw_deg, pitch_deg), or cameras to "
             "render from: a cameras.json, a transforms.json or the folder of a COLMAP model or capture.")
         ->type_name("FILE|DIR");
+    add_fields(*verb, "", SplatBackend{}, flags->given, "Where splats are rendered");
     verb->footer(
         "Examples:\n  fastscene render out/bedroom --yaw 40 --position 0.2 0 0.3 -o still.png\n"
         "  fastscene render out/bedroom --of room --yaw 40 --position 0.2 0 0.3 -o traced.png");

@@ -2,9 +2,8 @@
 // name:
 // SCENE/*.png, *.jpg: its own renderings, evaluated as they are (`stills`);
 // SCENE/source.png: its panorama at panorama 0's position (`source`);
-// SCENE.ply or another splat format: Gaussian splats in our frame, rendered by our renderer with the suite's cameras, for every
-// measure;
-// SCENE/minutes.txt: its duration; minutes.txt beside the scenes: one figure for all of them.
+// SCENE.ply or another splat format: Gaussian splats in our frame, rendered by our renderer with the suite's cameras,
+// for every measure; SCENE/minutes.txt: its duration; minutes.txt beside the scenes: one figure for all of them.
 // bench/peers/ converts the outputs of several systems to this layout.
 #pragma once
 

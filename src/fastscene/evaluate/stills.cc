@@ -76,13 +76,15 @@ Pinhole still_camera(const StillsParams& params, int panorama_width) {
 
 void save_walked_stills(const std::filesystem::path& folder, const Splats& splats, const StillsParams& params,
                         const Pinhole& camera, const ImageF& range, const Run& run) {
+    const SplatRenderer renderer(splats);
     save_all(folder, "stills", still_poses(params, range), run,
-             [&](const Rigid& pose) { return still_of(splats, camera, pose).color; });
+             [&](const Rigid& pose) { return still_of(renderer, camera, pose).color; });
 }
 void save_origin_stills(const std::filesystem::path& folder, const Splats& splats, const StillsParams& params,
                         const Pinhole& camera, const Run& run) {
+    const SplatRenderer renderer(splats);
     save_all(folder, "stills at the origin", still_poses(at_origin(params), {}), run,
-             [&](const Rigid& pose) { return still_of(splats, camera, pose).color; });
+             [&](const Rigid& pose) { return still_of(renderer, camera, pose).color; });
 }
 void save_input_stills(const std::filesystem::path& folder, const Panorama& first, const StillsParams& params,
                        const Pinhole& camera, const Run& run) {

@@ -80,16 +80,17 @@ Json at_walked_poses(const TruthInputs& inputs, const Splats& a, const fs::path&
     const std::vector<ImageRgb8> walked = inputs.walked();
     FASTSCENE_CHECK(walked.size() == inputs.world_from_pano.size());
     std::vector<double> walk, ours, bound, lost;
+    const SplatRenderer renderer(inputs.splats, inputs.backend), bound_renderer(a, inputs.backend);
     Progress progress(run, "walked poses", static_cast<std::int64_t>(walked.size()) - 1);
     for (std::size_t i = 1; i < walked.size(); ++i) {
         run.check_stop();
         const ImageRgb8 truth = load_rgb8(true_panoramas / picture_name(i));
-        const auto likeness = [&](const Splats& splats) {
+        const auto likeness = [&](const SplatRenderer& splats) {
             return psnr(sphere_of(splats, truth.width, inputs.world_from_pano[i]).color, truth);
         };
         walk.push_back(psnr(walked[i], truth));
-        ours.push_back(likeness(inputs.splats));
-        bound.push_back(likeness(a));
+        ours.push_back(likeness(renderer));
+        bound.push_back(likeness(bound_renderer));
         lost.push_back(walk.back() - ours.back());
         progress.advance();
     }
@@ -190,6 +191,9 @@ Json measure_truth(const TruthInputs& inputs, const TruthParams& params, const f
         walked_poses = at_walked_poses(inputs, *a, panoramas, run);
     }
 
+    const SplatRenderer renderer(inputs.splats, inputs.backend);
+    std::optional<SplatRenderer> renderer_a, renderer_b;
+    if (a) renderer_a.emplace(*a, inputs.backend), renderer_b.emplace(*b, inputs.backend);
     Means ours, bound_a, bound_b;
     ByDistance by_distance;
     double low_alpha = 0;
@@ -197,7 +201,7 @@ Json measure_truth(const TruthInputs& inputs, const TruthParams& params, const f
     for (std::size_t i = 0; i < poses.size(); ++i) {
         run.check_stop();
         const TruthPicture& truth = inputs.truth.pictures[i];
-        const SplatSight sight = splat_sight(inputs.splats, poses[i], params.size_px);
+        const SplatSight sight = splat_sight(renderer, poses[i], params.size_px);
         std::vector<ImageRgb8> row{truth.color, sight.color};
         const Likeness likeness = compare(sight.color, truth);
         ours.add(likeness);
@@ -205,8 +209,8 @@ Json measure_truth(const TruthInputs& inputs, const TruthParams& params, const f
         low_alpha += sight.low_alpha_share / static_cast<double>(poses.size());
         Json view = view_json(poses[i], likeness, sight);
         if (a) {
-            row.push_back(splat_sight(*a, poses[i], params.size_px).color);
-            row.push_back(splat_sight(*b, poses[i], params.size_px).color);
+            row.push_back(splat_sight(*renderer_a, poses[i], params.size_px).color);
+            row.push_back(splat_sight(*renderer_b, poses[i], params.size_px).color);
             const Likeness of_a = compare(row[2], truth), of_b = compare(row[3], truth);
             bound_a.add(of_a);
             bound_b.add(of_b);

@@ -85,7 +85,7 @@ struct SplatSight {
     ImageRgb8 color;
     double low_alpha_share = 0;
 };
-SplatSight splat_sight(const Splats& splats, const TruthPose& pose, int size);
+SplatSight splat_sight(const SplatRenderer& splats, const TruthPose& pose, int size);
 
 // What is evaluated, and the inputs of the bounds.
 struct TruthInputs {
@@ -95,10 +95,11 @@ struct TruthInputs {
     std::vector<Rigid> world_from_pano;              // walked poses, panorama 0 first
     std::function<std::vector<ImageRgb8>()> walked;  // the walk's panoramas there; called only with bounds
     Splats splats;
-    ViewsParams views;  // for the bounds: the same views settings …
-    SplatParams splat;  // … and the same trainer
-    ShotParts shot;     // render settings of panorama 0, used for true panoramas too
-    std::string key;    // identifies these inputs; bounds are cached under this key
+    ViewsParams views;     // for the bounds: the same views settings …
+    SplatParams splat;     // … and the same trainer
+    ShotParts shot;        // render settings of panorama 0, used for true panoramas too
+    SplatBackend backend;  // renders the splats
+    std::string key;       // identifies these inputs; bounds are cached under this key
 };
 // Evaluates the splats and writes `dir`/truth/NN.png (truth, ours, [A, B,] 4 x difference of the first two) and, with
 // bounds, `dir`/bounds/{A,B}.ply. Returns the section "truth" of metrics/report.json: where, psnr_mean, ssim_mean,

@@ -146,9 +146,9 @@ Likeness compare(const ImageRgb8& picture, const TruthPicture& truth) {
     return {all.psnr(), ssim(picture, truth.color), seen.psnr(), unseen.psnr()};
 }
 
-SplatSight splat_sight(const Splats& splats, const TruthPose& pose, int size) {
+SplatSight splat_sight(const SplatRenderer& splats, const TruthPose& pose, int size) {
     constexpr float kOpaque = 0.98f;
-    const SplatPicture seen = render_splats(splats, truth_camera(size), pose.world_from_camera);
+    const SplatPicture seen = splats.picture(truth_camera(size), pose.world_from_camera);
     const auto open = std::count_if(seen.alpha.pixels.begin(), seen.alpha.pixels.end(),
                                     [](float a) { return !(a >= kOpaque); });
     return {srgb8_from_unit(seen.color), static_cast<double>(open) / static_cast<double>(seen.alpha.size())};

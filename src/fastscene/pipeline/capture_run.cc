@@ -10,6 +10,7 @@
 #include "fastscene/base/parallel.h"
 #include "fastscene/io/capture_io.h"
 #include "fastscene/io/splat_io.h"
+#include "fastscene/pipeline/fit_report.h"
 #include "fastscene/pipeline/build_info.h"
 #include "fastscene/pipeline/claim.h"
 #include "fastscene/pipeline/share.h"
@@ -197,6 +198,7 @@ Json train_capture(const CaptureRequest& request, const RunFolder& folder, const
                                  {"cpu_seconds", record.cost.cpu_seconds},
                                  {"peak_memory_bytes", record.cost.peak_memory_bytes},
                                  {"hash", record.result}};
+    report["stages"]["splat"]["device"] = device_of_fit(folder.stage("splat"));
     Json made = Json::array();
     for (const std::string& name : RunFolder::owned())
         if (name == "report.json" || fs::exists(folder.root / name)) made.push_back(name);

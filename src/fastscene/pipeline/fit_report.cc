@@ -38,6 +38,11 @@ std::string csv_of(const FittedSplats& fitted) {
 
 }  // namespace
 
+std::string device_of_fit(const fs::path& dir) {
+    if (!fs::exists(dir / "curve.json")) return {};
+    return read_json(dir / "curve.json").value("device", "");
+}
+
 void save_curves(const fs::path& out, const FittedSplats& fitted) {
     Json curve = Json::array(), evals = Json::array();
     PlotCurve train{"training views", {}, false}, held_out{"held-out views", {}, false};
@@ -49,7 +54,7 @@ void save_curves(const fs::path& out, const FittedSplats& fitted) {
         evals.push_back({{"step", e.step}, {"psnr", e.psnr}, {"ssim", e.ssim}});
         held_out.points.push_back({static_cast<double>(e.step), e.psnr});
     }
-    Json json{{"curve", curve}, {"steps", fitted.steps}};
+    Json json{{"curve", curve}, {"steps", fitted.steps}, {"device", fitted.device}};
     if (!fitted.evals.empty()) json["held_out"] = evals;
     write_json(out / "curve.json", json);
     write_file(out / "curve.csv", std::string_view(csv_of(fitted)));

@@ -10,6 +10,7 @@
 #include "fastscene/base/writable.h"
 #include "fastscene/depth/estimator.h"
 #include "fastscene/nn/weights.h"
+#include "fastscene/pipeline/fit_report.h"
 #include "fastscene/pipeline/build_info.h"
 #include "fastscene/panorama/diffusion360.h"
 #include "fastscene/rooms/pack.h"
@@ -88,6 +89,8 @@ Json report_of(const std::vector<StageRecord>& stages, const SceneRequest& reque
     report["seconds"] = total.seconds;
     report["cpu_seconds"] = total.cpu_seconds;
     report["peak_memory_bytes"] = total.peak_memory_bytes;
+    if (const std::string device = device_of_fit(folder.stage("splat")); !device.empty() && costs.contains("splat"))
+        costs["splat"]["device"] = device;
     report["stages"] = costs;
     Json made = Json::array();
     for (const std::string& name : RunFolder::owned())

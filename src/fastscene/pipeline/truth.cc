@@ -82,8 +82,8 @@ RunTruth::RunTruth(const std::filesystem::path& run_dir, std::filesystem::path k
 
 RunTruth::~RunTruth() = default;
 
-Json RunTruth::measure(const TruthParams& params, const std::filesystem::path& splats,
-                       const std::filesystem::path& out) {
+Json RunTruth::measure(const TruthParams& params, const std::filesystem::path& splats, const std::filesystem::path& out,
+                       const SplatBackend& backend) {
     const RunFolder& folder = impl_->folder;
     const std::filesystem::path to = out.empty() ? folder.metrics() : out;
     const SceneParams& settings = impl_->recorded.request.params;
@@ -99,6 +99,7 @@ Json RunTruth::measure(const TruthParams& params, const std::filesystem::path& s
         return colors;
     };
     inputs.splats = splats.empty() ? load_splat_ply(folder.scene_ply()) : load_splats(splats).splats;
+    inputs.backend = backend;
     inputs.views = settings.views;
     inputs.splat = splat_of(impl_->recorded.request.source, settings.depth, settings.walk, settings.splat);
     inputs.shot = panorama_parts(panorama_of_run(impl_->recorded, params.samples).trace);
@@ -113,8 +114,9 @@ Json RunTruth::measure(const TruthParams& params, const std::filesystem::path& s
     return report;
 }
 
-Json measure_run(const std::filesystem::path& run_dir, const TruthParams& params, const Run& run) {
-    return RunTruth(run_dir, {}, run).measure(params);
+Json measure_run(const std::filesystem::path& run_dir, const TruthParams& params, const Run& run,
+                 const SplatBackend& backend) {
+    return RunTruth(run_dir, {}, run).measure(params, {}, {}, backend);
 }
 
 }  // namespace fastscene

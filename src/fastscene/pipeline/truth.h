@@ -21,7 +21,7 @@ class RunTruth {
     // the latest of each kind is kept under "truth_of_room" and "truth_by_radius") and metrics/truth/*.png; returns the
     // report. `splats` (if not empty) are evaluated instead of the run's own; `out` (if not empty) replaces metrics/.
     Json measure(const TruthParams& params, const std::filesystem::path& splats = {},
-                 const std::filesystem::path& out = {});
+                 const std::filesystem::path& out = {}, const SplatBackend& backend = {});
 
   private:
     struct Impl;
@@ -29,6 +29,7 @@ class RunTruth {
 };
 
 // A single measurement, stored in the run.
-Json measure_run(const std::filesystem::path& run_dir, const TruthParams& params, const Run& run);
+Json measure_run(const std::filesystem::path& run_dir, const TruthParams& params, const Run& run,
+                 const SplatBackend& backend = {});
 
 }  // namespace fastscene

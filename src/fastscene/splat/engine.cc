@@ -396,7 +396,8 @@ void Engine::step(Cloud& cloud, const StepRates& r) {
     job.inv_sqrt_bias2 = static_cast<float>(1 / std::sqrt(bias(0.999, r.adam_step)));
     job.rest_rate = static_cast<float>(r.rest_rate / bias(0.9, r.rest_adam_step));
     job.rest_inv_sqrt_bias2 = static_cast<float>(1 / std::sqrt(bias(0.999, r.rest_adam_step)));
-    job.opacity_reg = r.opacity_reg, job.scale_reg = r.scale_reg;
+    const auto count = static_cast<float>(cloud.count);
+    job.opacity_reg = r.opacity_reg / count, job.scale_reg = r.scale_reg / (3 * count);
     job.middle = r.middle, job.reach_m = r.reach_m;
     update(cloud, job);
 }

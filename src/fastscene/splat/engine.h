@@ -65,7 +65,7 @@ struct StepRates {
     float reach_m = std::numeric_limits<float>::infinity();
     float rest_rate = 0;  // learning rate of SH degrees >= 1; 0: not updated in this step
     int rest_adam_step = 1;
-    float opacity_reg = 0, scale_reg = 0;  // UpdateJob
+    float opacity_reg = 0, scale_reg = 0;  // weights of the mean opacity and of the mean scale
 };
 
 class Engine {

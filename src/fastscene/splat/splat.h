@@ -1,8 +1,10 @@
 // Splat: views become 3D Gaussians (Kerbl et al. 2023), loss (1 - lambda) L1 + lambda D-SSIM, lambda = 0.2.
-// Backends: "reference" (slow, readable, double precision possible) and "cpu" (tiles, SIMD, threads).
+// Backends: "cpu" (tiles, SIMD, threads), "vulkan" (graphics cards) and "reference" (slow, readable, double precision
+// possible).
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -18,8 +20,22 @@ namespace fastscene {
 
 inline constexpr int kAutomaticShDegree = -1;
 
+// What renders splats.
+struct SplatBackend {
+    std::string name = "cpu";     // cpu, vulkan or reference
+    std::string device = "auto";  // of vulkan (gpu::choose_device)
+};
+template <class V>
+void visit_fields(SplatBackend& b, V&& v) {
+    v("backend", b.name, Choices{{"cpu", "vulkan", "reference"}},
+      "Renderer of splats: cpu (SIMD, threads), vulkan (a graphics card) or reference (slow, readable).");
+    v("device", b.device,
+      "vulkan: the graphics card, by number or part of its name as `doctor` lists them; auto: the one with the most "
+      "memory.");
+}
+
 struct SplatParams {
-    std::string backend = "cpu";
+    SplatBackend backend;
     int count = 200000;  // maximum number of Gaussians; fixed, so memory is known in advance
     float per_m2 = 0;    // Gaussians per square metre of surface, if that gives fewer
     int steps = 3000;
@@ -48,8 +64,7 @@ struct SplatParams {
 };
 template <class V>
 void visit_fields(SplatParams& p, V&& v) {
-    v("backend", p.backend, Choices{{"cpu", "reference"}},
-      "Renderer: cpu (tiles, SIMD, threads) or reference (slow, readable).");
+    visit_fields(p.backend, v);
     v("count", p.count, Bounds{1, 2e7}, "Number of Gaussians; never exceeded, whatever the strategy.");
     v("per-m2", p.per_m2, Bounds{0, 1e6},
       "Gaussians per square metre of surface, up to --splat-count; 0: always that count.");
@@ -107,6 +122,7 @@ struct FittedSplats {
     std::vector<EvalPoint> evals;            // empty without eval_every
     std::vector<EvalPicture> eval_pictures;  // at the end
     int steps = 0;                           // steps taken, including those before a resumed checkpoint
+    std::string device;                      // what trained them: "processor", or a graphics card's name and driver
 };
 
 // Throws UsageError naming a flag that is out of bounds or contradicts another.
@@ -143,9 +159,28 @@ struct SplatPicture {
     ImageF depth_z;  // alpha-weighted mean, metres along the optical axis (equirectangular: range along the ray); 0
                      // where alpha is 0
 };
-SplatPicture render_splats(const Splats& splats, const Pinhole& camera, const Rigid& world_from_camera,
-                           Vec3f background = {}, const std::string& backend = "cpu",
-                           CameraModel model = CameraModel::pinhole);
+
+// Renders pictures of the same splats, which must live as long; for one picture, splats convert to it. Throws
+// UsageError for an unknown backend or device. Not thread safe.
+class SplatRenderer {
+  public:
+    SplatRenderer(const Splats& splats, const SplatBackend& backend = {});
+    ~SplatRenderer();
+    SplatRenderer(SplatRenderer&&) noexcept;
+
+    // On `background` (sRGB, 0..1). Throws Error if a graphics card has too little memory or stops answering.
+    SplatPicture picture(const Pinhole& camera, const Rigid& world_from_camera, Vec3f background = {},
+                         CameraModel model = CameraModel::pinhole) const;
+
+    struct Impl;
+
+  private:
+    std::unique_ptr<Impl> impl_;
+};
+inline SplatPicture render_splats(const SplatRenderer& splats, const Pinhole& camera, const Rigid& world_from_camera,
+                                  Vec3f background = {}, CameraModel model = CameraModel::pinhole) {
+    return splats.picture(camera, world_from_camera, background, model);
+}
 
 // A still: one picture, perspective or panoramic.
 struct Still {
@@ -155,8 +190,9 @@ struct Still {
         distance;  // metres; perspective: along the optical axis (depth_z), panorama: along the ray (range); 0 = empty
 };
 // On `background` (sRGB, 0..1).
-Still still_of(const Splats& splats, const Pinhole& camera, const Rigid& world_from_camera, Vec3f background = {});
+Still still_of(const SplatRenderer& splats, const Pinhole& camera, const Rigid& world_from_camera,
+               Vec3f background = {});
 // Equirectangular, width = 2 height: resampled from six perspective pictures.
-Still sphere_of(const Splats& splats, int width, const Rigid& world_from_pano, Vec3f background = {});
+Still sphere_of(const SplatRenderer& splats, int width, const Rigid& world_from_pano, Vec3f background = {});
 
 }  // namespace fastscene

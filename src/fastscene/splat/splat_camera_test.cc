@@ -155,7 +155,7 @@ TEST(SplatSphere, SplatsLandWhereTheSphereSays) {
         s.log_scale[0] = Vec3f{1, 1, 1} * std::log(0.1f);
         s.opacity_logit[0] = 4;
         s.sh0[0] = {1, 1, 1};
-        const SplatPicture picture = render_splats(s, {size.width, size.height, 0, 0, 0, 0}, {}, {}, "cpu",
+        const SplatPicture picture = render_splats(s, {size.width, size.height, 0, 0, 0, 0}, {}, {},
                                                    CameraModel::equirectangular);
         const Vec2f at = pixel_of_direction(p, size);
         // Mean alpha around the splat's position at the seam.

@@ -111,7 +111,7 @@ TEST(SplatMath, OneGaussianHasAClosedForm) {
     s.sh0[0] = {1.f, 0.f, -0.5f};
     const Pinhole camera{41, 41, 30, 30, 20.5f, 20.5f};
     for (const char* backend : {"cpu", "reference"}) {
-        const SplatPicture picture = render_splats(s, camera, {}, {}, backend);
+        const SplatPicture picture = render_splats({s, {backend}}, camera, {});
         const double variance = 1.5 * 1.5 + 0.3;
         for (int x = 0; x < 41; ++x) {
             const double d = x - 20, alpha = 0.8 * std::exp(-d * d / (2 * variance));

@@ -248,7 +248,7 @@ TEST_F(SplatOptions, BackendsAgreeWithHigherBandsAndRegularizers) {
     params.opacity_reg = 0.1f, params.scale_reg = 1.f;
     params.random_background = true;
     const FittedSplats fast = fit_splats(set, params, fastscene::Run{});
-    params.backend = "reference";
+    params.backend.name = "reference";
     const FittedSplats slow = fit_splats(set, params, fastscene::Run{});
     EXPECT_NEAR(fast.curve.back().loss, slow.curve.back().loss, 1e-3f);
     double far = 0, size = 0;

@@ -79,7 +79,7 @@ TEST(SplatTrain, BackendsTakeTheSameSteps) {
     params.count = 400;
     params.steps = 3;
     const FittedSplats fast = fit_splats(set, params, Context{});
-    params.backend = "reference";
+    params.backend.name = "reference";
     const FittedSplats slow = fit_splats(set, params, Context{});
     EXPECT_NEAR(fast.curve.back().loss, slow.curve.back().loss, 1e-4f);
     double far = 0, moved = 0;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "fastscene/base/error.h"
 #include "fastscene/splat/reference.h"
@@ -9,19 +10,40 @@
 namespace fastscene::splat {
 namespace {
 
-class CpuStepper : public Stepper {
+// Steps that are done when step() returns, on the caller's cloud.
+class HostStepper : public Stepper {
   public:
-    LossSums step(Cloud& cloud, const View& view, const StepPlan& plan) override {
-        engine_.render(cloud, view.camera, view.world_from_camera, plan.background, plan.depth != nullptr, view.model);
+    std::string device() const override { return "processor"; }
+    void load(const Cloud&) override {}
+    void set_views(std::vector<const View*> views, DepthOf depth_of) override {
+        views_ = std::move(views), depth_of_ = std::move(depth_of);
+    }
+    void step(Cloud& cloud, std::size_t view, const StepPlan& plan) override {
+        const View& v = *views_[view];
+        losses_.push_back(step_now(cloud, v, depth_of_ ? &depth_of_(v) : nullptr, plan));
+    }
+    bool relocate(float, const Relocation&, std::uint64_t, int) override { return false; }
+    std::vector<LossSums> losses() override { return std::exchange(losses_, {}); }
+    void store(Cloud&) override {}
+
+  private:
+    virtual LossSums step_now(Cloud& cloud, const View& view, const ImageF* depth, const StepPlan& plan) = 0;
+    std::vector<const View*> views_;
+    DepthOf depth_of_;
+    std::vector<LossSums> losses_;
+};
+
+class CpuStepper : public HostStepper {
+    LossSums step_now(Cloud& cloud, const View& view, const ImageF* depth, const StepPlan& plan) override {
+        engine_.render(cloud, view.camera, view.world_from_camera, plan.background, depth != nullptr, view.model);
         LossSums sums = engine_.differentiate(view, plan.lambda_dssim, plan.judge);
-        if (plan.depth) sums.loss += engine_.differentiate_depth(view, *plan.depth, plan.depth_strength);
+        if (depth) sums.loss += engine_.differentiate_depth(view, *depth, plan.depth_strength);
         if (plan.alpha_strength > 0) sums.loss += engine_.differentiate_transmittance(view, plan.alpha_strength);
         engine_.set_outside(plan.outside_m);
         engine_.step(cloud, plan.rates);
         return sums;
     }
 
-  private:
     Engine engine_{choose_kernel()};
 };
 
@@ -38,9 +60,8 @@ void adam(AdamSlot slot, double gradient, double rate, int step) {
                                              (std::sqrt(v / (1 - std::pow(0.999, step))) + kAdamEpsilon));
 }
 
-class ReferenceStepper : public Stepper {
-  public:
-    LossSums step(Cloud& cloud, const View& view, const StepPlan& plan) override {
+class ReferenceStepper : public HostStepper {
+    LossSums step_now(Cloud& cloud, const View& view, const ImageF* depth, const StepPlan& plan) override {
         const Splats now = cloud.splats();
         const auto splats = gaussians_of<double>(now);
         const auto rest = rest_of<double>(now);
@@ -51,9 +72,8 @@ class ReferenceStepper : public Stepper {
         for (const auto& p : picture.pixels) colors.push_back(p.color);
         ReferenceLoss loss = loss_reference(colors, view, plan.lambda_dssim);
         std::vector<double> v_depth;
-        if (plan.depth)
-            loss.loss += depth_loss_reference(picture, view, *plan.depth, static_cast<double>(plan.depth_strength),
-                                              v_depth);
+        if (depth)
+            loss.loss += depth_loss_reference(picture, view, *depth, static_cast<double>(plan.depth_strength), v_depth);
         std::vector<double> v_transmittance;
         if (plan.alpha_strength > 0)
             loss.loss += transmittance_loss_reference(picture, view, static_cast<double>(plan.alpha_strength),
@@ -67,7 +87,7 @@ class ReferenceStepper : public Stepper {
             double all[kParameters] = {g.mean.x,      g.mean.y,     g.mean.z,     g.log_scale.x, g.log_scale.y,
                                        g.log_scale.z, g.rotation.w, g.rotation.x, g.rotation.y,  g.rotation.z,
                                        g.logit,       g.sh0.x,      g.sh0.y,      g.sh0.z};
-            add_regularizers(splats[static_cast<std::size_t>(i)], plan.rates, all);
+            add_regularizers(splats[static_cast<std::size_t>(i)], plan.rates, cloud.count, all);
             bool seen = false;
             for (const double x : all) seen |= x != 0;
             const Vec3d m = splats[static_cast<std::size_t>(i)].mean;
@@ -89,20 +109,21 @@ class ReferenceStepper : public Stepper {
         return {loss.loss, loss.squared_error};
     }
 
-  private:
-    static void add_regularizers(const Gaussian<double>& g, const StepRates& rates, double* all) {
+    static void add_regularizers(const Gaussian<double>& g, const StepRates& rates, std::int64_t count, double* all) {
+        const auto n = static_cast<double>(count);
         const double opacity = 1 / (1 + std::exp(-g.logit));
-        all[10] += rates.opacity_reg * opacity * (1 - opacity);
-        for (std::size_t a = 0; a < 3; ++a) all[3 + a] += rates.scale_reg * std::exp(g.log_scale[a]);
+        all[10] += rates.opacity_reg / n * opacity * (1 - opacity);
+        for (std::size_t a = 0; a < 3; ++a) all[3 + a] += rates.scale_reg / (3 * n) * std::exp(g.log_scale[a]);
     }
 };
 
 }  // namespace
 
-std::unique_ptr<Stepper> make_stepper(const std::string& backend) {
-    if (backend == "cpu") return std::make_unique<CpuStepper>();
-    if (backend == "reference") return std::make_unique<ReferenceStepper>();
-    throw UsageError("splat: unknown backend \"{}\"; expected cpu or reference", backend);
+std::unique_ptr<Stepper> make_stepper(const SplatBackend& backend) {
+    if (backend.name == "cpu") return std::make_unique<CpuStepper>();
+    if (backend.name == "reference") return std::make_unique<ReferenceStepper>();
+    if (backend.name == "vulkan") return make_vulkan_stepper(backend.device);
+    throw UsageError("splat: unknown backend \"{}\"; expected cpu, vulkan or reference", backend.name);
 }
 
 }  // namespace fastscene::splat

@@ -1,13 +1,17 @@
-// One training step, the common interface of the backends: "cpu" is Engine, "reference" the slow reference
-// implementation.
+// Training steps, the common interface of the backends: "cpu" is Engine, "reference" the slow reference implementation,
+// "vulkan" a graphics card. A backend may keep the splats to itself and run behind: store() brings them back.
 #pragma once
 
 #include <array>
+#include <functional>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "fastscene/scene/view.h"
 #include "fastscene/splat/engine.h"
+#include "fastscene/splat/relocate.h"
+#include "fastscene/splat/splat.h"
 
 namespace fastscene::splat {
 
@@ -15,18 +19,32 @@ struct StepPlan {
     float lambda_dssim = 0.2f;
     Vec3f background;
     StepRates rates;
-    const ImageF* depth = nullptr;  // target depth of the view (depth_loss.h), or null
-    float depth_strength = 0;
+    float depth_strength = 0;  // weight of the depth loss (depth_loss.h), if there are target depths
     float outside_m = std::numeric_limits<float>::infinity();  // Engine::set_outside
     float alpha_strength = 0;                                  // weight of the mean remaining transmittance
-    bool judge = true;  // whether to collect statistics for density control: each splat's blending weight and error
+    bool judge = true;   // whether to collect statistics for density control: each splat's blending weight and error
+    bool moves = false;  // … and its screen-space gradients
 };
+// The target depth of a view; valid until the next call.
+using DepthOf = std::function<const ImageF&(const View&)>;
 struct Stepper {
     virtual ~Stepper() = default;
-    // Renders the view, backpropagates and applies Adam.
-    virtual LossSums step(Cloud& cloud, const View& view, const StepPlan& plan) = 0;
+    virtual std::string device() const = 0;  // FittedSplats::device
+    // Takes over the splats, or what was changed about them.
+    virtual void load(const Cloud& cloud) = 0;
+    // The views of the steps to come, which must live as long, and their target depths, if there are any.
+    virtual void set_views(std::vector<const View*> views, DepthOf depth_of) = 0;
+    // Renders views[view], backpropagates and applies Adam; may return before it is done.
+    virtual void step(Cloud& cloud, std::size_t view, const StepPlan& plan) = 0;
+    // Density control (relocate.h) without bringing the splats back; false: the backend cannot, the caller must.
+    virtual bool relocate(float growth, const Relocation& how, std::uint64_t seed, int step) = 0;
+    // The losses of steps done and not yet returned, in order.
+    virtual std::vector<LossSums> losses() = 0;
+    // Waits for all steps, and brings `cloud` up to date.
+    virtual void store(Cloud& cloud) = 0;
 };
-// Throws UsageError for an unknown backend.
-std::unique_ptr<Stepper> make_stepper(const std::string& backend);
+// Throws UsageError for an unknown backend or device.
+std::unique_ptr<Stepper> make_stepper(const SplatBackend& backend);
+std::unique_ptr<Stepper> make_vulkan_stepper(const std::string& device);
 
 }  // namespace fastscene::splat

@@ -19,12 +19,12 @@ Still still_from(const ImageColor& color, const ImageF& alpha, ImageF distance) 
 
 }  // namespace
 
-Still still_of(const Splats& splats, const Pinhole& camera, const Rigid& world_from_camera, Vec3f background) {
-    SplatPicture picture = render_splats(splats, camera, world_from_camera, background);
+Still still_of(const SplatRenderer& splats, const Pinhole& camera, const Rigid& world_from_camera, Vec3f background) {
+    SplatPicture picture = splats.picture(camera, world_from_camera, background);
     return still_from(picture.color, picture.alpha, std::move(picture.depth_z));
 }
 
-Still sphere_of(const Splats& splats, int width, const Rigid& world_from_pano, Vec3f background) {
+Still sphere_of(const SplatRenderer& splats, int width, const Rigid& world_from_pano, Vec3f background) {
     const EquirectSize size{width, width / 2};
     // 90 degrees plus a margin, so that no bilinear sample falls outside a cube face.
     constexpr float kFovDeg = 94.f;
@@ -41,7 +41,7 @@ Still sphere_of(const Splats& splats, int width, const Rigid& world_from_pano, V
     for (std::size_t f = 0; f < kCubeFaces.size(); ++f) {
         const Rigid world_from_face{world_from_pano.rotation * pano_from_face(kCubeFaces[f]),
                                     world_from_pano.translation};
-        const SplatPicture picture = render_splats(splats, camera, world_from_face, background);
+        const SplatPicture picture = splats.picture(camera, world_from_face, background);
         colors[f] = picture.color;
         others[f] = ImageColor(camera.width, camera.height);
         for (int y = 0; y < camera.height; ++y)

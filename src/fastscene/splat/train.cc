@@ -10,6 +10,7 @@
 #include "fastscene/base/hash.h"
 #include "fastscene/base/memory.h"
 #include "fastscene/base/random.h"
+#include "fastscene/gpu/device.h"
 #include "fastscene/image/color.h"
 #include "fastscene/splat/classic.h"
 #include "fastscene/splat/coarse.h"
@@ -123,9 +124,10 @@ EvalPoint evaluate(const TrainState& state, const std::vector<const View*>& view
 std::vector<EvalPicture> eval_pictures(const Splats& splats, const std::vector<const View*>& views) {
     constexpr std::size_t kMost = 6;
     std::vector<EvalPicture> out;
+    const SplatRenderer renderer(splats);
     for (std::size_t i = 0; i < std::min(views.size(), kMost); ++i) {
         const View& v = *views[i * views.size() / std::min(views.size(), kMost)];
-        const SplatPicture p = render_splats(splats, v.camera, v.world_from_camera, {}, "cpu", v.model);
+        const SplatPicture p = renderer.picture(v.camera, v.world_from_camera, {}, v.model);
         out.push_back({v.name, srgb8_from_unit(p.color), v.color});
     }
     return out;
@@ -149,15 +151,18 @@ class Training {
           order_(views_.train.size(), run.seed),
           stepper_(make_stepper(params.backend)),
           extent_(scene_extent(set)),
-          state_(start(set)) {
+          state_(start(set)),
+          summed_(state_.step) {
         last_ = params.until > 0 ? params.until : params.steps;
         coarse_steps_ = static_cast<int>(params.coarse * static_cast<float>(params.steps));
         if (params.depth > 0) depth_.emplace(set, params.count, run);
+        show_views(state_.step < coarse_steps_);
+        stepper_->load(state_.cloud);
         // Whether a splat is useless is known only after every view has been seen.
         density_every_ = std::max(tuning.relocate_every, static_cast<int>(views_.train.size()));
     }
 
-    FittedSplats go() {
+    FittedSplats go() try {
         Progress progress(run_, "splat", last_);
         progress.advance(std::min(state_.step, last_));
         while (state_.step < last_ && !stalled()) {
@@ -168,18 +173,23 @@ class Training {
             step();
             progress.advance();
         }
+        bring_back();
         save();
         FittedSplats out;
         out.splats = params_.strategy == "classic" ? alive(state_.cloud.splats(), Classic{}.faint)
                                                    : state_.cloud.splats();
         out.curve = state_.curve, out.evals = state_.evals, out.steps = state_.step;
-        close_curve(out.curve);
+        out.device = stepper_->device();
+        close_curve(out.curve, state_.step);
         if (!views_.held_out.empty()) {
             if (out.evals.empty() || out.evals.back().step != state_.step)
                 out.evals.push_back(evaluate(state_, views_.held_out));
             out.eval_pictures = eval_pictures(out.splats, views_.held_out);
         }
         return out;
+    } catch (const gpu::DeviceLost& e) {
+        if (saved_ <= 0) throw;
+        throw Error("{}; the same command continues from step {}", e.what(), saved_);
     }
 
   private:
@@ -216,8 +226,7 @@ class Training {
         plan.rates.adam_step = now;
         constexpr float kReach = 4.f;  // times the scene's radius
         plan.rates.middle = extent_.middle, plan.rates.reach_m = kReach * extent_.radius_m;
-        const auto count = static_cast<float>(state_.cloud.count);
-        plan.rates.opacity_reg = params_.opacity_reg / count, plan.rates.scale_reg = params_.scale_reg / (3 * count);
+        plan.rates.opacity_reg = params_.opacity_reg, plan.rates.scale_reg = params_.scale_reg;
         if (params_.sh_degree > 0 && now % tuning_.rest_every == 0)
             plan.rates.rest_rate = tuning_.rest * std::pow(tuning_.other_end, done),
             plan.rates.rest_adam_step = now / tuning_.rest_every;
@@ -225,53 +234,84 @@ class Training {
             Random random(run_.seed, "splat.background", static_cast<std::uint64_t>(now));
             plan.background = {random.uniform(), random.uniform(), random.uniform()};
         }
-        const View& view = view_of(now);
+        const std::size_t view = view_of(now);
         plan.judge = (params_.strategy == "mcmc" && done < tuning_.relocate_until) ||
                      (params_.strategy == "classic" && done < Classic{}.until);
-        if (depth_) plan.depth = &depth_->of(view), plan.depth_strength = params_.depth;
+        plan.moves = params_.strategy == "classic";
+        plan.depth_strength = params_.depth;
         plan.alpha_strength = params_.opaque;
         if (params_.outside_m > 0) plan.outside_m = params_.outside_m;
-        const LossSums sums = stepper_->step(state_.cloud, view, plan);
-        state_.loss_sum += sums.loss, state_.squared_error_sum += sums.squared_error, ++state_.sum_steps;
+        stepper_->step(state_.cloud, view, plan);
         state_.step = now;
+        sum_losses();
         if (params_.strategy == "mcmc") move_splats(now, done, plan.rates.rates[0]);
         if (params_.strategy == "classic") densify_splats(now, done);
-        constexpr int kCurveSteps = 50;
-        if (now % kCurveSteps == 0) close_curve(state_.curve);
-        if (params_.eval_every > 0 && now % params_.eval_every == 0)
+        if (params_.eval_every > 0 && now % params_.eval_every == 0) {
+            bring_back();
             state_.evals.push_back(evaluate(state_, views_.held_out));
+        }
         if (now % params_.checkpoint_every == 0) save();
     }
 
-    const View& view_of(int now) {
-        const std::size_t i = order_.at(now);
-        if (now > coarse_steps_) {
-            half_views_.clear();
-            return *views_.train[i];
+    // The curve grows as losses become known: a backend may run behind.
+    void sum_losses() {
+        constexpr int kCurveSteps = 50;
+        for (const LossSums& sums : stepper_->losses()) {
+            state_.loss_sum += sums.loss, state_.squared_error_sum += sums.squared_error, ++state_.sum_steps;
+            if (++summed_ % kCurveSteps == 0) close_curve(state_.curve, summed_);
         }
-        if (half_views_.empty())
-            for (const View* v : views_.train) half_views_.push_back(half_view(*v));
-        return half_views_[i];
+    }
+    // All of the state on the host.
+    void bring_back() {
+        stepper_->store(state_.cloud);
+        sum_losses();
+    }
+
+    // The view of a step; the first ones use half-size views.
+    std::size_t view_of(int now) {
+        if (now > coarse_steps_ && !half_views_.empty()) show_views(false);
+        return order_.at(now);
+    }
+    void show_views(bool half) {
+        std::vector<View> halves;
+        if (half)
+            for (const View* v : views_.train) halves.push_back(half_view(*v));
+        std::vector<const View*> views;
+        for (std::size_t i = 0; i < views_.train.size(); ++i) views.push_back(half ? &halves[i] : views_.train[i]);
+        DepthOf depth_of;
+        if (depth_) depth_of = [this](const View& v) -> const ImageF& { return depth_->of(v); };
+        stepper_->set_views(std::move(views), std::move(depth_of));
+        half_views_ = std::move(halves);
     }
 
     void move_splats(int now, float done, float rate_m) {
-        if (tuning_.noise > 0) add_noise(state_.cloud, tuning_.noise * rate_m, run_.seed, now);
-        if (now % density_every_ != 0 || done >= tuning_.relocate_until) return;
-        grow(state_.cloud, static_cast<std::int64_t>(tuning_.growth * static_cast<float>(state_.cloud.count)),
-             run_.seed, now);
-        relocate(state_.cloud, {tuning_.relocate_fraction}, run_.seed, now);
+        const bool relocates = now % density_every_ == 0 && done < tuning_.relocate_until;
+        const Relocation how{tuning_.relocate_fraction};
+        if (tuning_.noise <= 0 && (!relocates || stepper_->relocate(tuning_.growth, how, run_.seed, now))) return;
+        bring_back();
+        Cloud& cloud = state_.cloud;
+        if (tuning_.noise > 0) add_noise(cloud, tuning_.noise * rate_m, run_.seed, now);
+        if (relocates) {
+            grow(cloud, static_cast<std::int64_t>(tuning_.growth * static_cast<float>(cloud.count)), run_.seed, now);
+            relocate(cloud, how, run_.seed, now);
+        }
+        stepper_->load(cloud);
     }
     void densify_splats(int now, float done) {
         const Classic classic;
-        if (now % density_every_ == 0 && done >= classic.from && done < classic.until)
-            densify(state_.cloud, classic, extent_.radius_m, run_.seed, now);
-        if (now % classic.reset_every == 0 && done < classic.until) reset_opacities(state_.cloud);
+        const bool densifies = now % density_every_ == 0 && done >= classic.from && done < classic.until,
+                   resets = now % classic.reset_every == 0 && done < classic.until;
+        if (!densifies && !resets) return;
+        bring_back();
+        if (densifies) densify(state_.cloud, classic, extent_.radius_m, run_.seed, now);
+        if (resets) reset_opacities(state_.cloud);
+        stepper_->load(state_.cloud);
     }
 
-    void close_curve(std::vector<CurvePoint>& curve) {
+    void close_curve(std::vector<CurvePoint>& curve, int step) {
         if (state_.sum_steps == 0) return;
         const double n = state_.sum_steps;
-        curve.push_back({state_.step, static_cast<float>(state_.loss_sum / n), psnr_of(state_.squared_error_sum / n)});
+        curve.push_back({step, static_cast<float>(state_.loss_sum / n), psnr_of(state_.squared_error_sum / n)});
         state_.loss_sum = state_.squared_error_sum = 0, state_.sum_steps = 0;
     }
 
@@ -292,6 +332,7 @@ class Training {
     void save() {
         if (params_.checkpoint.empty() || saved_ == state_.step) return;
         saved_ = state_.step;
+        bring_back();
         try {
             save_checkpoint(params_.checkpoint, state_, key_);
         } catch (const Error& e) {
@@ -312,6 +353,7 @@ class Training {
     std::string key_;
     TrainState state_;
     int last_ = 0, density_every_ = 0, saved_ = -1;
+    int summed_ = 0;  // steps whose losses are in the curve
 };
 
 }  // namespace

@@ -1,0 +1,59 @@
+#!/bin/bash
+# What a graphics card does for a scene: steps of splat training, a whole scene, networks. In two halves, since machines
+# with cards are often bare:
+#
+#   bench/gpu.sh pack FILE.tar.xz     on a machine with a build (build/release): programs, and the libraries they need
+#   bench/gpu.sh run FILE.tar.xz [OUT]   on the machine with the card: at most 8 minutes; a table, and OUT/gpu.json
+#
+# `run` needs a Vulkan driver (of NVIDIA's: with libGLX_nvidia), bash and xz. Networks are measured where python3 has
+# PyTorch with CUDA, whose libtorch they are built with: bench/gpu_networks.sh says what that needs.
+set -u
+root=$(cd "$(dirname "$0")/.." && pwd)
+prompt="a cozy bedroom with a red armchair and a large window"
+
+pack() {
+  local bin=$root/build/release/bin out=$1 folder
+  folder=$(mktemp -d) && mkdir "$folder/lib"
+  for program in bench_splat bench_scene splat_test; do
+    [ -x "$bin/$program" ] || { echo "expected $bin/$program: ninja -C build/release bench_splat bench_scene splat_test" >&2; exit 1; }
+    cp "$bin/$program" "$folder/" && strip "$folder/$program"
+    ldd "$bin/$program" | awk '$3 ~ /^\// { print $3 }' | grep -vE '/lib(c|m|stdc\+\+|gcc_s|pthread|dl|rt)\.so' |
+      xargs -I{} cp -Lu {} "$folder/lib/"
+  done
+  # The loader of drivers, and what NVIDIA's driver asks for.
+  for library in libvulkan.so.1 libGLdispatch.so.0 libGLX.so.0 libEGL.so.1 libOpenGL.so.0 libGL.so.1 libX11.so.6 libXext.so.6 libxcb.so.1 libXau.so.6 libXdmcp.so.6 libbsd.so.0 libmd.so.0; do
+    [ -e "/lib/x86_64-linux-gnu/$library" ] && cp -Lu "/lib/x86_64-linux-gnu/$library" "$folder/lib/"
+  done
+  tar -C "$folder" -cJf "$out" . && rm -r "$folder" && ls -l "$out"
+}
+
+run() {
+  local folder out=${2:-gpu_results} start=$SECONDS
+  folder=$(mktemp -d) && tar -C "$folder" -xJf "$1" && mkdir -p "$out" || exit 1
+  local nvidia=/usr/local/nvidia/share/vulkan/icd.d/nvidia_icd.json
+  [ -z "${VK_DRIVER_FILES:-}" ] && [ -f $nvidia ] && export VK_DRIVER_FILES=$nvidia
+  export FASTSCENE_VULKAN_VALIDATION=${FASTSCENE_VULKAN_VALIDATION:-0} OMP_WAIT_POLICY=passive
+  # $1: seconds at most; the rest: a program of the package and its arguments.
+  go() { local limit=$1 program=$2; shift 2; LD_LIBRARY_PATH=$folder/lib timeout "$limit" "$folder/$program" "$@"; }
+  echo "== tests"
+  go 90 splat_test --gtest_filter='Vulkan*' > "$out/tests.txt" 2>&1
+  grep -E '^\[ +(OK|FAILED|PASSED) |Failure|Expected' "$out/tests.txt" | tail -n 30
+  echo "== steps of splat training"
+  : > "$out/steps.jsonl"
+  for size in "50000 512" "200000 512" "250000 640" "600000 960"; do
+    go 60 bench_splat --device auto --count "${size% *}" --size "${size#* }" --steps 1000 --warm 200 --json | tee -a "$out/steps.jsonl"
+  done
+  echo "== a scene from a sentence, with splats on the card and on the processor"
+  for quality in draft standard; do
+    go 120 bench_scene "$prompt" --quality $quality --device auto | tee "$out/scene_$quality.json"
+  done
+  go 120 bench_scene "$prompt" --quality standard | tee "$out/scene_processor.json"
+  echo "== $((SECONDS - start)) s"
+  rm -r "$folder"
+}
+
+case "${1:-}" in
+  pack) pack "${2:?a file}" ;;
+  run) run "${2:?a file}" "${3:-}" ;;
+  *) sed -n '2,10s/^# \{0,1\}//p' "$0"; exit 2 ;;
+esac

@@ -1,0 +1,37 @@
+// Training steps on a graphics card.
+#include "fastscene/splat/stepper.h"
+
+#include "fastscene/base/random.h"
+#include "fastscene/splat/vulkan/engine.h"
+
+namespace fastscene::splat {
+namespace {
+
+class VulkanStepper : public Stepper {
+  public:
+    explicit VulkanStepper(const std::string& device) : engine_(device) {}
+    std::string device() const override {
+        return fmt::format("{} ({})", engine_.device().info().name, engine_.device().info().driver);
+    }
+    void load(const Cloud& cloud) override { engine_.load(cloud); }
+    void set_views(std::vector<const View*> views, DepthOf depth_of) override { engine_.set_views(views, depth_of); }
+    void step(Cloud&, std::size_t view, const StepPlan& plan) override { engine_.step(view, plan); }
+    bool relocate(float growth, const Relocation& how, std::uint64_t seed, int step) override {
+        if (how.useless_fraction > 0) return false;
+        engine_.relocate(growth, Random(seed, "splat.relocate", static_cast<std::uint64_t>(step)).next_u32());
+        return true;
+    }
+    std::vector<LossSums> losses() override { return engine_.losses(); }
+    void store(Cloud& cloud) override { engine_.store(cloud); }
+
+  private:
+    vulkan::VulkanEngine engine_;
+};
+
+}  // namespace
+
+std::unique_ptr<Stepper> make_vulkan_stepper(const std::string& device) {
+    return std::make_unique<VulkanStepper>(device);
+}
+
+}  // namespace fastscene::splat
