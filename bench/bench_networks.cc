@@ -3,7 +3,6 @@
 // `bench_diffusion --write`. One line of JSON per part.
 #include <ATen/ATen.h>
 #include <c10/core/InferenceMode.h>
-#include <dlfcn.h>
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -47,7 +46,6 @@ constexpr const char* kPrompt = "a living room with a sofa, a wooden table and a
 struct Settings {
     std::string part = "paint", weights, models, device = "auto", precision = "float", keep, against;
     int width = 1024, steps = 20, runs = 3, threads = 0;
-    bool search = false, profile = false;
 };
 
 double now_s() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
@@ -209,18 +207,6 @@ Json kernels_on(const at::TensorOptions& there, std::int64_t w, int runs) {
                                     })}};
 }
 
-// Runs `work` between cudaProfilerStart and cudaProfilerStop: ncu --profile-from-start off sees nothing else.
-void profiled(const at::Device& device, const std::function<void()>& work) {
-    const auto tell = [](const char* name) {
-        if (void* const found = dlsym(RTLD_DEFAULT, name)) reinterpret_cast<int (*)()>(found)();
-    };
-    nn::wait_for(device);
-    tell("cudaProfilerStart");
-    work();
-    nn::wait_for(device);
-    tell("cudaProfilerStop");
-}
-
 // What a panorama's seconds are made of.
 Json parts(const Settings& with) {
     const fs::path base = fs::exists(fs::path(with.weights) / "sd-base") ? fs::path(with.weights) / "sd-base"
@@ -261,11 +247,6 @@ Json parts(const Settings& with) {
     out["decode_first_s"] = seconds_of(1, device, decode)[0];
     out["decode_s"] = least(seconds_of(with.runs, device, decode));
     out["kernels"] = kernels_on(there, w, with.runs);
-    if (with.profile)
-        profiled(device, [&] {
-            eager = net({x, waves, text});
-            decode();
-        });
     out["decode_finite"] = at::isfinite(picture).all().item<bool>();
     return out;
 }
@@ -348,18 +329,15 @@ int main(int argc, char** argv) try {
     app.add_option("--threads", with.threads, "Worker threads; 0: all");
     app.add_option("--keep", with.keep, "Writes the picture's bytes here");
     app.add_option("--against", with.against, "Compares with bytes that --keep wrote");
-    app.add_flag("--search", with.search, "Lets cuDNN try its algorithms");
-    app.add_flag("--profile", with.profile, "parts: shows a profiler one step and one decoded picture");
     CLI11_PARSE(app, argc, argv);
     set_threads(with.threads);
     const c10::InferenceMode inference;
     use_our_threads();
-    nn::set_convolution_search(with.search);
     const std::map<std::string, std::function<Json(const Settings&)>> all{
         {"paint", paint}, {"parts", parts}, {"enlarge", enlarge}, {"depth", depth}, {"inpaint", inpaint}};
     Json out = all.at(with.part)(with);
     out["part"] = with.part, out["device"] = with.device, out["precision"] = with.precision;
-    out["width"] = with.width, out["steps"] = with.steps, out["search"] = with.search;
+    out["width"] = with.width, out["steps"] = with.steps;
     const char* graphs = std::getenv("FASTSCENE_CUDA_GRAPHS");
     out["graphs"] = !graphs || std::string(graphs) != "0";
     out["libtorch"] = TORCH_VERSION;

@@ -24,6 +24,11 @@ pack() {
   for library in libvulkan.so.1 libGLdispatch.so.0 libGLX.so.0 libEGL.so.1 libOpenGL.so.0 libGL.so.1 libX11.so.6 libXext.so.6 libxcb.so.1 libXau.so.6 libXdmcp.so.6 libbsd.so.0 libmd.so.0; do
     [ -e "/lib/x86_64-linux-gnu/$library" ] && cp -Lu "/lib/x86_64-linux-gnu/$library" "$folder/lib/"
   done
+  # Networks are built there, with the libtorch that is there.
+  mkdir "$folder/networks"
+  tar -C "$root" -cf - cmake bench models tests/test_main.cc src/fastscene/{base,math,image,geometry,scene,trace,io,nn} |
+    tar -C "$folder/networks" -xf -
+  bash "$root/bench/gpu/collect.sh" "$folder/networks/dependencies" || exit 1
   tar -C "$folder" -cJf "$out" . && rm -r "$folder" && ls -l "$out"
 }
 
@@ -48,6 +53,13 @@ run() {
     go 120 bench_scene "$prompt" --quality $quality --device auto | tee "$out/scene_$quality.json"
   done
   go 120 bench_scene "$prompt" --quality standard | tee "$out/scene_processor.json"
+  echo "== networks"
+  if python3 -c 'import importlib.util as u, sys; sys.exit(u.find_spec("torch") is None)' 2> /dev/null; then
+    FASTSCENE_DEPENDENCIES=$folder/networks/dependencies FASTSCENE_BENCH_S=130 OUT=$out \
+      timeout 170 bash "$folder/networks/bench/gpu_networks.sh" "$folder/networks-build"
+  else
+    echo "no python3 with torch here: networks are not measured"
+  fi
   echo "== $((SECONDS - start)) s"
   rm -r "$folder"
 }

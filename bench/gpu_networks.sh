@@ -124,7 +124,6 @@ run small_cpu 40 --part paint --precision float --steps 4 --runs 1 --keep "$buil
 device=$wanted_device
 run small_float 40 --part paint --precision float --steps 4 --runs 1 --against "$build/small.rgb"
 width=$wanted_width
-run paint_half_search 60 --part paint --precision $half --runs 2 --search --against "$build/float.rgb"
 
 wait "$found" 2> /dev/null
 say "find_package(Torch) of libtorch's own: exit code $(cat "$build/found.status" 2> /dev/null)"

@@ -1,6 +1,5 @@
 #include "fastscene/nn/libtorch.h"
 
-#include <ATen/Context.h>
 #include <ATen/autocast_mode.h>
 
 #ifdef FASTSCENE_CUDA
@@ -45,7 +44,5 @@ void wait_for(at::Device device) {
 #else
 void wait_for(at::Device) {}
 #endif
-
-void set_convolution_search(bool on) { at::globalContext().setBenchmarkCuDNN(on); }
 
 }  // namespace fastscene::nn

@@ -25,7 +25,4 @@ at::Tensor fused_attention(const at::Tensor& q, const at::Tensor& k, const at::T
 // Until a graphics card has done all that it was told; nothing on a CPU.
 void wait_for(at::Device device);
 
-// Lets cuDNN try its algorithms on the first convolution of a shape, or take the one it deems best.
-void set_convolution_search(bool on);
-
 }  // namespace fastscene::nn
