@@ -9,7 +9,9 @@ lacking() { echo "libtorch 2.x: skipped, $*" >&2; exit 77; }
 for program in apt-get dpkg-deb; do
   command -v "$program" > /dev/null || lacking "no $program here: its headers come from a Debian package"
 done
-mirror=$(apt-get indextargets --format '$(REPO_URI)' 'Created-By: Packages' 2> /dev/null | grep -E '/debian/?$' | head -n 1) || true
+# Its sources, not its lists: those may not have been fetched yet.
+mirror=$(cat /etc/apt/sources.list /etc/apt/sources.list.d/*.{list,sources} 2> /dev/null | sed '/^ *#/d' |
+  grep -oE '[a-z+]+:/[^ ]*/debian/?( |$)' | head -n 1 | tr -d ' ') || true
 [ -n "$mirror" ] || lacking "apt knows no Debian mirror"
 keys=/usr/share/keyrings/debian-archive-keyring.gpg
 [ -e "$keys" ] || lacking "no $keys (package debian-archive-keyring)"
@@ -28,6 +30,7 @@ APT::Architectures "amd64";
 APT::Sandbox::User "root";
 Acquire::Languages "none";
 Acquire::Retries "3";
+Acquire::http::Timeout "20";
 TEXT
 export APT_CONFIG=$PWD/apt/apt.conf
 timeout 300 apt-get -q update > apt/log 2>&1 || lacking "no package lists of Debian 13: $(tail -n 1 apt/log)"
