@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
-# gpu_networks.sh [BUILD]: the networks on this machine's graphics card: builds them alone with the libtorch that python3
-# has (or FASTSCENE_TORCH), and prints what a panorama, its enlargement, a depth network and the inpainter take, and how
-# far from the processor's or from single precision's results they are. Lines of JSON go to $OUT/networks.jsonl. A part
-# that fails does not stop the others. Takes about three minutes on 16 cores.
+# gpu_networks.sh [BUILD]: the networks on this machine's graphics card: builds them alone with the libtorch that
+# python3 has (or FASTSCENE_TORCH), and prints what a panorama, its enlargement, a depth network and the inpainter take,
+# and how far from the processor's or from single precision's results they are. Lines of JSON go to
+# $OUT/networks.jsonl. A part that fails does not stop the others. Takes about two minutes on 16 cores.
 #
 # FASTSCENE_DEPENDENCIES: what bench/gpu/collect.sh made, where Debian's packages are missing.
 # FASTSCENE_BENCH_S: seconds after which no further part starts (210).
