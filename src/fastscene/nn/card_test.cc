@@ -28,7 +28,7 @@ namespace {
 using at::Tensor;
 using nn::Scope;
 
-std::string message_of(const std::function<void()>& ask) {
+std::string usage_message(const std::function<void()>& ask) {
     try {
         ask();
     } catch (const UsageError& error) {
@@ -39,11 +39,11 @@ std::string message_of(const std::function<void()>& ask) {
 
 TEST(Card, NetworksNameTheFlagOfACardThatIsNotThere) {
     if (at::hasCUDA()) GTEST_SKIP() << "there is a card";
-    EXPECT_NE(message_of([] {
+    EXPECT_NE(usage_message([] {
                   Egformer::shipped("egformer-rooms", {"cuda", "--depth-device"});
               }).find("--depth-device: expected cpu"),
               std::string::npos);
-    EXPECT_NE(message_of([] {
+    EXPECT_NE(usage_message([] {
                   Aotgan::of(shipped_weights("aotgan-rooms"), {"cuda", "--walk-device"});
               }).find("--walk-device: expected cpu"),
               std::string::npos);
