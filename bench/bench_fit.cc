@@ -85,8 +85,7 @@ int main(int argc, char** argv) try {
     app.add_option("--threads", threads, "Worker threads")->check(CLI::Range(1, 1024));
     app.add_option("--holdout", holdout, "Every so manieth view measures; 0: all teach")->check(CLI::Range(0, 1000));
     app.add_flag("--frames", frames, "How many frames a second the result is drawn with, on the views' cameras");
-    app.add_option("--scale", tuning.scale), app.add_option("--rotation", tuning.rotation),
-        app.add_option("--logit", tuning.logit);
+    app.add_option("--scale", tuning.scale), app.add_option("--rotation", tuning.rotation);
     app.add_option("--sh0", tuning.sh0), app.add_option("--mean-end", tuning.mean_end),
         app.add_option("--other-end", tuning.other_end);
     app.add_option("--relocate", tuning.relocate_fraction), app.add_option("--noise", tuning.noise);

@@ -64,7 +64,7 @@ Kept true_views(const std::filesystem::path& folder, const std::string& text, co
         for (std::size_t k = 0; k < positions.size(); ++k)
             save_view(name(k + 1), room->panorama({{}, positions[k]}, size, parts, run));
         Json objects = Json::array();
-        for (const RoomObject& o : room->room().objects) objects.push_back(o.name.empty() ? o.klass : o.name);
+        for (const RoomObject& o : room->room().objects) objects.push_back(o.name.empty() ? o.kind : o.name);
         write_json(folder / "objects.json", objects);
     }
     Kept kept{load_view(name(0)), {}, read_json(folder / "objects.json").get<std::vector<std::string>>()};

@@ -18,7 +18,7 @@ set(CPACK_DEBIAN_PROGRAM_DESCRIPTION "Makes a furnished room from a sentence, pa
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_SHLIBDEPS ON)
 # Without OpenBLAS libtorch multiplies matrices four times as slowly, on one core.
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_RECOMMENDS libopenblas0-openmp)
-set(CPACK_DEBIAN_PROGRAM_PACKAGE_SUGGESTS "sweethome3d-furniture, ffmpeg, colmap, nodejs")
+set(CPACK_DEBIAN_PROGRAM_PACKAGE_SUGGESTS "libvulkan1, sweethome3d-furniture, ffmpeg, colmap, nodejs")
 
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_NAME libfastscene-dev)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SECTION libdevel)

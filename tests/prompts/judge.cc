@@ -17,7 +17,7 @@ using fastscene::Vec2f;
 
 // An object as an upright box, seen from above; heights grow upward.
 struct Thing {
-    std::string klass;
+    std::string kind;
     bool asked = false;
     Vec2f at, right, front;                       // x, z of the world; unit axes
     float wide = 0, deep = 0, low = 0, high = 0;  // half extents; heights
@@ -35,14 +35,14 @@ Thing thing_of(const Json& o) {
     const Json& m = o["world_from_object"];
     const auto at = [&](std::size_t r, std::size_t c) { return m[r][c].get<float>(); };
     Thing t;
-    t.klass = o["class"].get<std::string>();
+    t.kind = o["class"].get<std::string>();
     t.asked = o["requested"].get<bool>();
     t.at = {at(0, 3), at(2, 3)};
     t.right = {at(0, 0), at(2, 0)};
     t.front = {at(0, 2), at(2, 2)};
     t.wide = o["size_m"][0].get<float>() / 2, t.deep = o["size_m"][2].get<float>() / 2;
     const float base = -at(1, 3), height = o["size_m"][1].get<float>();
-    const bool hangs = t.klass == "chandelier" || t.klass == "pendant_lamp" || t.klass == "ceiling_lamp";
+    const bool hangs = t.kind == "chandelier" || t.kind == "pendant_lamp" || t.kind == "ceiling_lamp";
     t.low = hangs ? base - height : base, t.high = hangs ? base : base + height;
     return t;
 }
@@ -55,7 +55,7 @@ float gap(const Thing& a, const Thing& b) {
     return far;
 }
 
-bool is_opening(const Thing& t) { return t.klass == "window" || t.klass == "door" || t.klass == "doorway"; }
+bool is_opening(const Thing& t) { return t.kind == "window" || t.kind == "door" || t.kind == "doorway"; }
 bool is_flat(const Thing& t) { return t.high - t.low < 0.08f; }
 
 bool stands_on(const Thing& s, const Thing& t) {
@@ -304,7 +304,7 @@ std::string complaint(const Json& room, const Demand& demand) {
     const auto of_classes = [&](const std::vector<std::string>& classes, bool asked) {
         Things out;
         for (const Thing& t : things)
-            if ((t.asked || !asked) && std::find(classes.begin(), classes.end(), t.klass) != classes.end())
+            if ((t.asked || !asked) && std::find(classes.begin(), classes.end(), t.kind) != classes.end())
                 out.push_back(&t);
         return out;
     };

@@ -126,14 +126,14 @@ TEST(Prompts, WhatIsUnderstoodStandsInTheRoomAndIsSeen) {
 }
 
 // Mean bearing of the pixels of a class, as an angle growing to the right of the picture; none if hardly visible.
-std::optional<double> bearing(const Room& room, const Image<std::int32_t>& object_of_pixel, const std::string& klass,
+std::optional<double> bearing(const Room& room, const Image<std::int32_t>& object_of_pixel, const std::string& kind,
                               bool requested) {
     double x = 0, y = 0;
     int n = 0;
     for (int row = 0; row < object_of_pixel.height; ++row)
         for (int column = 0; column < object_of_pixel.width; ++column) {
             const std::int32_t i = object_of_pixel.at(column, row);
-            if (i < 0 || room.objects[static_cast<std::size_t>(i)].klass != klass ||
+            if (i < 0 || room.objects[static_cast<std::size_t>(i)].kind != kind ||
                 room.objects[static_cast<std::size_t>(i)].requested != requested)
                 continue;
             const double angle = 2 * std::numbers::pi * column / object_of_pixel.width;
@@ -161,7 +161,7 @@ TEST(Prompts, LeftIsLeftInThePicture) {
             const TracedRoom room(make_room(spec, run));
             const auto& objects = room.room().objects;
             const auto place = std::find_if(objects.begin(), objects.end(),
-                                            [&](const RoomObject& o) { return o.klass == c.place; });
+                                            [&](const RoomObject& o) { return o.kind == c.place; });
             ASSERT_NE(place, objects.end());
             // Only if seen from the front; from the side, left and right are ambiguous.
             const Vec3f to = -place->world_from_object.translation, front = place->world_from_object.rotation.column(2);
@@ -180,16 +180,16 @@ TEST(Pack, UnexpectedNounsComeFromItInManyLanguages) {
     const auto all = pack(Assets::all);
     if (!all) GTEST_SKIP() << "sweethome3d-furniture is not installed";
     EXPECT_GE(all->size(), 800u);
-    for (const auto& [term, klass] :
+    for (const auto& [term, kind] :
          {std::pair{"rocking horses", "rocking_horse"}, {"chien", "dog"}, {"katze", "cat"}, {"aquarium", "aquarium"}})
-        EXPECT_EQ(all->class_named(term), klass) << term;
+        EXPECT_EQ(all->class_named(term), kind) << term;
     EXPECT_FALSE(all->class_named("volcano"));
     PromptSpec spec = understand_prompt("a living room with a grand piano and a dog", false, all);
     const Room room = make_room(spec, {});
-    for (const char* klass : {"grand_piano", "dog"}) {
+    for (const char* kind : {"grand_piano", "dog"}) {
         const auto at = std::find_if(room.objects.begin(), room.objects.end(),
-                                     [&](const RoomObject& o) { return o.klass == klass; });
-        ASSERT_NE(at, room.objects.end()) << klass;
+                                     [&](const RoomObject& o) { return o.kind == kind; });
+        ASSERT_NE(at, room.objects.end()) << kind;
         EXPECT_NE(at->source.find(" by "), std::string::npos) << at->source;
     }
 }
@@ -200,11 +200,11 @@ TEST(Pack, ModelsStandUprightInTheirCatalogueSize) {
     const Style& style = style_named("modern");
     for (const PackModel& model : free->models()) {
         EXPECT_TRUE(model.free) << model.credit;
-        if (model.klass != "grand_piano" && model.klass != "barrel" && model.klass != "electric_guitar" &&
-            model.klass != "crate")
+        if (model.kind != "grand_piano" && model.kind != "barrel" && model.kind != "electric_guitar" &&
+            model.kind != "crate")
             continue;
         PieceRequest request;
-        request.klass = model.klass;
+        request.kind = model.kind;
         request.style = &style;
         const Piece piece = free->piece(model, request);
         Vec3f low{1e9f, 1e9f, 1e9f}, high = -low;

@@ -10,9 +10,9 @@ namespace fastscene {
 namespace {
 
 TEST(Judge, TellsWhatHoldsFromPosesAlone) {
-    const auto object = [](const char* klass, float x, float low, float z, Vec3f size, bool asked) {
+    const auto object = [](const char* kind, float x, float low, float z, Vec3f size, bool asked) {
         // Faces +z; heights grow against y.
-        return Json{{"class", klass},
+        return Json{{"class", kind},
                     {"requested", asked},
                     {"size_m", {size.x, size.y, size.z}},
                     {"world_from_object", {{-1, 0, 0, x}, {0, -1, 0, -low}, {0, 0, 1, z}, {0, 0, 0, 1}}}};

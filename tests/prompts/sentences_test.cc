@@ -51,7 +51,7 @@ std::string report_of(const PromptSpec& spec, std::string_view words) {
 
 const PromptObject* find_object(const PromptSpec& spec, std::string_view kind, bool forbidden) {
     const auto found = std::find_if(spec.objects.begin(), spec.objects.end(),
-                                    [&](const PromptObject& o) { return o.klass == kind && o.forbidden == forbidden; });
+                                    [&](const PromptObject& o) { return o.kind == kind && o.forbidden == forbidden; });
     return found == spec.objects.end() ? nullptr : &*found;
 }
 
@@ -108,7 +108,7 @@ std::string check(const PromptSpec& spec, const std::string& claim) {
     const auto same = [](const std::string& found, const std::string& expected) {
         return found == expected ? std::string() : "found \"" + found + "\"";
     };
-    if (claim == "no objects") return spec.objects.empty() ? "" : "found " + spec.objects[0].klass;
+    if (claim == "no objects") return spec.objects.empty() ? "" : "found " + spec.objects[0].kind;
     if (claim == "no colors") return same(joined(spec.colors), "");
     if (claim == "all understood") return same(words_with(spec, PromptWord::Fate::not_understood), "");
     if (const auto w = after("not understood: ")) return same(words_with(spec, PromptWord::Fate::not_understood), *w);

@@ -16,7 +16,7 @@ DepthExample room(std::uint64_t i) {
     return painted_room(kSmall, rng);
 }
 
-TEST(PaintedRoom, DependsOnTheDiceOnly) {
+TEST(PaintedRoom, DependsOnTheGeneratorOnly) {
     EXPECT_EQ(room(3).color, room(3).color);
     EXPECT_EQ(room(3).range, room(3).range);
     EXPECT_NE(room(3).range, room(4).range);

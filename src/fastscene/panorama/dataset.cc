@@ -108,7 +108,7 @@ Camera random_camera(const Plan& plan, const TracedRoom& room, int view, Random&
     return {{rotation, place}, Pinhole::with_fov(plan.request.width, plan.request.height, fov_deg)};
 }
 
-Random dice_of(const Plan& plan, int picture) {
+Random rng_of(const Plan& plan, int picture) {
     return {plan.seed, "dataset picture", static_cast<std::uint64_t>(picture)};
 }
 
@@ -117,7 +117,7 @@ Random dice_of(const Plan& plan, int picture) {
 std::vector<Vec3f> eyes_in(const Plan& plan, const TracedRoom& room, int first, int count) {
     std::vector<Vec3f> viewpoints;
     for (int k = 0; k < count; ++k) {
-        Random rng = dice_of(plan, first + k);
+        Random rng = rng_of(plan, first + k);
         viewpoints.push_back(random_camera(plan, room, k, rng).world_from_camera.translation);
     }
     return viewpoints;
@@ -148,7 +148,7 @@ Image<std::uint16_t> millimetres(const ImageF& range) {
 int class_of(const Room& room, std::int32_t object, Vec3f normal) {
     if (object == -2) return 0;
     if (object == -1) return normal.y < -0.7f ? 2 : normal.y > 0.7f ? 22 : 1;
-    return nyu40_of(room.objects[static_cast<std::size_t>(object)].klass);
+    return nyu40_of(room.objects[static_cast<std::size_t>(object)].kind);
 }
 
 Json instances_json(const Room& room, const Image<std::int32_t>& object) {
@@ -159,15 +159,15 @@ Json instances_json(const Room& room, const Image<std::int32_t>& object) {
     for (std::size_t i = 0; i < pixels.size(); ++i)
         if (pixels[i] > 0)
             out.push_back({{"id", i + 1},
-                           {"class", nyu40_of(room.objects[i].klass)},
-                           {"name", room.objects[i].klass},
+                           {"class", nyu40_of(room.objects[i].kind)},
+                           {"name", room.objects[i].kind},
                            {"pixels", pixels[i]}});
     return out;
 }
 
 void make_picture(const Plan& plan, const TracedRoom& room, const std::string& prompt, int picture, const Run& run) {
     const DatasetRequest& request = plan.request;
-    Random rng = dice_of(plan, picture);
+    Random rng = rng_of(plan, picture);
     const Camera camera = random_camera(plan, room, picture % request.params.views, rng);
     const Film film = random_film(rng, !plan.panorama);
     const Run quiet{rng.next_u64(), nullptr, run.stop};

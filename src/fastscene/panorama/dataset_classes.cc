@@ -3,7 +3,7 @@
 
 namespace fastscene::dataset {
 
-int nyu40_of(const std::string& klass) { return nyu40_label(klass); }
+int nyu40_of(const std::string& kind) { return nyu40_label(kind); }
 
 Json nyu40_names() {
     Json names = Json::array();

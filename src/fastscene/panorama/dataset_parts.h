@@ -35,7 +35,7 @@ ImageRgb8 expose(const ImageColor& color, const Film& film, bool wraps, Random& 
 Json to_json(const Film& film);
 
 // NYU40 classes, the usual labels of indoor networks; 0 = outside or unknown.
-int nyu40_of(const std::string& klass);
+int nyu40_of(const std::string& kind);
 Json nyu40_names();
 
 // A lock for making a room: the file `folder`/NAME.claim. A stale claim (its process is gone, or it is from another

@@ -155,7 +155,7 @@ TEST(DatasetRooms, DifferAndCanBeDrawnAgain) {
 }
 
 TEST(DatasetClasses, OfOurPieces) {
-    for (const auto& [klass, id] :
+    for (const auto& [kind, id] :
          std::map<std::string, int>{{"bed_single", 4},    {"nightstand", 32},   {"bookshelf", 10},
                                     {"armchair", 5},      {"sofa", 6},          {"dining_table_round", 7},
                                     {"door", 8},          {"window", 9},        {"kitchen_counter", 12},
@@ -164,7 +164,7 @@ TEST(DatasetClasses, OfOurPieces) {
                                     {"zebra", 40},        {"bunk_bed", 4},      {"loft_bed", 4},
                                     {"canopy_bed", 4},    {"daybed", 4},        {"bean_bag", 5},
                                     {"hanging_chair", 5}, {"chaise_longue", 6}, {"window_seat", 5}})
-        EXPECT_EQ(dataset::nyu40_of(klass), id) << klass;
+        EXPECT_EQ(dataset::nyu40_of(kind), id) << kind;
 }
 
 }  // namespace

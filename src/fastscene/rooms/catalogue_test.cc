@@ -123,7 +123,7 @@ std::string fault_of(const std::string& kind) {
     const Sight sight(room.plan, room.placed);
     bool placed = false;
     for (std::size_t k = 0; k < room.placed.size(); ++k) {
-        if (room.placed[k].wish.klass != kind) continue;
+        if (room.placed[k].wish.kind != kind) continue;
         placed = true;
         if (sight.look(static_cast<int>(k), room.camera).pixels > 0) return {};
     }

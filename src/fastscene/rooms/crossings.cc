@@ -114,20 +114,20 @@ void look_inside(const Body& a, const Body& b, float tolerance, std::vector<Cros
     if (deepest.depth_m > tolerance) found.push_back(deepest);
 }
 
-bool is_soft(std::string_view klass) { return has_role(klass, Role::soft); }
-bool is_hung(std::string_view klass) { return has_role(klass, Role::overhead); }
+bool is_soft(std::string_view kind) { return has_role(kind, Role::soft); }
+bool is_hung(std::string_view kind) { return has_role(kind, Role::overhead); }
 
 std::vector<Body> bodies_of(const Room& room) {
     std::vector<Body> objects(room.objects.size()), shell;
     for (const Mesh& mesh : room.meshes) {
         Body* body = nullptr;
         // Panelling and beams reach all around the room: their boxes say something mesh by mesh only.
-        const bool part = mesh.object >= 0 && is_shell(room.objects[static_cast<std::size_t>(mesh.object)].klass);
+        const bool part = mesh.object >= 0 && is_shell(room.objects[static_cast<std::size_t>(mesh.object)].kind);
         if (mesh.object >= 0 && !part) {
             body = &objects[static_cast<std::size_t>(mesh.object)];
             body->object = mesh.object;
-            body->soft = is_soft(room.objects[static_cast<std::size_t>(mesh.object)].klass);
-            body->hung = is_hung(room.objects[static_cast<std::size_t>(mesh.object)].klass);
+            body->soft = is_soft(room.objects[static_cast<std::size_t>(mesh.object)].kind);
+            body->hung = is_hung(room.objects[static_cast<std::size_t>(mesh.object)].kind);
         } else {
             body = &shell.emplace_back();
             body->object = mesh.object;

@@ -13,12 +13,12 @@ namespace fastscene {
 namespace {
 
 // A table of 1 m x 0.8 m x 1 m on the ground, and a box at `low` with edges `size`. y is down.
-Room with_box(Vec3f low, Vec3f size, const char* klass = "vase") {
+Room with_box(Vec3f low, Vec3f size, const char* kind = "vase") {
     Room room;
     room.materials.resize(1);
     room.objects.resize(2);
-    room.objects[0].klass = "table";
-    room.objects[1].klass = klass;
+    room.objects[0].kind = "table";
+    room.objects[1].kind = kind;
     room.meshes.push_back(box_mesh({-0.5f, -0.8f, -0.5f}, {0.5f, 0, 0.5f}, 0, 0));
     room.meshes.push_back(box_mesh(low, low + size, 0, 1));
     return room;
@@ -59,7 +59,7 @@ TEST(Crossings, NothingReachesIntoAnotherOver60Rooms) {
         const std::vector<Crossing> found = room_crossings(room);
         crossed += !found.empty();
         const auto name = [&](int object) {
-            return object < 0 ? std::string("shell") : room.objects[static_cast<std::size_t>(object)].klass;
+            return object < 0 ? std::string("shell") : room.objects[static_cast<std::size_t>(object)].kind;
         };
         for (const Crossing& c : found)
             list += "\n" + spec.text + ", seed " + std::to_string(seed) + ": " + name(c.object) + " in " +

@@ -20,14 +20,14 @@ namespace {
 struct Asked {
     PromptSpec spec;
     FurnishedRoom room;
-    const Placed* find(std::string_view klass) const {
+    const Placed* find(std::string_view kind) const {
         const auto p = std::find_if(room.placed.begin(), room.placed.end(),
-                                    [&](const Placed& q) { return q.piece.klass == klass; });
+                                    [&](const Placed& q) { return q.piece.kind == kind; });
         return p == room.placed.end() ? nullptr : &*p;
     }
-    int standing(std::string_view klass) const {
+    int standing(std::string_view kind) const {
         return static_cast<int>(std::count_if(room.placed.begin(), room.placed.end(),
-                                              [&](const Placed& q) { return q.wish.klass == klass; }));
+                                              [&](const Placed& q) { return q.wish.kind == kind; }));
     }
 };
 Asked asked_room(const std::string& text, std::uint64_t seed) {
@@ -44,9 +44,9 @@ std::string fate_of(const PromptSpec& spec, std::string_view words) {
     return {};
 }
 
-PieceRequest request_of(const char* klass, const std::string& style) {
+PieceRequest request_of(const char* kind, const std::string& style) {
     PieceRequest r;
-    r.klass = klass, r.style = &style_named(style), r.seed = 3;
+    r.kind = kind, r.style = &style_named(style), r.seed = 3;
     return r;
 }
 // The lowest and highest point of a piece's main material.
@@ -107,20 +107,20 @@ TEST(Customers, WorktopsAreNotDoors) {
 // Velvet covers the seat and the back; legs are of wood or metal.
 TEST(Customers, ChairsInClothHaveLegs) {
     for (const std::string& style : styles())
-        for (const char* klass : {"chair", "stool", "bar_stool", "bench"})
+        for (const char* kind : {"chair", "stool", "bar_stool", "bench"})
             for (const char* material : {"velvet", "leather"}) {
-                PieceRequest r = request_of(klass, style);
+                PieceRequest r = request_of(kind, style);
                 r.material = material, r.color_name = "emerald", r.color = color_named("emerald");
                 const Piece p = make_piece(r);
                 const auto [low, high] = reach_of_main(p);
-                EXPECT_GT(low, 0.25f) << style << " " << klass << " " << material;
-                EXPECT_GT(high, std::string_view(klass) == "chair" ? 0.8f : 0.4f)
-                    << style << " " << klass << " " << material;
+                EXPECT_GT(low, 0.25f) << style << " " << kind << " " << material;
+                EXPECT_GT(high, std::string_view(kind) == "chair" ? 0.8f : 0.4f)
+                    << style << " " << kind << " " << material;
                 EXPECT_LT(away(p.materials[static_cast<std::size_t>(p.main_material)].color_a, *color_named("emerald")),
                           0.05f)
-                    << style << " " << klass;
+                    << style << " " << kind;
                 for (const Mesh& m : p.meshes)
-                    for (const Vec3f& v : m.positions) EXPECT_GT(v.y, -0.001f) << style << " " << klass;
+                    for (const Vec3f& v : m.positions) EXPECT_GT(v.y, -0.001f) << style << " " << kind;
             }
 }
 
@@ -161,8 +161,8 @@ TEST(Customers, WindowsFromFloorToCeilingAreThat) {
             EXPECT_GT(full, a.room.plan.bay ? -1 : 0) << text << ", seed " << seed;
             for (const Placed& p : a.room.placed) EXPECT_TRUE(p.sill < 0 || p.position.y > 0.3f) << text;
             for (const PromptObject& o : a.spec.objects)
-                EXPECT_EQ(is_shell(o.klass) ? o.count : a.standing(o.klass), o.count)
-                    << text << ", seed " << seed << ": " << o.klass;
+                EXPECT_EQ(is_shell(o.kind) ? o.count : a.standing(o.kind), o.count)
+                    << text << ", seed " << seed << ": " << o.kind;
         }
     for (const Opening& o : asked_room("a living room with large windows", 1).room.plan.openings)
         EXPECT_TRUE(o.kind != Opening::Kind::window || o.y0 > 0.3f);
@@ -197,7 +197,7 @@ TEST(Customers, BedsForOneWhateverStandsBetween) {
         const Asked a = asked_room("a girls' bedroom with two single white beds on either side of a window", seed);
         beds += a.standing("bed_single");
         for (const Placed& p : a.room.placed)
-            beside += p.piece.klass == "bed_single" &&
+            beside += p.piece.kind == "bed_single" &&
                       stands_as_asked(a.room.plan, a.room.placed, p, p.wish).value_or(false);
     }
     EXPECT_EQ(beds, 12);
@@ -240,7 +240,7 @@ TEST(Customers, ALongTableSeatsThemAll) {
             ASSERT_TRUE(table) << style << seed;
             EXPECT_GT(table->piece.size_m.x, 1.8f * table->piece.size_m.z) << style << seed;
             const auto near = std::count_if(a.room.placed.begin(), a.room.placed.end(), [&](const Placed& p) {
-                return p.piece.klass == "chair" && distance_to(footprint_of(*table), flat(p.position)) < 0.6f;
+                return p.piece.kind == "chair" && distance_to(footprint_of(*table), flat(p.position)) < 0.6f;
             });
             EXPECT_GE(near, 9) << style << ", seed " << seed;
         }
@@ -315,16 +315,16 @@ TEST(Customers, TableclothsLieOnTables) {
     EXPECT_EQ(object_of(spec, "bowl")->color, "");
     EXPECT_EQ(object_of(spec, "bowl")->pattern, "");
     for (const std::string& style : styles())
-        for (const char* klass : {"dining_table", "dining_table_round"}) {
-            PieceRequest r = request_of(klass, style);
+        for (const char* kind : {"dining_table", "dining_table_round"}) {
+            PieceRequest r = request_of(kind, style);
             const Piece bare = make_piece(r);
             r.holder_material = kTableCloth, r.holder_color = "yellow", r.pattern = "gingham";
             const Piece laid = make_piece(r);
             const auto at = [&](const Piece& p) { return p.materials[static_cast<std::size_t>(p.main_material)]; };
-            EXPECT_EQ(at(laid).pattern, at(bare).pattern) << style << " " << klass;  // the wood stays as it is
+            EXPECT_EQ(at(laid).pattern, at(bare).pattern) << style << " " << kind;  // the wood stays as it is
             const auto cloth = std::find_if(laid.materials.begin(), laid.materials.end(),
                                             [](const Material& m) { return m.name == "tablecloth"; });
-            ASSERT_NE(cloth, laid.materials.end()) << style << " " << klass;
+            ASSERT_NE(cloth, laid.materials.end()) << style << " " << kind;
             EXPECT_LT(away(cloth->color_a, *color_named("yellow")), 0.01f) << style;
             // It covers the top, and hangs over its rim.
             Vec3f low{1e9f, 1e9f, 1e9f}, high{-1e9f, -1e9f, -1e9f};
@@ -333,10 +333,10 @@ TEST(Customers, TableclothsLieOnTables) {
                     if (m.material == cloth - laid.materials.begin())
                         for (std::size_t k = 0; k < 3; ++k)
                             low[k] = std::min(low[k], v[k]), high[k] = std::max(high[k], v[k]);
-            EXPECT_GT(high.y, bare.size_m.y - 0.001f) << style << " " << klass;
-            EXPECT_LT(low.y, bare.size_m.y - 0.15f) << style << " " << klass;
-            EXPECT_GT(high.x - low.x, bare.size_m.x - 0.3f) << style << " " << klass;
-            EXPECT_GT(laid.surfaces.front().center.y, bare.surfaces.front().center.y) << style << " " << klass;
+            EXPECT_GT(high.y, bare.size_m.y - 0.001f) << style << " " << kind;
+            EXPECT_LT(low.y, bare.size_m.y - 0.15f) << style << " " << kind;
+            EXPECT_GT(high.x - low.x, bare.size_m.x - 0.3f) << style << " " << kind;
+            EXPECT_GT(laid.surfaces.front().center.y, bare.surfaces.front().center.y) << style << " " << kind;
         }
 }
 
@@ -428,7 +428,7 @@ TEST(Customers, LightsAroundAWindowHangAtIt) {
 
 // Built in, without a furniture pack, and where it was asked for.
 TEST(Customers, KeepsakesStandWhereTheyWereAskedFor) {
-    for (const auto& [text, klass] :
+    for (const auto& [text, kind] :
          {std::pair{"a study with a typewriter on the desk", "typewriter"},
           {"a study with a record player on the sideboard", "record_player"},
           {"a wizard's study with a crystal ball on a round table", "crystal_ball"},
@@ -440,9 +440,9 @@ TEST(Customers, KeepsakesStandWhereTheyWereAskedFor) {
           {"a kitchen with an island and copper pans hanging over the island", "pot_rack"}})
         for (const std::uint64_t seed : {1, 2}) {
             const Asked a = asked_room(text, seed);
-            const Placed* piece = a.find(klass);
+            const Placed* piece = a.find(kind);
             ASSERT_TRUE(piece) << text << ", seed " << seed;
-            EXPECT_NE(stands_as_asked(a.room.plan, a.room.placed, *piece, *object_of(a.spec, klass)),
+            EXPECT_NE(stands_as_asked(a.room.plan, a.room.placed, *piece, *object_of(a.spec, kind)),
                       std::optional(false))
                 << text << ", seed " << seed;
             for (const PromptWord& w : a.spec.words)

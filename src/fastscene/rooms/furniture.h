@@ -30,7 +30,7 @@ struct Surface {
 };
 
 struct Piece {
-    std::string klass;
+    std::string kind;
     std::vector<Material> materials;
     std::vector<Mesh> meshes;       // Mesh::material = index into materials
     Vec3f size_m;                   // of the bounding box
@@ -45,7 +45,7 @@ struct Piece {
 };
 
 struct PieceRequest {
-    std::string klass;
+    std::string kind;
     const Style* style = nullptr;  // must not be null
     std::optional<Vec3f> color{};  // linear albedo of the main surface
     std::string color_name{}, color2_name{}, material{},

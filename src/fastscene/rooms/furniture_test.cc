@@ -12,9 +12,9 @@
 namespace fastscene {
 namespace {
 
-Piece make(const std::string& klass, const std::string& style = "modern", std::uint64_t seed = 3) {
+Piece make(const std::string& kind, const std::string& style = "modern", std::uint64_t seed = 3) {
     PieceRequest r;
-    r.klass = klass;
+    r.kind = kind;
     r.style = &style_named(style);
     r.seed = seed;
     return make_piece(r);
@@ -66,7 +66,7 @@ TEST(Furniture, DarkCurtainsLetLessLightThrough) {
     for (const std::string name : {"modern", "classic", "boho", "rustic"}) {
         const auto through = [&](Vec3f color) {
             PieceRequest r;
-            r.klass = "curtain", r.style = &style_named(name), r.color = color;
+            r.kind = "curtain", r.style = &style_named(name), r.color = color;
             const Piece p = make_piece(r);
             return p.materials[static_cast<std::size_t>(p.main_material)].transmission;
         };
@@ -81,30 +81,30 @@ TEST(Furniture, DarkCurtainsLetLessLightThrough) {
 TEST(Furniture, EveryClassInEveryStyleIsSound) {
     EXPECT_GE(piece_classes().size(), 60u);
     for (const std::string& style : styles())
-        for (const std::string& klass : piece_classes()) {
-            SCOPED_TRACE(style + " " + klass);
-            const std::size_t triangles = check_piece(make(klass, style, hash_name(style)));
+        for (const std::string& kind : piece_classes()) {
+            SCOPED_TRACE(style + " " + kind);
+            const std::size_t triangles = check_piece(make(kind, style, hash_name(style)));
             EXPECT_GT(triangles, 50u);
             EXPECT_LT(triangles, 27000u);
         }
 }
 
 TEST(Furniture, TheSameRequestMakesTheSamePiece) {
-    for (const std::string klass : {"sofa", "bookshelf", "plant", "desk"}) {
-        const Piece a = make(klass), b = make(klass), c = make(klass, "modern", 4);
+    for (const std::string kind : {"sofa", "bookshelf", "plant", "desk"}) {
+        const Piece a = make(kind), b = make(kind), c = make(kind, "modern", 4);
         ASSERT_EQ(a.meshes.size(), b.meshes.size());
         for (std::size_t i = 0; i < a.meshes.size(); ++i) EXPECT_TRUE(a.meshes[i].positions == b.meshes[i].positions);
         bool same = a.meshes.size() == c.meshes.size();
         for (std::size_t i = 0; same && i < a.meshes.size(); ++i) same = a.meshes[i].positions == c.meshes[i].positions;
-        EXPECT_FALSE(same) << klass << ": the seed changes nothing";
+        EXPECT_FALSE(same) << kind << ": the seed changes nothing";
     }
 }
 
 TEST(Furniture, AWishedColorReachesTheMainSurface) {
-    for (const std::string& klass : piece_classes()) {
-        SCOPED_TRACE(klass);
+    for (const std::string& kind : piece_classes()) {
+        SCOPED_TRACE(kind);
         PieceRequest r;
-        r.klass = klass;
+        r.kind = kind;
         r.style = &style_named("scandinavian");
         r.color_name = "red";
         const Piece p = make_piece(r);
@@ -118,7 +118,7 @@ TEST(Furniture, AWishedColorReachesTheMainSurface) {
 
 TEST(Furniture, ALeatherSofaIsLeatherAndBrown) {
     PieceRequest r;
-    r.klass = "sofa";
+    r.kind = "sofa";
     r.style = &style_named("modern");
     r.material = "leather";
     r.color_name = "brown";
@@ -155,7 +155,7 @@ TEST(Style, BrickIsNotPink) {
 TEST(Furniture, ACornerSofaHasItsLongSeat) {
     for (const std::string& style : styles()) {
         PieceRequest r;
-        r.klass = "sofa", r.style = &style_named(style);
+        r.kind = "sofa", r.style = &style_named(style);
         const Piece straight = make_piece(r);
         r.pattern = "corner";
         r.color_name = "gray";
@@ -172,7 +172,7 @@ TEST(Furniture, ACornerSofaHasItsLongSeat) {
 TEST(Furniture, ARoundRugIsRound) {
     for (const std::string& style : styles()) {
         PieceRequest r;
-        r.klass = "rug", r.style = &style_named(style), r.pattern = "round", r.size_m = {2.6f, 0, 1.9f};
+        r.kind = "rug", r.style = &style_named(style), r.pattern = "round", r.size_m = {2.6f, 0, 1.9f};
         const Piece p = make_piece(r);
         EXPECT_NEAR(p.size_m.x, p.size_m.z, 0.02f) << style;
         for (const Mesh& m : p.meshes)
@@ -184,7 +184,7 @@ TEST(Furniture, ARoundRugIsRound) {
 TEST(Furniture, AFluffyRugHasNoPattern) {
     for (const std::string& style : styles()) {
         PieceRequest r;
-        r.klass = "rug", r.style = &style_named(style), r.material = "wool";
+        r.kind = "rug", r.style = &style_named(style), r.material = "wool";
         const Piece p = make_piece(r);
         EXPECT_EQ(p.materials[static_cast<std::size_t>(p.main_material)].pattern, Pattern::carpet) << style;
         r.color_name = "lavender";
@@ -197,12 +197,12 @@ TEST(Furniture, AFluffyRugHasNoPattern) {
 // Whatever the style: what is asked for in rattan is woven, coarse enough to be seen, and browner than paper.
 TEST(Furniture, RattanIsSeenToBeWoven) {
     for (const std::string& style : styles())
-        for (const std::string klass : {"chair", "armchair", "sofa", "loveseat"})
+        for (const std::string kind : {"chair", "armchair", "sofa", "loveseat"})
             for (const std::string material : {"rattan", "wicker"}) {
                 PieceRequest r;
-                r.klass = klass, r.style = &style_named(style), r.material = material;
+                r.kind = kind, r.style = &style_named(style), r.material = material;
                 const Piece p = make_piece(r);
-                SCOPED_TRACE(style + " " + klass);
+                SCOPED_TRACE(style + " " + kind);
                 check_piece(p);
                 const Material& m = p.materials[static_cast<std::size_t>(p.main_material)];
                 EXPECT_EQ(m.pattern, Pattern::wicker);
@@ -215,8 +215,8 @@ TEST(Furniture, RattanIsSeenToBeWoven) {
 
 // A flame is yellow to orange wherever one looks, and orange at its point.
 TEST(Furniture, FlamesAreWarmAndTurnToOrange) {
-    for (const std::string klass : {"candle", "fireplace"}) {
-        const Piece p = make(klass, "classic");
+    for (const std::string kind : {"candle", "fireplace"}) {
+        const Piece p = make(kind, "classic");
         int flames = 0;
         float reddest = 0, yellowest = 1e9f;
         for (const Material& m : p.materials) {
@@ -227,15 +227,15 @@ TEST(Furniture, FlamesAreWarmAndTurnToOrange) {
             reddest = std::max(reddest, m.emission.x / m.emission.y);
             yellowest = std::min(yellowest, m.emission.x / m.emission.y);
         }
-        EXPECT_GE(flames, 2) << klass;
-        EXPECT_GT(reddest, 1.4f * yellowest) << klass;
+        EXPECT_GE(flames, 2) << kind;
+        EXPECT_GT(reddest, 1.4f * yellowest) << kind;
     }
 }
 
 TEST(Furniture, APictureShowsTheMotifThatWasAskedFor) {
     for (const char* motif : {"skull", "ship", "map", "anchor", "rocket", "lion", "gamepad", "whale"}) {
         PieceRequest r;
-        r.klass = "picture", r.style = &style_named("classic"), r.pattern = motif, r.seed = 3;
+        r.kind = "picture", r.style = &style_named("classic"), r.pattern = motif, r.seed = 3;
         const Piece shown = make_piece(r);
         r.pattern.clear();
         const Piece other = make_piece(r);
@@ -316,9 +316,9 @@ TEST(Furniture, BelowALoftBedIsRoomForADesk) {
 // Four posts that reach to above a man's head; with a canopy cloth lies over them.
 TEST(Furniture, FourPostersHavePostsAndCanopiesARoof) {
     for (const std::string& style : styles())
-        for (const std::string klass : {"four_poster_bed", "canopy_bed"}) {
-            SCOPED_TRACE(style + " " + klass);
-            const Piece p = make(klass, style);
+        for (const std::string kind : {"four_poster_bed", "canopy_bed"}) {
+            SCOPED_TRACE(style + " " + kind);
+            const Piece p = make(kind, style);
             EXPECT_GT(p.size_m.y, 1.95f);
             EXPECT_LT(p.size_m.y, 2.2f);
             for (const float sx : {-1.f, 1.f})
@@ -332,7 +332,7 @@ TEST(Furniture, FourPostersHavePostsAndCanopiesARoof) {
                     EXPECT_GT(high, 1.95f);
                 }
             const float roof = area_at(p, 1.9f, 2.2f);
-            if (klass == "canopy_bed") EXPECT_GT(roof, 2.5f);
+            if (kind == "canopy_bed") EXPECT_GT(roof, 2.5f);
             else EXPECT_LT(roof, 1.f);
         }
 }
@@ -382,23 +382,23 @@ TEST(Furniture, AChaiseLongueIsLongAndRisesToItsHead) {
 }
 
 TEST(Furniture, WishedSizesAreKept) {
-    for (const std::string klass : {"rug", "dining_table", "wardrobe", "kitchen_counter", "cat"}) {
+    for (const std::string kind : {"rug", "dining_table", "wardrobe", "kitchen_counter", "cat"}) {
         PieceRequest r;
-        r.klass = klass;
+        r.kind = kind;
         r.style = &style_named("modern");
         r.size_m = {1.5f, 0, 0};
-        EXPECT_NEAR(make_piece(r).size_m.x, 1.5f, 0.1f) << klass;
+        EXPECT_NEAR(make_piece(r).size_m.x, 1.5f, 0.1f) << kind;
     }
 }
 
 TEST(Furniture, LampsShineAndUnknownClassesThrow) {
     for (const std::string& style : styles())
-        for (const std::string klass : {"floor_lamp", "table_lamp", "pendant_lamp", "ceiling_lamp", "chandelier"}) {
-            const Piece p = make(klass, style);
+        for (const std::string kind : {"floor_lamp", "table_lamp", "pendant_lamp", "ceiling_lamp", "chandelier"}) {
+            const Piece p = make(kind, style);
             float most = 0.f;
             for (const Mesh& m : p.meshes)
                 most = std::max(most, max_component(p.materials[static_cast<std::size_t>(m.material)].emission));
-            EXPECT_GT(most, 4.f) << style << ' ' << klass;
+            EXPECT_GT(most, 4.f) << style << ' ' << kind;
         }
     EXPECT_THROW((void)make("spaceship"), Error);
     EXPECT_THROW((void)style_named("spaceship"), Error);

@@ -142,10 +142,10 @@ void Layout::find_ways() {
 }
 
 bool hides(const Placed& floor, const Placed& hung) {
-    const bool overhead = floor.piece.klass == "hanging_plant";
+    const bool overhead = floor.piece.kind == "hanging_plant";
     const float before_m = overhead ? 0.4f : 0.15f;  // metres before it
     if (hung.piece.mount != Mount::wall || hung.sill >= 0 || (floor.piece.mount != Mount::floor && !overhead) ||
-        floor.flat || floor.on >= 0 || floor.piece.klass == "curtain")
+        floor.flat || floor.on >= 0 || floor.piece.kind == "curtain")
         return false;
     Footprint before = footprint_of(hung);
     before.half.y += before_m / 2;
@@ -240,37 +240,37 @@ Vec3f as_measured(const PieceRequest& usual, Vec3f said) {
 }  // namespace
 
 // What the prompt says that furniture of this kind is made of, whichever it is.
-std::string Layout::accent_of(const std::string& klass) const {
-    const bool seat = has_role(klass, Role::takes_accent);
+std::string Layout::accent_of(const std::string& kind) const {
+    const bool seat = has_role(kind, Role::takes_accent);
     for (const std::string& m : spec_.accents) {
-        if (is_one_of(m, {"rattan", "wicker", "cane"}) && has_role(klass, Role::takes_woven_accent)) return m;
+        if (is_one_of(m, {"rattan", "wicker", "cane"}) && has_role(kind, Role::takes_woven_accent)) return m;
         if (is_one_of(m, {"leather", "velvet"}) && seat) return m;
     }
     return {};
 }
 
-PieceRequest Layout::request(std::string klass, const PromptObject* wish) {
+PieceRequest Layout::request(std::string kind, const PromptObject* wish) {
     PieceRequest r;
-    r.klass = std::move(klass);
+    r.kind = std::move(kind);
     r.style = &plan_.style;
-    r.seed = dice_.next_u64();
+    r.seed = rng_.next_u64();
     if (wish && spec_.pack)
-        if ((r.model = spec_.pack->choose(r.klass, hash_name(spec_.text) + static_cast<std::uint64_t>(wish->id))))
+        if ((r.model = spec_.pack->choose(r.kind, hash_name(spec_.text) + static_cast<std::uint64_t>(wish->id))))
             r.pack = spec_.pack;
-    if (!r.model && !std::binary_search(piece_classes().begin(), piece_classes().end(), r.klass))
-        r.klass = stand_in(r.klass).value_or(r.klass);
+    if (!r.model && !std::binary_search(piece_classes().begin(), piece_classes().end(), r.kind))
+        r.kind = stand_in(r.kind).value_or(r.kind);
     if (wish && !wish->style.empty()) r.style = &style_named(wish->style);
-    if (r.klass == "desk")
+    if (r.kind == "desk")
         for (const PromptObject& o : spec_.objects)
-            if (o.klass == "monitor" && !o.forbidden && o.relation != "in the next room")
+            if (o.kind == "monitor" && !o.forbidden && o.relation != "in the next room")
                 r.screens = std::min(kMostScreens, r.screens + o.count);
     // An island is of the units' color.
-    if (r.klass == "kitchen_island" && (!wish || (wish->color.empty() && wish->material.empty())))
+    if (r.kind == "kitchen_island" && (!wish || (wish->color.empty() && wish->material.empty())))
         for (const PromptObject& o : spec_.objects)
-            if (o.klass == "kitchen_counter" && !o.forbidden && !o.color.empty())
+            if (o.kind == "kitchen_counter" && !o.forbidden && !o.color.empty())
                 r.color = color_named(o.color), r.color_name = o.color;
     // Nobody cooks where the washing is done.
-    if (r.klass == "kitchen_counter") r.cooks = room_type(spec_.room).cooks;
+    if (r.kind == "kitchen_counter") r.cooks = room_type(spec_.room).cooks;
     if (wish) {
         if (!wish->color.empty()) r.color = color_named(wish->color), r.color_name = wish->color;
         r.color2_name = wish->color2;
@@ -283,15 +283,15 @@ PieceRequest Layout::request(std::string klass, const PromptObject* wish) {
         r.size_factor = wish->size == "large" ? 1.15f : wish->size == "small" ? 0.87f : 1.f;
         r.size_m = as_measured(r, wish->size_m);
         // A small round table is one for two.
-        if (r.klass == "dining_table_round" && wish->size == "small" && wish->size_m == Vec3f{})
+        if (r.kind == "dining_table_round" && wish->size == "small" && wish->size_m == Vec3f{})
             r.size_factor = 1.f, r.size_m = {0.75f, 0, 0.75f};
     }
     // An island has the worktop of the units.
-    if (r.klass == "kitchen_island" && r.holder_material.empty() && r.holder_color.empty())
+    if (r.kind == "kitchen_island" && r.holder_material.empty() && r.holder_color.empty())
         for (const PromptObject& o : spec_.objects)
-            if (o.klass == "kitchen_counter" && !o.forbidden)
+            if (o.kind == "kitchen_counter" && !o.forbidden)
                 r.holder_material = o.holder_material, r.holder_color = o.holder_color;
-    if (r.material.empty() && !r.model) r.material = accent_of(r.klass);
+    if (r.material.empty() && !r.model) r.material = accent_of(r.kind);
     return r;
 }
 
@@ -301,25 +301,25 @@ float Layout::as_asked(const Placed& placed, const PromptObject& wish) const {
     return !holds ? 0.f : *holds ? kWorth : insisted_ ? -std::numeric_limits<float>::infinity() : 0.f;
 }
 
-std::string Layout::why_not(const std::string& klass) const {
-    if (std::binary_search(piece_classes().begin(), piece_classes().end(), klass) ||
-        (spec_.pack && spec_.pack->choose(klass, 0)) || stand_in(klass))
+std::string Layout::why_not(const std::string& kind) const {
+    if (std::binary_search(piece_classes().begin(), piece_classes().end(), kind) ||
+        (spec_.pack && spec_.pack->choose(kind, 0)) || stand_in(kind))
         return {};
-    if (spec_.pack && spec_.pack->only_with_attribution(klass))
+    if (spec_.pack && spec_.pack->only_with_attribution(kind))
         return "there is only a model whose author must be named: --assets all uses it";
     return spec_.pack ? "there is no model of it"
                       : "there is no built-in model of it, and no furniture pack (sweethome3d-furniture) is in use";
 }
 
-std::optional<int> Layout::find(std::string_view klass) const {
+std::optional<int> Layout::find(std::string_view kind) const {
     for (std::size_t i = 0; i < placed_.size(); ++i)
-        if (placed_[i].piece.klass == klass || placed_[i].wish.klass == klass) return static_cast<int>(i);
+        if (placed_[i].piece.kind == kind || placed_[i].wish.kind == kind) return static_cast<int>(i);
     return {};
 }
 
-int Layout::count(std::string_view klass) const {
+int Layout::count(std::string_view kind) const {
     return static_cast<int>(
-        std::count_if(placed_.begin(), placed_.end(), [&](const Placed& p) { return p.piece.klass == klass; }));
+        std::count_if(placed_.begin(), placed_.end(), [&](const Placed& p) { return p.piece.kind == kind; }));
 }
 
 }  // namespace fastscene

@@ -20,7 +20,7 @@ inline constexpr float kSlotStep = 0.07f;       // between the places along a wa
 // A piece and its pose. The front (+z of the object) looks along (sin yaw, 0, cos yaw).
 struct Placed {
     Piece piece;
-    PromptObject wish;  // empty klass: nobody asked for it
+    PromptObject wish;  // empty kind: nobody asked for it
     Vec3f position;
     float yaw = 0;
     int on = -1;     // index of the piece it stands on
@@ -76,8 +76,8 @@ struct Spare {
 // The room being furnished.
 class Layout {
   public:
-    Layout(const Plan& plan, PromptSpec& spec, Random& dice, const AnnealParams& annealing = {})
-        : plan_(plan), spec_(spec), dice_(dice), annealing_(annealing), faces_(plan.faces()), ways_(plan) {}
+    Layout(const Plan& plan, PromptSpec& spec, Random& rng, const AnnealParams& annealing = {})
+        : plan_(plan), spec_(spec), rng_(rng), annealing_(annealing), faces_(plan.faces()), ways_(plan) {}
 
     // Each returns the index of the new piece, or nothing when there is no room for it.
     struct WallWish {
@@ -121,7 +121,7 @@ class Layout {
     std::optional<int> on_any_top(const PieceRequest& request, const PromptObject& from = {});
     std::optional<int> on_wall(const PieceRequest& request, std::optional<int> above, const PromptObject& from = {});
     // Above a door or window of this class, below the ceiling.
-    std::optional<int> over_opening(const std::string& klass, const PieceRequest& request,
+    std::optional<int> over_opening(const std::string& kind, const PieceRequest& request,
                                     const PromptObject& from = {});
     std::optional<int> hanging(const PieceRequest& request, Vec2f at, const PromptObject& from = {});
     // Between two walls and the ceiling.
@@ -141,18 +141,18 @@ class Layout {
 
     // A wish for a piece that the furniture pack has, or has better, is served from there; another builder may stand
     // in.
-    PieceRequest request(std::string klass, const PromptObject* wish = nullptr);
+    PieceRequest request(std::string kind, const PromptObject* wish = nullptr);
     // While insisting, a piece stands where this wish says ("opposite the bed") or not at all; else only rather where
     // its own says.
     void insist(const PromptObject* where) { insisted_ = where; }
     // Why nothing of this class can be made; empty: it can.
-    std::string why_not(const std::string& klass) const;
-    std::optional<int> find(std::string_view klass) const;
-    int count(std::string_view klass) const;
+    std::string why_not(const std::string& kind) const;
+    std::optional<int> find(std::string_view kind) const;
+    int count(std::string_view kind) const;
     const std::vector<Placed>& placed() const { return placed_; }
     const Plan& plan() const { return plan_; }
     PromptSpec& spec() { return spec_; }
-    Random& dice() { return dice_; }
+    Random& rng() { return rng_; }
     // Moves groups of pieces to where they stand better, if anywhere and if nothing is wrong with the room then.
     void improve();
     const AnnealReport& annealed() const { return annealed_; }
@@ -172,7 +172,7 @@ class Layout {
     void take_away(std::vector<int> pieces);
 
   private:
-    std::string accent_of(const std::string& klass) const;
+    std::string accent_of(const std::string& kind) const;
     bool fits(const Placed& placed, bool with_clearance) const;
     // What a place is worth for being where the wish says.
     float as_asked(const Placed& placed, const PromptObject& wish) const;
@@ -191,7 +191,7 @@ class Layout {
 
     const Plan& plan_;
     PromptSpec& spec_;
-    Random& dice_;
+    Random& rng_;
     AnnealParams annealing_;
     AnnealReport annealed_;
     std::vector<WallFace> faces_;

@@ -27,15 +27,15 @@ double thread_seconds() {
 
 bool stays(const Placed& p) {
     if (p.piece.mount != Mount::floor || p.flat || p.overhead) return true;
-    for (const char* klass : {"kitchen_counter", "curtain", "radiator"})
-        if (p.piece.klass == klass) return true;
+    for (const char* kind : {"kitchen_counter", "curtain", "radiator"})
+        if (p.piece.kind == kind) return true;
     return false;
 }
 
 class Annealer {
   public:
     Annealer(const Plan& plan, std::vector<Placed>& placed, std::uint64_t seed)
-        : plan_(plan), placed_(placed), faces_(plan.faces()), dice_(seed, "anneal") {
+        : plan_(plan), placed_(placed), faces_(plan.faces()), rng_(seed, "anneal") {
         std::vector<int> group_of(placed.size(), -1);
         for (int i = 0; i < static_cast<int>(placed.size()); ++i) {
             const int root = root_of(i);
@@ -63,7 +63,7 @@ class Annealer {
             bool fine = true;
             for (const int g : moved) fine = fine && stands_well(g);
             const float next = fine ? layout_cost(plan_, placed_).sum() : 0.f;
-            if (!fine || (next > cost && dice_.uniform() >= std::exp((cost - next) / heat))) {
+            if (!fine || (next > cost && rng_.uniform() >= std::exp((cost - next) / heat))) {
                 take_back();
                 continue;
             }
@@ -128,20 +128,20 @@ class Annealer {
     // smaller as it cools.
     std::vector<int> propose(float reach) {
         before_.clear();
-        const int k = dice_.index(static_cast<int>(groups_.size()));
+        const int k = rng_.index(static_cast<int>(groups_.size()));
         const Group& g = groups_[static_cast<std::size_t>(k)];
-        const float roll = dice_.uniform(), far = 0.05f + 0.6f * reach;
+        const float roll = rng_.uniform(), far = 0.05f + 0.6f * reach;
         const Vec3f position = at(g.root).position;
         const float yaw = at(g.root).yaw, wide = at(g.root).piece.size_m.x;
         if (g.at_wall) {
             if (roll < 0.5f) {
-                put(g, position + right_of(yaw) * (far * dice_.normal()), yaw);
+                put(g, position + right_of(yaw) * (far * rng_.normal()), yaw);
             } else if (roll < 0.75f) {
-                const WallFace& face = faces_[static_cast<std::size_t>(dice_.index(static_cast<int>(faces_.size())))];
+                const WallFace& face = faces_[static_cast<std::size_t>(rng_.index(static_cast<int>(faces_.size())))];
                 if (face.length < wide + 0.04f) return {};
-                put_at_wall(g, face, dice_.uniform(wide / 2 + 0.02f, face.length - wide / 2 - 0.02f));
+                put_at_wall(g, face, rng_.uniform(wide / 2 + 0.02f, face.length - wide / 2 - 0.02f));
             } else {
-                const int other = dice_.index(static_cast<int>(groups_.size()));
+                const int other = rng_.index(static_cast<int>(groups_.size()));
                 const Group& h = groups_[static_cast<std::size_t>(other)];
                 if (other == k || !h.at_wall) return {};
                 const Vec3f there = at(h.root).position;
@@ -152,13 +152,13 @@ class Annealer {
             }
             return {k};
         }
-        if (roll < 0.65f) put(g, position + Vec3f{far * dice_.normal(), 0, far * dice_.normal()}, yaw);
+        if (roll < 0.65f) put(g, position + Vec3f{far * rng_.normal(), 0, far * rng_.normal()}, yaw);
         else
             put(g, position,
-                yaw + (at(g.root).piece.klass == "armchair" || has_role(at(g.root).piece.klass, Role::easy_chair)
+                yaw + (at(g.root).piece.kind == "armchair" || has_role(at(g.root).piece.kind, Role::easy_chair)
                            ? kPi / 12
                            : kPi / 2) *
-                          (dice_.chance(0.5f) ? 1.f : -1.f));  // tables stand square
+                          (rng_.chance(0.5f) ? 1.f : -1.f));  // tables stand square
         return {k};
     }
 
@@ -198,7 +198,7 @@ class Annealer {
     const Plan& plan_;
     std::vector<Placed>& placed_;
     std::vector<WallFace> faces_;
-    Random dice_;
+    Random rng_;
     std::vector<Group> groups_;
     std::vector<int> group_;  // of each piece; -1: it stays
     std::vector<Footprint> boxes_;
@@ -219,13 +219,13 @@ void Layout::improve() {
         Placed b = {};
         b.wish = p.wish, b.position = p.position, b.yaw = p.yaw, b.on = p.on, b.sill = p.sill, b.with = p.with,
         b.below = p.below, b.flat = p.flat, b.overhead = p.overhead;
-        b.piece.klass = p.piece.klass, b.piece.size_m = p.piece.size_m, b.piece.mount = p.piece.mount,
+        b.piece.kind = p.piece.kind, b.piece.size_m = p.piece.size_m, b.piece.mount = p.piece.mount,
         b.piece.surfaces = p.piece.surfaces;
         b.piece.clearance_front_m = p.piece.clearance_front_m, b.piece.clearance_side_m = p.piece.clearance_side_m;
         bare.push_back(std::move(b));
     }
     annealed_.before = annealed_.after = layout_cost(plan_, bare).sum();
-    const std::vector<std::vector<Stand>> found = anneal(plan_, bare, annealing_, dice_.next_u64());
+    const std::vector<std::vector<Stand>> found = anneal(plan_, bare, annealing_, rng_.next_u64());
     const int hidden = found.empty() ? 0 : likely_hidden(camera_position());
     // The best with which nothing is wrong.
     constexpr int kTries = 4;

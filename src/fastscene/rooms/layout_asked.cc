@@ -17,9 +17,9 @@ bool is_before(const std::string& relation) { return is_one_of(relation, {"in fr
 
 // Two pieces must stand before what is asked to be between them can.
 bool both_stand(const Layout& l, const Ask& ask) {
-    const auto standing = [&](const std::string& klass) {
+    const auto standing = [&](const std::string& kind) {
         return std::count_if(l.placed().begin(), l.placed().end(),
-                             [&](const Placed& p) { return p.piece.klass == klass || p.wish.klass == klass; });
+                             [&](const Placed& p) { return p.piece.kind == kind || p.wish.kind == kind; });
     };
     return ask.at == ask.and_at ? standing(ask.at) > 1 : standing(ask.at) > 0 && standing(ask.and_at) > 0;
 }
@@ -27,7 +27,7 @@ bool both_stand(const Layout& l, const Ask& ask) {
 }  // namespace
 
 void Furnisher::attend(int index) {
-    const std::string built = klass_of(index), asked = at(index).wish.klass;
+    const std::string built = kind_of(index), asked = at(index).wish.kind;
     for (const bool small : {false, true})
         for (Ask& ask : wishes_.asks()) {
             if (ask.left <= 0 || !ask.at_piece() || stands_on_others(*ask.wish) != small) continue;
@@ -50,18 +50,18 @@ void Furnisher::attend(int index) {
         }
 }
 
-void Furnisher::summon(const std::string& klass) {
+void Furnisher::summon(const std::string& kind) {
     // "a lamp next to a sofa next to the lamp": whoever waits for himself is placed anywhere.
-    if (l_.find(klass) || std::find(summoned_.begin(), summoned_.end(), klass) != summoned_.end()) return;
-    summoned_.push_back(klass);
+    if (l_.find(kind) || std::find(summoned_.begin(), summoned_.end(), kind) != summoned_.end()) return;
+    summoned_.push_back(kind);
     for (Ask& ask : wishes_.asks()) {
-        if (ask.left <= 0 || ask.wish->klass != klass) continue;
+        if (ask.left <= 0 || ask.wish->kind != kind) continue;
         --ask.left;
         if (ask.at_piece()) {
             const std::string anchor = ask.at;
             ++ask.left;
             summon(anchor);
-            if (l_.find(klass)) return;
+            if (l_.find(kind)) return;
             --ask.left;
         }
         if (const auto i = anywhere(*ask.wish)) return attend(*i);
@@ -70,15 +70,15 @@ void Furnisher::summon(const std::string& klass) {
 }
 
 // The floor and the wall that wait for what was asked for at a piece of this class.
-Spare Furnisher::spare_for(const std::string& klass) {
+Spare Furnisher::spare_for(const std::string& kind) {
     Spare spare;
     for (const Ask& ask : wishes_.asks()) {
-        if (ask.left <= 0 || ask.at != klass || !ask.at_piece()) continue;
-        if (!l_.why_not(ask.wish->klass).empty()) continue;
-        const Piece piece = make_piece(l_.request(ask.wish->klass, ask.wish));
-        const bool floor = piece.mount == Mount::floor && ask.wish->klass != "rug";
+        if (ask.left <= 0 || ask.at != kind || !ask.at_piece()) continue;
+        if (!l_.why_not(ask.wish->kind).empty()) continue;
+        const Piece piece = make_piece(l_.request(ask.wish->kind, ask.wish));
+        const bool floor = piece.mount == Mount::floor && ask.wish->kind != "rug";
         const float wide = piece.size_m.x + 0.12f, deep = piece.size_m.z;
-        const int each = (ask.left + wishes_.count(klass)) / (1 + wishes_.count(klass));
+        const int each = (ask.left + wishes_.count(kind)) / (1 + wishes_.count(kind));
         if (ask.relation == "above" && piece.mount != Mount::ceiling) spare.above = true;
         if (is_beside(ask.relation) && piece.mount != Mount::ceiling) {
             // Small things stand on a small table there.
@@ -94,17 +94,16 @@ Spare Furnisher::spare_for(const std::string& klass) {
 }
 
 std::optional<int> Furnisher::at_piece(int anchor, const Ask& ask) {
-    if (!l_.why_not(ask.wish->klass).empty() || is_blind(ask.wish->klass)) return {};
-    const PieceRequest r = l_.request(ask.wish->klass, ask.wish);
+    if (!l_.why_not(ask.wish->kind).empty() || is_blind(ask.wish->kind)) return {};
+    const PieceRequest r = l_.request(ask.wish->kind, ask.wish);
     const Piece piece = make_piece(r);
     std::optional<int> i;
-    if (ask.wish->in_row && ask.wish->klass != "monitor")
+    if (ask.wish->in_row && ask.wish->kind != "monitor")
         i = next_in_row(*ask.wish, r);  // monitors stand in a row as it is
     if (i) return i;
-    if (ask.wish->klass == "rug") i = rug_at(anchor, ask, r);
-    else if (ask.wish->klass == "wall_lamp" && is_beside(ask.relation)) i = wall_lamp_at(anchor, r, *ask.wish);
-    else if (ask.relation == "at the foot of" && has_role(klass_of(anchor), Role::bed) &&
-             lies_on_seats(ask.wish->klass))
+    if (ask.wish->kind == "rug") i = rug_at(anchor, ask, r);
+    else if (ask.wish->kind == "wall_lamp" && is_beside(ask.relation)) i = wall_lamp_at(anchor, r, *ask.wish);
+    else if (ask.relation == "at the foot of" && has_role(kind_of(anchor), Role::bed) && lies_on_seats(ask.wish->kind))
         i = at_the_foot(anchor, r, *ask.wish);
     else if (ask.relation == "on") i = on_piece(anchor, ask, r);
     else if (ask.relation == "above") i = above_piece(anchor, ask, r, piece);
@@ -124,21 +123,21 @@ std::optional<int> Furnisher::at_piece(int anchor, const Ask& ask) {
     if (i) return i;
     // Only what says so itself can be searched for.
     if (ask.wish->relation.empty()) return {};
-    if (piece.mount == Mount::surface && ask.relation != "on" && ask.wish->klass != "tv")
+    if (piece.mount == Mount::surface && ask.relation != "on" && ask.wish->kind != "tv")
         return on_a_top_there(*ask.wish, r, anchor);
     return where_asked(*ask.wish, r, piece);
 }
 
 std::optional<int> Furnisher::on_piece(int anchor, const Ask& ask, const PieceRequest& r) {
-    if (ask.wish->klass == "monitor" && klass_of(anchor) == "desk") return next_screen(l_, anchor, r, *ask.wish);
+    if (ask.wish->kind == "monitor" && kind_of(anchor) == "desk") return next_screen(l_, anchor, r, *ask.wish);
     // A dog on the rug lies within it.
-    if (klass_of(anchor) == "rug" && lies_on_seats(ask.wish->klass))
+    if (kind_of(anchor) == "rug" && lies_on_seats(ask.wish->kind))
         for (int tries = 0; tries < 8; ++tries) {
             const std::size_t before = l_.mark();
             const Vec2f spread{0.3f * size(anchor).x, 0.3f * size(anchor).z};
             const Vec2f there = flat(at(anchor).position +
-                                     right_of(at(anchor).yaw) * l_.dice().uniform(-spread.x, spread.x) +
-                                     front_of(at(anchor).yaw) * l_.dice().uniform(-spread.y, spread.y));
+                                     right_of(at(anchor).yaw) * l_.rng().uniform(-spread.x, spread.x) +
+                                     front_of(at(anchor).yaw) * l_.rng().uniform(-spread.y, spread.y));
             if (const auto i = l_.on_floor_near(there, r, *ask.wish)) {
                 if (stands_as_asked(l_.plan(), l_.placed(), at(*i), *ask.wish).value_or(false)) return i;
                 l_.undo(before);
@@ -147,10 +146,10 @@ std::optional<int> Furnisher::on_piece(int anchor, const Ask& ask, const PieceRe
     for (const float size : {1.f, 0.85f, 0.7f}) {
         PieceRequest smaller = r;
         // What stands on a table is a plant in a small pot.
-        if (const Thing* thing = find_thing(r.klass); thing && !smaller.model && !thing->small_form.empty())
-            smaller.klass = thing->small_form;
+        if (const Thing* thing = find_thing(r.kind); thing && !smaller.model && !thing->small_form.empty())
+            smaller.kind = thing->small_form;
         // On a bathtub's rim they stand one by one.
-        if (!smaller.model && r.klass == "candle" && klass_of(anchor) == "bathtub") smaller.size_m.x = 0.06f;
+        if (!smaller.model && r.kind == "candle" && kind_of(anchor) == "bathtub") smaller.size_m.x = 0.06f;
         smaller.size_factor *= size;
         if (const auto i = l_.on_top(anchor, smaller, *ask.wish)) return i;
     }
@@ -160,7 +159,7 @@ std::optional<int> Furnisher::on_piece(int anchor, const Ask& ask, const PieceRe
 // "A blanket at the foot of the bed" lies on it there, across.
 std::optional<int> Furnisher::at_the_foot(int anchor, const PieceRequest& r, const PromptObject& wish) {
     const Placed bed = at(anchor);
-    const bool along = has_role(bed.piece.klass, Role::along_wall);
+    const bool along = has_role(bed.piece.kind, Role::along_wall);
     const float half = 0.5f * (along ? bed.piece.size_m.x : bed.piece.size_m.z);
     for (const float from_end : {0.5f, 0.62f, 0.42f, 0.75f})
         for (const float side : {1.f, -1.f}) {
@@ -211,19 +210,19 @@ std::optional<int> Furnisher::under_piece(int anchor, const Ask& ask, const Piec
 }
 
 std::optional<int> Furnisher::before_piece(int anchor, const Ask& ask, const PieceRequest& r) {
-    const std::string& klass = ask.wish->klass;
-    const std::string& whose = klass_of(anchor);
-    const bool seat = has_role(klass, Role::sits_before);
-    const bool seat_at_work = has_role(klass, Role::work_seat) && has_role(whose, Role::work_place);
+    const std::string& kind = ask.wish->kind;
+    const std::string& whose = kind_of(anchor);
+    const bool seat = has_role(kind, Role::sits_before);
+    const bool seat_at_work = has_role(kind, Role::work_seat) && has_role(whose, Role::work_place);
     const bool pair = seat && ask.wish->count > 1;  // side by side
-    if (!pair && has_role(klass, Role::drawn_up) && !has_role(whose, Role::bed) && !has_role(whose, Role::sofa)) {
+    if (!pair && has_role(kind, Role::drawn_up) && !has_role(whose, Role::bed) && !has_role(whose, Role::sofa)) {
         // Drawn up to the fire, turned to it.
         const Insisting insisting(l_, *ask.wish);
         if (const auto i = l_.angled_towards(front_point(anchor, 0.f), r, *ask.wish)) return i;
     }
-    const float gap = seat_at_work ? (klass == "office_chair" ? -0.2f : 0.05f)
+    const float gap = seat_at_work ? (kind == "office_chair" ? -0.2f : 0.05f)
                       : has_role(whose, Role::bed) && !has_role(whose, Role::along_wall) ? 0.06f
-                      : klass == "coffee_table"                                          ? 0.42f
+                      : kind == "coffee_table"                                           ? 0.42f
                       : seat                                                             ? 0.9f
                                                                                          : 0.35f;
     const float aside = !pair ? 0.f : ask.left % 2 == 0 ? 0.55f : -0.55f;
@@ -254,13 +253,13 @@ std::optional<int> Furnisher::next_to_piece(int anchor, const Ask& ask, const Pi
 
 std::optional<int> Furnisher::rug_at(int anchor, const Ask& ask, const PieceRequest& r) {
     const Vec3f s = size(anchor);
-    const std::string& whose = klass_of(anchor);
+    const std::string& whose = kind_of(anchor);
     const bool along = has_role(whose, Role::along_wall), bed = has_role(whose, Role::bed) && !along,
                seat = has_role(whose, Role::rug_before);
     if (ask.relation == "between") {
         const Placed* other = nullptr;
         for (const Placed& p : l_.placed())
-            if (&p != &at(anchor) && (p.wish.klass == ask.at || p.wish.klass == ask.and_at || p.piece.klass == ask.at))
+            if (&p != &at(anchor) && (p.wish.kind == ask.at || p.wish.kind == ask.and_at || p.piece.kind == ask.at))
                 other = &p;
         if (!other) return {};
         PieceRequest sized = r;
@@ -292,16 +291,16 @@ std::optional<int> Furnisher::rug_at(int anchor, const Ask& ask, const PieceRequ
 
 // Our own small pieces by their class, those of the pack by how they are mounted.
 bool Furnisher::stands_on_others(const PromptObject& wish) const {
-    if (is_small(wish.klass)) return true;
-    const PackModel* model = l_.spec().pack ? l_.spec().pack->choose(wish.klass, 0) : nullptr;
+    if (is_small(wish.kind)) return true;
+    const PackModel* model = l_.spec().pack ? l_.spec().pack->choose(wish.kind, 0) : nullptr;
     return (model && model->elevation_m + model->size_m.y < 0.8f && model->size_m.x < 0.55f) ||
-           is_small(stand_in(wish.klass).value_or(""));
+           is_small(stand_in(wish.kind).value_or(""));
 }
 
 void Furnisher::asked_in_the_shell() {
     for (const bool small : {false, true})
         for (Ask& ask : wishes_.asks()) {
-            if (!ask.at_shell() || ask.wish->klass == "curtain" || is_blind(ask.wish->klass) ||
+            if (!ask.at_shell() || ask.wish->kind == "curtain" || is_blind(ask.wish->kind) ||
                 stands_on_others(*ask.wish) != small)
                 continue;
             while (ask.left > 0) {
@@ -319,11 +318,11 @@ void Furnisher::asked_in_the_shell() {
 // What no group has used. What finds no place where it was asked for stands elsewhere.
 void Furnisher::remaining_wishes(bool small) {
     for (Ask& ask : wishes_.asks()) {
-        const std::string& klass = ask.wish->klass;
-        if (small || ask.left <= 0 || !(klass == "curtain" || is_blind(klass))) continue;
+        const std::string& kind = ask.wish->kind;
+        if (small || ask.left <= 0 || !(kind == "curtain" || is_blind(kind))) continue;
         ask.left = 0;
-        const PieceRequest r = l_.request(klass, ask.wish);
-        const int hung = is_blind(klass) ? l_.in_windows(r, *ask.wish) : l_.at_windows(r, *ask.wish);
+        const PieceRequest r = l_.request(kind, ask.wish);
+        const int hung = is_blind(kind) ? l_.in_windows(r, *ask.wish) : l_.at_windows(r, *ask.wish);
         if (hung == 0) l_.spec().not_placed.push_back(ask.wish->words + ": no window has room for them");
     }
     for (const bool bound : {false, true})
@@ -331,7 +330,7 @@ void Furnisher::remaining_wishes(bool small) {
             if (stands_on_others(*ask.wish) != small || ask.at_piece() != bound) continue;
             while (ask.left > 0) {
                 --ask.left;
-                if (const std::string why = l_.why_not(ask.wish->klass); !why.empty())
+                if (const std::string why = l_.why_not(ask.wish->kind); !why.empty())
                     l_.spec().not_placed.push_back(ask.wish->words + ": " + why);
                 else if (const auto i = anywhere(*ask.wish)) attend(*i);
                 else l_.spec().not_placed.push_back(ask.wish->words + ": no free place for it");

@@ -13,14 +13,14 @@ namespace {
 // Who is as tall as a man and has a back stands at a wall or not at all: in the room's middle it would hide the half of
 // it.
 bool stands_at_walls(const Piece& piece) {
-    return piece.against_wall && piece.size_m.y > (has_role(piece.klass, Role::along_wall) ? 1.f : 1.4f);
+    return piece.against_wall && piece.size_m.y > (has_role(piece.kind, Role::along_wall) ? 1.f : 1.4f);
 }
 
 }  // namespace
 
 // Room for what was asked for at it, and for those that stand in a row with it.
 Spare Furnisher::spare_for(const PromptObject& wish, const Piece& piece) {
-    Spare spare = spare_for(wish.klass);
+    Spare spare = spare_for(wish.kind);
     if (wish.in_row && piece.mount == Mount::floor && wish.count > 1)
         spare.right = std::max(spare.right, static_cast<float>(wish.count - 1) * (piece.size_m.x + kInRow));
     return spare;
@@ -28,14 +28,14 @@ Spare Furnisher::spare_for(const PromptObject& wish, const Piece& piece) {
 
 std::optional<int> Furnisher::in_shell(const Ask& ask) {
     const PromptObject& wish = *ask.wish;
-    if (!l_.why_not(wish.klass).empty()) return {};
-    const PieceRequest r = l_.request(wish.klass, &wish);
+    if (!l_.why_not(wish.kind).empty()) return {};
+    const PieceRequest r = l_.request(wish.kind, &wish);
     const Piece piece = make_piece(r);
     if (wish.in_row)
         if (const auto i = next_in_row(wish, r)) return i;
-    if (lies_about(wish.klass))
+    if (lies_about(wish.kind))
         if (const auto i = strewn(r, wish)) return i;
-    if (wish.klass == "rug") {
+    if (wish.kind == "rug") {
         PieceRequest sized = r;
         for (const Opening& o : l_.plan().openings) {
             if (!is_opening_of(o, ask.at)) continue;
@@ -50,7 +50,7 @@ std::optional<int> Furnisher::in_shell(const Ask& ask) {
         return ask.relation == "in the middle" ? l_.lay({0, 0}, 0, sized, wish) : std::nullopt;
     }
     // Lights, leaves and pennants around a window hang along its upper edge.
-    if (has_role(wish.klass, Role::garland) && ask.relation != "opposite")
+    if (has_role(wish.kind, Role::garland) && ask.relation != "opposite")
         for (const Opening& o : l_.plan().openings) {
             if (!is_opening_of(o, ask.at)) continue;
             PieceRequest strand = r;
@@ -83,13 +83,13 @@ std::optional<int> Furnisher::in_shell(const Ask& ask) {
 }
 
 std::optional<int> Furnisher::where_asked(const PromptObject& wish, const PieceRequest& r, const Piece& piece) {
-    if (wish.relation.empty() || wish.klass == "rug") return {};
+    if (wish.relation.empty() || wish.kind == "rug") return {};
     const Insisting insisting(l_, wish);
-    if (piece.mount == Mount::wall || wish.klass == "tv") return l_.on_wall(r, {}, wish);
+    if (piece.mount == Mount::wall || wish.kind == "tv") return l_.on_wall(r, {}, wish);
     if (piece.mount == Mount::ceiling)
         return wish.relation == "in the middle" ? l_.hanging(r, {0, 0}, wish) : std::nullopt;
     if (piece.mount != Mount::floor) return {};
-    if (wish.klass == "kitchen_counter") return kitchen_units(l_, r, wish);
+    if (wish.kind == "kitchen_counter") return kitchen_units(l_, r, wish);
     const Spare spare = spare_for(wish, piece);
     Layout::WallWish w{.center_pull = 0.3f, .spare = spare};
     if (wish.relation == "in the corner") w.corner = true, w.apart_pull = 1.f;
@@ -152,18 +152,18 @@ std::optional<int> Furnisher::on_a_top_there(const PromptObject& wish, const Pie
     };
     const auto on_those = [&](bool again) -> std::optional<int> {
         for (int i = 0; i < static_cast<int>(l_.placed().size()); ++i)
-            if (i != anchor && at(i).on < 0 && !is_seat(klass_of(i)) && !at(i).piece.surfaces.empty() &&
+            if (i != anchor && at(i).on < 0 && !is_seat(kind_of(i)) && !at(i).piece.surfaces.empty() &&
                 has_one(i) == again)
                 if (const auto k = l_.on_top(i, r, wish)) return k;
         return {};
     };
     if (const auto i = on_those(false)) return i;
     // A small table is brought for it.
-    const std::string& whose = anchor ? klass_of(*anchor) : wish.relation_to;
+    const std::string& whose = anchor ? kind_of(*anchor) : wish.relation_to;
     const bool bed = has_role(whose, Role::bed);
-    const std::string klass = bed ? "nightstand" : "side_table";
-    if (!wishes_.forbids(klass)) {
-        const PieceRequest table = l_.request(klass);
+    const std::string kind = bed ? "nightstand" : "side_table";
+    if (!wishes_.forbids(kind)) {
+        const PieceRequest table = l_.request(kind);
         const std::size_t before = l_.mark();
         std::vector<int> sides{1, -1};
         if (wish.relation == "left of") sides = {-1};
@@ -183,8 +183,8 @@ std::optional<int> Furnisher::on_a_top_there(const PromptObject& wish, const Pie
 
 std::optional<int> next_screen(Layout& layout, int desk, const PieceRequest& r, const PromptObject& wish) {
     int asked = 0, standing = 0;
-    for (const PromptObject& o : layout.spec().objects) asked += o.klass == "monitor" && !o.forbidden ? o.count : 0;
-    for (const Placed& p : layout.placed()) standing += p.on == desk && p.piece.klass == "monitor";
+    for (const PromptObject& o : layout.spec().objects) asked += o.kind == "monitor" && !o.forbidden ? o.count : 0;
+    for (const Placed& p : layout.placed()) standing += p.on == desk && p.piece.kind == "monitor";
     const int row = std::min(kMostScreens, asked);
     if (standing >= row) return {};
     constexpr float kFromBack = 0.13f, kTurn = 0.24f;  // metres from the desk's rear edge to a foot's middle; radians
@@ -212,8 +212,8 @@ std::optional<int> Furnisher::television(const PieceRequest& r, const PromptObje
     const auto at_stand = [&](int stand) {
         return hung ? screen_above(l_, stand, r, wish) : l_.on_top(stand, r, wish);
     };
-    for (const char* klass : {"tv_stand", "sideboard", "dresser", "console_table"})
-        if (const auto anchor = l_.find(klass))
+    for (const char* kind : {"tv_stand", "sideboard", "dresser", "console_table"})
+        if (const auto anchor = l_.find(kind))
             if (const auto i = at_stand(*anchor)) return i;
     const std::size_t before = l_.mark();
     if (const auto stand = wishes_.forbids("tv_stand")
@@ -225,17 +225,16 @@ std::optional<int> Furnisher::television(const PieceRequest& r, const PromptObje
 }
 
 bool Furnisher::on_a_seat(const PromptObject& wish) {
-    const PieceRequest r = l_.request(wish.klass, &wish);
+    const PieceRequest r = l_.request(wish.kind, &wish);
     for (const float size : {1.f, 0.7f}) {  // a blanket for a sofa is folded once more for an armchair
         PieceRequest smaller = r;
         smaller.size_factor = size * r.size_factor;
-        for (const char* klass :
+        for (const char* kind :
              {"sofa", "loveseat", "bed", "bed_single", "canopy_bed", "four_poster_bed", "floor_bed", "daybed",
               "chaise_longue", "bunk_bed", "armchair", "bench", "rocking_chair", "lounge_chair", "cabin_bed"})
             for (std::size_t i = 0; i < l_.placed().size(); ++i)
-                if (klass_of(static_cast<int>(i)) == klass && l_.on_top(static_cast<int>(i), smaller, wish))
-                    return true;
-        if (wish.klass != "throw" || wish.size_m != Vec3f{}) break;
+                if (kind_of(static_cast<int>(i)) == kind && l_.on_top(static_cast<int>(i), smaller, wish)) return true;
+        if (wish.kind != "throw" || wish.size_m != Vec3f{}) break;
     }
     return false;
 }
@@ -244,7 +243,7 @@ std::optional<int> Furnisher::wall_lamp_at(int anchor, const PieceRequest& r, co
     const Vec3f aside = right_of(at(anchor).yaw);
     float balance = 0;  // on which side there are more of them
     for (const Placed& p : l_.placed())
-        if (p.piece.klass == "wall_lamp" && p.with == anchor)
+        if (p.piece.kind == "wall_lamp" && p.with == anchor)
             balance += dot(p.position - at(anchor).position, aside) > 0 ? 1.f : -1.f;
     std::vector<int> sides{1, -1};
     if (balance > 0) sides = {-1, 1};
@@ -256,12 +255,12 @@ std::optional<int> Furnisher::wall_lamp_at(int anchor, const PieceRequest& r, co
 }
 
 std::optional<int> Furnisher::wall_lamp(const PieceRequest& r, const PromptObject& wish) {
-    for (const char* klass : {"bed", "bed_single", "mirror", "fireplace", "picture", "sofa", "washbasin",
-                              "console_table", "sideboard", "loveseat", "desk"})
+    for (const char* kind : {"bed", "bed_single", "mirror", "fireplace", "picture", "sofa", "washbasin",
+                             "console_table", "sideboard", "loveseat", "desk"})
         for (int i = 0; i < static_cast<int>(l_.placed().size()); ++i) {
-            if (klass_of(i) != klass) continue;
+            if (kind_of(i) != kind) continue;
             const auto there = std::count_if(l_.placed().begin(), l_.placed().end(), [&](const Placed& p) {
-                return p.piece.klass == "wall_lamp" && p.with == i;
+                return p.piece.kind == "wall_lamp" && p.with == i;
             });
             if (there >= 2) continue;
             if (const auto lamp = wall_lamp_at(i, r, wish)) return lamp;
@@ -288,7 +287,7 @@ std::optional<int> Furnisher::hung_aside(const PieceRequest& r, const PromptObje
     std::stable_sort(places.begin(), places.end(), [&](Vec2f a, Vec2f b) {
         const auto crowded = [&](Vec2f p) {
             return std::any_of(l_.placed().begin(), l_.placed().end(), [&](const Placed& q) {
-                return q.piece.klass == "hanging_plant" && length(flat(q.position) - p) < 0.7f;
+                return q.piece.kind == "hanging_plant" && length(flat(q.position) - p) < 0.7f;
             });
         };
         return !crowded(a) && crowded(b);
@@ -306,15 +305,15 @@ std::optional<int> Furnisher::hung_aside(const PieceRequest& r, const PromptObje
 // ladder.
 std::optional<int> Furnisher::strewn(const PieceRequest& r, const PromptObject& wish) {
     const auto somewhere = [&] {
-        return Vec2f{l_.dice().uniform(-0.36f, 0.36f) * l_.plan().width,
-                     l_.dice().uniform(-0.36f, 0.36f) * l_.plan().depth};
+        return Vec2f{l_.rng().uniform(-0.36f, 0.36f) * l_.plan().width,
+                     l_.rng().uniform(-0.36f, 0.36f) * l_.plan().depth};
     };
     const auto ladder = l_.find("step_ladder");
-    if (has_role(wish.klass, Role::spread_out)) {
-        if (ladder && wish.klass == "drop_cloth")
+    if (has_role(wish.kind, Role::spread_out)) {
+        if (ladder && wish.kind == "drop_cloth")
             if (const auto i = l_.lay(flat(at(*ladder).position), at(*ladder).yaw, r, wish)) return i;
         for (int tries = 0; tries < 16; ++tries)
-            if (const auto i = l_.lay(somewhere(), l_.dice().uniform(-0.5f, 0.5f), r, wish)) return i;
+            if (const auto i = l_.lay(somewhere(), l_.rng().uniform(-0.5f, 0.5f), r, wish)) return i;
     }
     for (int tries = 0; tries < 6; ++tries)
         if (const auto i = l_.on_floor_near(somewhere(), r, wish)) return i;
@@ -323,23 +322,23 @@ std::optional<int> Furnisher::strewn(const PieceRequest& r, const PromptObject& 
 
 // By what kind of piece it is.
 std::optional<int> Furnisher::anywhere(const PromptObject& wish) {
-    const PieceRequest r = l_.request(wish.klass, &wish);
+    const PieceRequest r = l_.request(wish.kind, &wish);
     const Piece piece = make_piece(r);
     if (const auto desk = l_.find("desk");
-        wish.klass == "monitor" && desk && (wish.relation.empty() || wish.relation_to == "desk"))
+        wish.kind == "monitor" && desk && (wish.relation.empty() || wish.relation_to == "desk"))
         if (const auto i = next_screen(l_, *desk, r, wish)) return i;
     if (wish.in_row)
         if (const auto i = next_in_row(wish, r)) return i;
     if (is_hung_screen(wish)) return television(r, wish);
     if (const auto i = where_asked(wish, r, piece)) return i;
-    if (wish.klass == "kitchen_counter") return kitchen_units(l_, r, wish);
-    if (wish.klass == "tv") return television(r, wish);
+    if (wish.kind == "kitchen_counter") return kitchen_units(l_, r, wish);
+    if (wish.kind == "tv") return television(r, wish);
     // Dogs lie on the floor, on a rug where there is one; on the sofa when somebody says so.
-    if (wish.klass == "dog" && wish.relation.empty()) {
+    if (wish.kind == "dog" && wish.relation.empty()) {
         const auto rug = l_.find("rug");
         if (const auto i = l_.on_floor_near(rug ? flat(at(*rug).position) : Vec2f{0, 0}, r, wish)) return i;
     }
-    if (lies_on_seats(wish.klass) && on_a_seat(wish)) return static_cast<int>(l_.placed().size()) - 1;
+    if (lies_on_seats(wish.kind) && on_a_seat(wish)) return static_cast<int>(l_.placed().size()) - 1;
     switch (piece.mount) {
         case Mount::surface:
             if (const auto i = l_.on_any_top(r, wish)) return i;
@@ -348,7 +347,7 @@ std::optional<int> Furnisher::anywhere(const PromptObject& wish) {
                 if (const auto i = l_.on_floor_near({0, 0}, r, wish)) return i;
             return on_a_table_of_its_own(r, wish);
         case Mount::wall:
-            if (wish.klass == "wall_lamp")
+            if (wish.kind == "wall_lamp")
                 if (const auto i = wall_lamp(r, wish)) return i;
             // On a wall full of other things in a smaller size.
             for (const float size : {1.f, 0.78f, 0.6f, 0.45f}) {
@@ -359,19 +358,19 @@ std::optional<int> Furnisher::anywhere(const PromptObject& wish) {
             }
             return {};
         case Mount::ceiling:
-            if (wish.klass == "cobweb") return l_.in_upper_corner(r, wish);
-            if (const auto cot = l_.find("crib"); wish.klass == "cot_mobile" && cot)
+            if (wish.kind == "cobweb") return l_.in_upper_corner(r, wish);
+            if (const auto cot = l_.find("crib"); wish.kind == "cot_mobile" && cot)
                 if (const auto i = l_.hanging(r, flat(at(*cot).position), wish)) return l_.join(*i, *cot), i;
-            if (wish.klass == "hanging_plant")
+            if (wish.kind == "hanging_plant")
                 if (const auto i = hung_aside(r, wish)) return i;
             for (const Vec2f p : {Vec2f{0, 0}, Vec2f{0.7f, 0.5f}, Vec2f{-0.8f, -0.5f}, Vec2f{0, 1.2f}, Vec2f{0, -1.2f}})
                 if (const auto i = l_.hanging(r, p, wish)) return i;
             return {};
         case Mount::floor: break;
     }
-    if (lies_about(wish.klass))
+    if (lies_about(wish.kind))
         if (const auto i = strewn(r, wish)) return i;
-    if (wish.klass == "rug") {
+    if (wish.kind == "rug") {
         PieceRequest sized = r;
         sized.size_m = {1.6f, 0, 1.1f};
         for (int i = 0; i < static_cast<int>(l_.placed().size()); ++i)
@@ -379,22 +378,22 @@ std::optional<int> Furnisher::anywhere(const PromptObject& wish) {
         return l_.lay({0, 0}, 0, sized, wish);
     }
     Layout::WallWish w;
-    w.corner = wish.relation == "in the corner" || wish.klass == "plant";
+    w.corner = wish.relation == "in the corner" || wish.kind == "plant";
     w.window_pull = wish.relation_to == "window" ? 2.f : piece.size_m.y > 1.2f ? -1.f : 0.f;
     w.center_pull = 0.4f;
-    w.clear_of_windows = wish.klass == "fireplace" || wish.klass == "tv_stand";
+    w.clear_of_windows = wish.kind == "fireplace" || wish.kind == "tv_stand";
     w.spare = spare_for(wish, piece);
     if (const auto i = l_.against_wall(r, w, wish)) return i;
     w.clear_of_windows = w.corner = false;
     if (const auto i = l_.against_wall(r, w, wish)) return i;
     if (const auto i = stands_at_walls(piece) ? std::nullopt : l_.free_standing(r, wish)) return i;
-    if (wish.klass != "plant" || wish.size == "large") return {};
+    if (wish.kind != "plant" || wish.size == "large") return {};
     // "A dozen plants": where no floor is left they stand in small pots, on sills and tops, or hang beside windows.
     PieceRequest pot = r;
-    pot.klass = "plant_small", pot.model = nullptr, pot.pack = nullptr;
+    pot.kind = "plant_small", pot.model = nullptr, pot.pack = nullptr;
     if (const auto i = l_.on_sill(pot, {}, wish)) return i;
     if (const auto i = l_.on_any_top(pot, wish)) return i;
-    pot.klass = "hanging_plant";
+    pot.kind = "hanging_plant";
     return hung_aside(pot, wish);
 }
 

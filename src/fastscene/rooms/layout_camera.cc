@@ -18,7 +18,7 @@ constexpr float kSeen = 12.f;         // pixels of 512 x 256, estimated: a mug o
 int Layout::likely_hidden(Vec3f eye) const {
     int hidden = 0;
     for (std::size_t i = 0; i < placed_.size(); ++i) {
-        if (placed_[i].wish.klass.empty()) continue;
+        if (placed_[i].wish.kind.empty()) continue;
         const Footprint box = footprint_of(placed_[i]);
         const auto axes = axes_of(box);
         bool seen = false;
@@ -42,10 +42,10 @@ int Layout::likely_hidden(Vec3f eye) const {
 
 std::vector<int> Layout::unseen(Vec3f eye) const {
     std::vector<int> out;
-    if (std::all_of(placed_.begin(), placed_.end(), [](const Placed& p) { return p.wish.klass.empty(); })) return out;
+    if (std::all_of(placed_.begin(), placed_.end(), [](const Placed& p) { return p.wish.kind.empty(); })) return out;
     const Sight sight(plan_, placed_);
     for (int i = 0; i < static_cast<int>(placed_.size()); ++i)
-        if (!placed_[static_cast<std::size_t>(i)].wish.klass.empty() && sight.look(i, eye).pixels < kSeen)
+        if (!placed_[static_cast<std::size_t>(i)].wish.kind.empty() && sight.look(i, eye).pixels < kSeen)
             out.push_back(i);
     return out;
 }

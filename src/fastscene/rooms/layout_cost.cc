@@ -38,7 +38,7 @@ class Costing {
         for (std::size_t i = 0; i < placed.size(); ++i) {
             boxes_.push_back(box_of(placed[i]));
             const Placed& p = placed[i];
-            if (p.piece.mount == Mount::floor && p.on < 0 && p.below < 0 && !p.flat && p.piece.klass != "curtain")
+            if (p.piece.mount == Mount::floor && p.on < 0 && p.below < 0 && !p.flat && p.piece.kind != "curtain")
                 floor_.push_back(i);
             std::size_t root = i;
             for (int steps = 0; steps < 8; ++steps) {
@@ -63,7 +63,7 @@ class Costing {
     }
 
   private:
-    const std::string& klass(std::size_t i) const { return placed_[i].piece.klass; }
+    const std::string& kind(std::size_t i) const { return placed_[i].piece.kind; }
 
     // The free floor a piece wants on one side, as a box.
     float taken(std::size_t i, Vec2f side, float half_along, float half_across, float depth) const {
@@ -120,11 +120,11 @@ class Costing {
     float facing() const {
         float sum = 0;
         for (const std::size_t i : floor_) {
-            if (!has_role(klass(i), Role::sofa)) continue;
+            if (!has_role(kind(i), Role::sofa)) continue;
             const Box& sofa = boxes_[i];
             float best = -1;
             for (const std::size_t k : floor_) {
-                if (!has_role(klass(k), Role::focus)) continue;
+                if (!has_role(kind(k), Role::focus)) continue;
                 const Vec2f to = boxes_[k].center - sofa.center;
                 const float far = length(to), ahead = dot(to, sofa.front), side = std::abs(dot(to, sofa.right));
                 const float c = 0.5f * (1 - ahead / std::max(far, 0.1f)) +
@@ -134,7 +134,7 @@ class Costing {
             }
             sum += std::max(0.f, best);
             for (const std::size_t k : floor_) {
-                if (klass(k) != "armchair") continue;
+                if (kind(k) != "armchair") continue;
                 const Vec2f middle = sofa.center + sofa.front * (sofa.half.y + 0.7f), to = middle - boxes_[k].center;
                 const float far = length(to);
                 sum += 0.25f * (1 - dot(to, boxes_[k].front) / std::max(far, 0.1f)) +
@@ -145,12 +145,12 @@ class Costing {
         return sum;
     }
 
-    bool is_main(std::size_t i) const { return has_role(klass(i), Role::main_piece); }
+    bool is_main(std::size_t i) const { return has_role(kind(i), Role::main_piece); }
     float alignment() const {
         float sum = 0;
         for (const std::size_t i : floor_) {
             const Box& b = boxes_[i];
-            if (has_role(klass(i), Role::centerpiece) && root_[i] == i)
+            if (has_role(kind(i), Role::centerpiece) && root_[i] == i)
                 sum += 0.3f * std::abs(std::sin(2 * placed_[i].yaw)) + 0.2f * share(length(b.center), 1.5f);
             if (!is_main(i)) continue;
             for (const WallFace& face : faces_) {
@@ -173,7 +173,7 @@ class Costing {
             const float a = 4 * b.half.x * b.half.y;
             area += a;
             center = center + b.center * a;
-            if (b.y1 > 1.3f || has_role(klass(i), Role::focus))
+            if (b.y1 > 1.3f || has_role(kind(i), Role::focus))
                 for (const Opening& o : plan_.openings) {
                     if (o.kind != Opening::Kind::window) continue;
                     const WallFace face = plan_.wall(o.wall);
@@ -184,7 +184,7 @@ class Costing {
                     if (along < 0.3f && deep < 1.f) sum += share(0.3f - along, 0.3f);
                 }
             if (is_main(i) && b.front.y > 0.9f && b.center.y < -half.y + 1.f) sum += 0.25f;
-            if (root_[i] == i && has_role(klass(i), Role::at_edges))
+            if (root_[i] == i && has_role(kind(i), Role::at_edges))
                 sum += 0.15f *
                        share(std::max(half.x - std::abs(b.center.x), half.y - std::abs(b.center.y)) - 0.3f, 1.2f);
         }

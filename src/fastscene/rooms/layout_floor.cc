@@ -58,7 +58,7 @@ std::optional<int> Layout::against_wall(const PieceRequest& request, const WallW
                     continue;
                 const float off = std::abs(u - face.length / 2) / (face.length / 2),
                             edge = std::min(u - size.x / 2, face.length - u - size.x / 2);
-                float score = -wish.center_pull * off + 0.02f * dice_.uniform();
+                float score = -wish.center_pull * off + 0.02f * rng_.uniform();
                 if (wish.corner) score += 2.f - edge;
                 if (wish.near) score -= 0.8f * length(flat(p.position) - *wish.near);
                 if (wish.near && length(flat(p.position) - *wish.near) > wish.at_most_from_near) continue;
@@ -202,7 +202,7 @@ std::optional<int> Layout::below(int anchor, const PieceRequest& request, const 
         for (const float side : {0.f, 0.6f, -0.6f}) {
             const float slack = (a.piece.size_m.x - 2 * kLegs - wide) / 2;
             // Below a bed near its front, away from the ladder at its foot.
-            const bool bed = has_role(a.piece.klass, Role::bed);
+            const bool bed = has_role(a.piece.kind, Role::bed);
             p.position = a.position + right_of(a.yaw) * ((bed ? side - 0.6f : side) * slack);
             if (bed) p.position += front_of(a.yaw) * std::max(0.f, (a.piece.size_m.z - deep) / 2 - kInsideBed);
             p.position.y = 0;
@@ -228,7 +228,7 @@ std::optional<int> Layout::free_standing(const PieceRequest& request, const Prom
                 p.yaw = yaw;
                 if (!fits(p, false)) continue;
                 Footprint wide = footprint_of(p, 0.5f);
-                float score = -0.3f * std::hypot(x, z - 0.3f) + 0.02f * dice_.uniform() +
+                float score = -0.3f * std::hypot(x, z - 0.3f) + 0.02f * rng_.uniform() +
                               (has_spare(p, spare) ? 1.f : 0.f);
                 for (const Placed& other : placed_)
                     if (!other.flat && !other.overhead && other.on < 0 && overlap(wide, footprint_of(other)))
@@ -254,7 +254,7 @@ std::optional<int> Layout::angled_towards(Vec2f target, const PieceRequest& requ
             p.yaw = std::round(std::atan2(to.x, to.y) / (kPi / 12)) * (kPi / 12);
             if (!fits(p, false)) continue;
             const float wall = plan_.wall_distance({x, z});
-            const float score = -std::abs(far - 1.8f) - 0.6f * wall + 0.05f * dice_.uniform();
+            const float score = -std::abs(far - 1.8f) - 0.6f * wall + 0.05f * rng_.uniform();
             if (const float total = score + as_asked(p, from); total > best_score && leaves_way(p))
                 best_score = total, best = p;
         }
@@ -270,7 +270,7 @@ int Layout::around(int table, const PieceRequest& request, int count, const Prom
     };
     std::vector<Seat> seats;
     // At a bar one sits on one side; around a table on both.
-    const bool bar = a.piece.klass == "kitchen_island" && from.relation != "around";
+    const bool bar = a.piece.kind == "kitchen_island" && from.relation != "around";
     const int along = std::max(1, static_cast<int>(w / (bar ? 0.5f : 0.62f)));
     for (int i = 0; i < (bar ? 2 : 1) * along; ++i) {
         const float x = (static_cast<float>(i % along) + 0.5f) / static_cast<float>(along) * w - w / 2;

@@ -19,7 +19,7 @@ std::string picture_for_a_child(Layout& layout) {
     static constexpr std::array<std::string_view, 16> kMotifs{
         "dinosaur", "rocket", "bear",     "rainbow",   "fox",   "whale", "train",  "rabbit",
         "lion",     "moon",   "elephant", "butterfly", "robot", "bird",  "planet", "star"};
-    if (layout.dice().chance(0.2f)) return {};
+    if (layout.rng().chance(0.2f)) return {};
     // One after the other, so that no two are alike.
     const auto first = static_cast<std::size_t>(hash_name(layout.spec().text) % kMotifs.size());
     return std::string(kMotifs[(first + 5 * static_cast<std::size_t>(layout.count("picture"))) % kMotifs.size()]);
@@ -39,10 +39,10 @@ void Furnisher::run() {
 void Furnisher::picture(float probability) {
     put("picture", probability, [this](PieceRequest r, const PromptObject& o) {
         // Of many sizes; over a bare wall a large one first.
-        const float w = l_.dice().uniform(0.4f, 1.25f);
+        const float w = l_.rng().uniform(0.4f, 1.25f);
         if (o.size.empty() && o.size_m == Vec3f{})
-            r.size_m = {w, w * l_.dice().uniform(0.62f, w < 0.7f ? 1.35f : 0.95f), 0};
-        if (room_type(l_.spec().room).for_children && o.klass.empty()) r.pattern = picture_for_a_child(l_);
+            r.size_m = {w, w * l_.rng().uniform(0.62f, w < 0.7f ? 1.35f : 0.95f), 0};
+        if (room_type(l_.spec().room).for_children && o.kind.empty()) r.pattern = picture_for_a_child(l_);
         return l_.on_wall(r, {}, o);
     });
 }
@@ -52,13 +52,13 @@ void Furnisher::finish() {
     const PromptSpec& spec = l_.spec();
     const RoomType& type = room_type(spec.room);
     const bool blinds = std::any_of(wishes_.asks().begin(), wishes_.asks().end(),
-                                    [](const Ask& a) { return is_blind(a.wish->klass); });
+                                    [](const Ask& a) { return is_blind(a.wish->kind); });
     if (!wishes_.forbids("curtain") && !wishes_.asked("curtain") && !blinds && type.curtains && is_furnished() &&
         !is_left())
         l_.at_windows(l_.request("curtain"));
     if (!l_.plan().asked("recessed_lights") &&
         std::none_of(l_.placed().begin(), l_.placed().end(),
-                     [](const Placed& p) { return lights_from_above(p.piece.klass); })) {
+                     [](const Placed& p) { return lights_from_above(p.piece.kind); })) {
         const bool grand = l_.plan().style.mouldings == Mouldings::rich && l_.plan().height > 2.7f && type.chandeliers;
         put(grand && !wishes_.forbids("chandelier") ? "chandelier" : "ceiling_lamp", 0.9f,
             [&](const PieceRequest& r, const PromptObject& o) {
@@ -82,9 +82,9 @@ void Furnisher::finish() {
     static constexpr std::array<const char*, 5> kSmall{"book_stack", "vase", "bowl", "candle", "book_stack"};
     const int small = is_left() ? 0 : static_cast<int>(std::lround((spec.clutter == "minimal" ? 1 : 3) + 7 * clutter_));
     for (int i = 0; i < small; ++i) {
-        std::string klass = kSmall[static_cast<std::size_t>(l_.dice().index(static_cast<int>(kSmall.size())))];
-        if (type.for_children) klass = for_a_child(klass);
-        put(klass, 1, [&](const PieceRequest& r, const PromptObject& o) { return l_.on_any_top(r, o); });
+        std::string kind = kSmall[static_cast<std::size_t>(l_.rng().index(static_cast<int>(kSmall.size())))];
+        if (type.for_children) kind = for_a_child(kind);
+        put(kind, 1, [&](const PieceRequest& r, const PromptObject& o) { return l_.on_any_top(r, o); });
     }
     if (is_furnished() && !is_left()) add_touches(l_, clutter_);
 }

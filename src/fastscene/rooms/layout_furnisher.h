@@ -19,8 +19,8 @@ class Furnisher final : public Placement {
 
     // ---- layout_asked.cc: what was asked for
     void attend(int index) override;
-    void summon(const std::string& klass) override;
-    Spare spare_for(const std::string& klass) override;
+    void summon(const std::string& kind) override;
+    Spare spare_for(const std::string& kind) override;
 
   private:
     // ---- layout_furnisher.cc

@@ -19,21 +19,21 @@ namespace {
 constexpr float kBeforeLoft = kInsideBed + 0.03f;
 
 // A long side at the wall, the floor before it free; a desk or a seat below one that is high enough.
-void sleeping_place_along(Placement& p, const std::string& klass) {
-    const auto found = p.main_at_wall(klass, {.center_pull = 0.1f, .window_pull = -0.8f});
+void sleeping_place_along(Placement& p, const std::string& kind) {
+    const auto found = p.main_at_wall(kind, {.center_pull = 0.1f, .window_pull = -0.8f});
     if (!found) return;
     const int bed = *found;
     p.rug(bed, 0.85f, 1.9f, 1.4f, p.size(bed).z / 2 + 0.8f);
-    if (klass == "daybed") {
+    if (kind == "daybed") {
         p.above(bed, "picture", 0.75f);
         p.beside(bed, "side_table", 0.6f, p.chance(0.5f) ? 1 : -1, 0.06f,
                  [&p](int table) { p.top(table, "table_lamp", 0.9f); });
     }
 }
 
-void sleeping_place(Placement& p, const std::string& klass) {
-    if (has_role(klass, Role::along_wall)) return sleeping_place_along(p, klass);
-    const auto found = p.main_at_wall(klass, {.center_pull = 1.2f, .window_pull = -0.8f});
+void sleeping_place(Placement& p, const std::string& kind) {
+    if (has_role(kind, Role::along_wall)) return sleeping_place_along(p, kind);
+    const auto found = p.main_at_wall(kind, {.center_pull = 1.2f, .window_pull = -0.8f});
     if (!found) return;
     const int bed = *found;
     for (const int side : {-1, 1})
@@ -52,8 +52,8 @@ void sleeping_place(Placement& p, const std::string& klass) {
 }
 
 std::string easy_chair(Placement& p) {
-    for (const std::string& klass : kinds_with(Role::easy_chair))
-        if (p.wishes().has(klass)) return klass;
+    for (const std::string& kind : kinds_with(Role::easy_chair))
+        if (p.wishes().has(kind)) return kind;
     return "armchair";
 }
 
@@ -161,7 +161,7 @@ void seating_group(Placement& p) {
     const Vec2f focus = p.front_point(sofa, 0.6f);
     const auto chair = [=, &p](const PieceRequest& r, const PromptObject& o) {
         // High and closed behind, it would hide what is behind it.
-        if (r.klass == "hanging_chair")
+        if (r.kind == "hanging_chair")
             if (const auto index = p.layout().against_wall(r, {.center_pull = 0, .window_pull = -0.3f, .corner = true},
                                                            o))
                 return index;
@@ -169,24 +169,24 @@ void seating_group(Placement& p) {
         return p.layout().against_wall(r, {}, o);
     };
     const int chairs = p.wishes().count("armchair");
-    for (const std::string& klass : kinds_with(Role::easy_chair))
-        for (int i = p.wishes().count(klass); i > 0; --i) p.put(klass, 0, chair);
+    for (const std::string& kind : kinds_with(Role::easy_chair))
+        for (int i = p.wishes().count(kind); i > 0; --i) p.put(kind, 0, chair);
     for (int i = 0; i < (chairs > 0 ? chairs : 2); ++i) p.put("armchair", i == 0 ? 0.8f : 0.5f, chair);
     if (!small && p.wishes().has("loveseat")) p.wall("loveseat", 1);
 }
 
 void eating_place(Placement& p, int seats) {
-    const char* klass = !p.wishes().asked("dining_table") && p.wishes().asked("dining_table_round")
-                            ? "dining_table_round"
-                            : "dining_table";
-    const auto found = p.main(klass, [&p](const PieceRequest& r, const PromptObject& o) {
-        auto i = p.layout().free_standing(r, o, p.spare_for(r.klass));
+    const char* kind = !p.wishes().asked("dining_table") && p.wishes().asked("dining_table_round")
+                           ? "dining_table_round"
+                           : "dining_table";
+    const auto found = p.main(kind, [&p](const PieceRequest& r, const PromptObject& o) {
+        auto i = p.layout().free_standing(r, o, p.spare_for(r.kind));
         // One that was asked for and finds no room is smaller.
-        for (float size = 0.85f; !i && !o.klass.empty() && size > 0.6f; size -= 0.15f) {
+        for (float size = 0.85f; !i && !o.kind.empty() && size > 0.6f; size -= 0.15f) {
             PieceRequest smaller = r;
             const Vec3f usual = make_piece(r).size_m;
             smaller.size_factor = 1.f, smaller.size_m = {usual.x * size, 0, usual.z * size};
-            i = p.layout().free_standing(smaller, o, p.spare_for(r.klass));
+            i = p.layout().free_standing(smaller, o, p.spare_for(r.kind));
         }
         return i;
     });
@@ -194,7 +194,7 @@ void eating_place(Placement& p, int seats) {
     const int table = *found;
     const bool has_chairs = std::any_of(
         p.layout().placed().begin(), p.layout().placed().end(),
-        [&](const Placed& other) { return other.with == table && other.piece.klass == "chair"; });
+        [&](const Placed& other) { return other.with == table && other.piece.kind == "chair"; });
     p.seats_around(table, "chair", has_chairs ? 0 : seats, 1);
     const bool flowers = p.wishes().asked("bouquet");  // they stand there
     p.top(table, !flowers && p.chance(0.6f) ? "vase" : "bowl", 0.9f);

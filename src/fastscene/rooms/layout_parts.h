@@ -12,19 +12,19 @@
 namespace fastscene::furnishing {
 
 // Things that stand on others or hang on walls: whoever asks for one at a piece wants it there, not anywhere.
-bool is_small(std::string_view klass);
-bool lies_about(std::string_view klass);     // on floors, nowhere in particular: clothes, paper, rubble
-bool lies_on_seats(std::string_view klass);  // small things that need no table
+bool is_small(std::string_view kind);
+bool lies_about(std::string_view kind);     // on floors, nowhere in particular: clothes, paper, rubble
+bool lies_on_seats(std::string_view kind);  // small things that need no table
 // Whether a lamp above such a piece hangs from the ceiling.
-bool hangs_over(std::string_view klass);
+bool hangs_over(std::string_view kind);
 // What one sits or lies on: nothing is put there by itself.
-bool is_seat(std::string_view klass);
+bool is_seat(std::string_view kind);
 // "a wall mounted TV": above its stand, not on it.
 bool is_hung_screen(const PromptObject& wish);
 // Blinds and shutters: they hang in windows, in all of them.
-bool is_blind(std::string_view klass);
+bool is_blind(std::string_view kind);
 // What lights a room from its ceiling when it was asked for: the usual lamp is left out.
-bool lights_from_above(std::string_view klass);
+bool lights_from_above(std::string_view kind);
 
 // What stands in a child's room in place of what grown-ups like to see.
 std::string_view for_a_child(std::string_view thing);
@@ -44,7 +44,7 @@ struct Ask {
 
 // Whether the room leaves this class to the prompt: it said none, or how many ("two plants" closes plant_tree and
 // plant_small too).
-bool is_settled(const PromptSpec& spec, std::string_view klass);
+bool is_settled(const PromptSpec& spec, std::string_view kind);
 
 inline bool is_beside(std::string_view relation) {
     return is_one_of(relation, {"next to", "left of", "right of", "on both sides of"});
@@ -67,14 +67,14 @@ class Wishes {
   public:
     explicit Wishes(const PromptSpec& spec);
 
-    bool forbids(std::string_view klass) const;
+    bool forbids(std::string_view kind) const;
     // The next wish of this class that binds nowhere, taken; null: there is none.
-    const PromptObject* next(std::string_view klass);
+    const PromptObject* next(std::string_view kind);
     void give_back(const PromptObject* wish);
     // How many of this class are still to be placed, bound or not.
-    int count(std::string_view klass) const;
-    bool has(std::string_view klass) const { return count(klass) > 0; }
-    bool asked(std::string_view klass) const;  // placed or not
+    int count(std::string_view kind) const;
+    bool has(std::string_view kind) const { return count(kind) > 0; }
+    bool asked(std::string_view kind) const;  // placed or not
     std::vector<Ask>& asks() { return asks_; }
 
   private:

@@ -30,48 +30,48 @@ void Placement::later(std::function<void()> what) {
     else later_.push_back(std::move(what));
 }
 
-void Placement::put(const std::string& klass, float probability, const How& how, const Then& then) {
-    if (wishes_.forbids(klass)) return;
-    const PromptObject* wish = wishes_.next(klass);
-    if (!wish && (!is_furnished() || is_settled(l_.spec(), klass))) return;
+void Placement::put(const std::string& kind, float probability, const How& how, const Then& then) {
+    if (wishes_.forbids(kind)) return;
+    const PromptObject* wish = wishes_.next(kind);
+    if (!wish && (!is_furnished() || is_settled(l_.spec(), kind))) return;
     // Who left took the pictures, and the plants have died; who likes few things has half of what others have.
-    if (!wish && is_left() && has_role(klass, Role::moves_out)) return;
+    if (!wish && is_left() && has_role(kind, Role::moves_out)) return;
     if (!wish && l_.spec().clutter == "minimal") probability *= 0.5f;
     if (!wish && !adding_) {
-        if (probability > 0) later_.push_back([=, this] { put(klass, probability, how, then); });
+        if (probability > 0) later_.push_back([=, this] { put(kind, probability, how, then); });
         return;
     }
     if (!wish && !chance(probability)) return;
-    const auto index = how(l_.request(klass, wish), wish ? *wish : PromptObject{});
+    const auto index = how(l_.request(kind, wish), wish ? *wish : PromptObject{});
     if (!index) return wishes_.give_back(wish);
     attend(*index);
     if (then) then(*index);
 }
 
-std::optional<int> Placement::main(const std::string& klass, const How& how) {
-    if (wishes_.forbids(klass)) return {};
+std::optional<int> Placement::main(const std::string& kind, const How& how) {
+    if (wishes_.forbids(kind)) return {};
     // Asked for at another piece ("a sofa opposite the fireplace"): that one first.
     for (const Ask& ask : wishes_.asks())
-        if (ask.left > 0 && ask.wish->klass == klass && ask.at_piece() && ask.at != klass) {
+        if (ask.left > 0 && ask.wish->kind == kind && ask.at_piece() && ask.at != kind) {
             summon(std::string(ask.at));
             break;
         }
     for (std::size_t i = 0; i < l_.placed().size(); ++i)
-        if (l_.placed()[i].wish.klass == klass) return static_cast<int>(i);
-    const PromptObject* wish = wishes_.next(klass);
+        if (l_.placed()[i].wish.kind == kind) return static_cast<int>(i);
+    const PromptObject* wish = wishes_.next(kind);
     if (!wish && !is_furnished()) return {};
-    const auto index = how(l_.request(klass, wish), wish ? *wish : PromptObject{});
+    const auto index = how(l_.request(kind, wish), wish ? *wish : PromptObject{});
     if (index) attend(*index);
     else wishes_.give_back(wish);
     return index;
 }
 
-std::optional<int> Placement::main_at_wall(const std::string& klass, Layout::WallWish wish) {
-    return main(klass, [&](const PieceRequest& r, const PromptObject& o) { return at_wall(r, wish, o); });
+std::optional<int> Placement::main_at_wall(const std::string& kind, Layout::WallWish wish) {
+    return main(kind, [&](const PieceRequest& r, const PromptObject& o) { return at_wall(r, wish, o); });
 }
 
 std::optional<int> Placement::at_wall(const PieceRequest& r, Layout::WallWish w, const PromptObject& o) {
-    w.spare = spare_for(o.klass.empty() ? r.klass : o.klass);
+    w.spare = spare_for(o.kind.empty() ? r.kind : o.kind);
     if (const auto i = l_.against_wall(r, w, o)) return i;
     if (r.pattern == "corner") {
         PieceRequest straight = r;
@@ -82,42 +82,41 @@ std::optional<int> Placement::at_wall(const PieceRequest& r, Layout::WallWish w,
         }
     }
     // Better below a window than not at all, when it was asked for.
-    if (o.klass.empty() || !w.clear_of_windows) return {};
+    if (o.kind.empty() || !w.clear_of_windows) return {};
     w.clear_of_windows = false;
     return l_.against_wall(r, w, o);
 }
 
-void Placement::wall(const std::string& klass, float probability, Layout::WallWish w, const Then& then) {
+void Placement::wall(const std::string& kind, float probability, Layout::WallWish w, const Then& then) {
     put(
-        klass, probability, [=, this](const PieceRequest& r, const PromptObject& o) { return at_wall(r, w, o); }, then);
+        kind, probability, [=, this](const PieceRequest& r, const PromptObject& o) { return at_wall(r, w, o); }, then);
 }
 
-void Placement::beside(int anchor, const std::string& klass, float probability, int side, float gap, const Then& then) {
+void Placement::beside(int anchor, const std::string& kind, float probability, int side, float gap, const Then& then) {
     put(
-        klass, probability,
+        kind, probability,
         [=, this](const PieceRequest& r, const PromptObject& o) { return l_.beside(anchor, r, side, gap, o); }, then);
 }
 
-void Placement::before(int anchor, const std::string& klass, float probability, float gap, bool facing,
+void Placement::before(int anchor, const std::string& kind, float probability, float gap, bool facing,
                        const Then& then) {
     put(
-        klass, probability,
+        kind, probability,
         [=, this](const PieceRequest& r, const PromptObject& o) { return l_.in_front_of(anchor, r, gap, facing, o); },
         then);
 }
 
-void Placement::top(int anchor, const std::string& klass, float probability) {
-    put(klass, probability,
-        [=, this](const PieceRequest& r, const PromptObject& o) { return l_.on_top(anchor, r, o); });
+void Placement::top(int anchor, const std::string& kind, float probability) {
+    put(kind, probability, [=, this](const PieceRequest& r, const PromptObject& o) { return l_.on_top(anchor, r, o); });
 }
 
-void Placement::above(int anchor, const std::string& klass, float probability) {
-    put(klass, probability,
+void Placement::above(int anchor, const std::string& kind, float probability) {
+    put(kind, probability,
         [=, this](const PieceRequest& r, const PromptObject& o) { return l_.on_wall(r, anchor, o); });
 }
 
-void Placement::on_wall(const std::string& klass, float probability) {
-    put(klass, probability, [=, this](const PieceRequest& r, const PromptObject& o) { return l_.on_wall(r, {}, o); });
+void Placement::on_wall(const std::string& kind, float probability) {
+    put(kind, probability, [=, this](const PieceRequest& r, const PromptObject& o) { return l_.on_wall(r, {}, o); });
 }
 
 std::optional<int> Placement::laid_under(int anchor, PieceRequest r, Vec2f wanted, float shift, const PromptObject& o) {
@@ -148,14 +147,14 @@ int Placement::wall_opposite(int anchor) const {
     return best;
 }
 
-void Placement::seats_around(int table, const std::string& klass, int usual, float probability) {
-    const int wished = wishes_.count(klass);
-    if (const PromptObject* wish = wished > 0 ? wishes_.next(klass) : nullptr) {
-        const int placed = l_.around(table, l_.request(klass, wish), wished, *wish);
-        for (int i = 1; i < std::min(placed, wished); ++i) wishes_.next(klass);
+void Placement::seats_around(int table, const std::string& kind, int usual, float probability) {
+    const int wished = wishes_.count(kind);
+    if (const PromptObject* wish = wished > 0 ? wishes_.next(kind) : nullptr) {
+        const int placed = l_.around(table, l_.request(kind, wish), wished, *wish);
+        for (int i = 1; i < std::min(placed, wished); ++i) wishes_.next(kind);
         if (placed == 0) wishes_.give_back(wish);
-    } else if (usual > 0 && is_furnished() && !wishes_.asked(klass) && !wishes_.forbids(klass)) {
-        const auto set = [=, this] { l_.around(table, l_.request(klass), usual); };
+    } else if (usual > 0 && is_furnished() && !wishes_.asked(kind) && !wishes_.forbids(kind)) {
+        const auto set = [=, this] { l_.around(table, l_.request(kind), usual); };
         if (probability >= 1) return set();
         later([=, this] {
             if (chance(probability)) set();

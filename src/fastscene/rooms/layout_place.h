@@ -25,7 +25,7 @@ class Placement {
     Layout& layout() { return l_; }
     Wishes& wishes() { return wishes_; }
     float clutter() const { return clutter_; }  // in [0, 1]
-    bool chance(float p) { return l_.dice().chance(p); }
+    bool chance(float p) { return l_.rng().chance(p); }
     // "only a bed": nothing stands that nobody asked for.
     bool is_furnished() const;
     // Nobody hangs pictures and waters plants there.
@@ -33,28 +33,28 @@ class Placement {
 
     // Places a piece through `how`: at once if it was asked for; else, with this probability, when all that was asked
     // for stands. `then` goes on from it.
-    void put(const std::string& klass, float probability, const How& how, const Then& then = {});
+    void put(const std::string& kind, float probability, const How& how, const Then& then = {});
     // What the room cannot do without: at once. The piece that was asked for elsewhere in the room, if there is one.
-    std::optional<int> main(const std::string& klass, const How& how);
+    std::optional<int> main(const std::string& kind, const How& how);
     // Later, or now if all that was asked for stands.
     void later(std::function<void()> what);
 
     // Ways to place a piece with `put` and `main`. `anchor` is the index of a piece that stands.
-    std::optional<int> main_at_wall(const std::string& klass, Layout::WallWish wish);
-    void wall(const std::string& klass, float probability, Layout::WallWish wish = {}, const Then& then = {});
-    void beside(int anchor, const std::string& klass, float probability, int side, float gap, const Then& then = {});
-    void before(int anchor, const std::string& klass, float probability, float gap, bool facing, const Then& then = {});
-    void top(int anchor, const std::string& klass, float probability);
-    void above(int anchor, const std::string& klass, float probability);
-    void on_wall(const std::string& klass, float probability);
+    std::optional<int> main_at_wall(const std::string& kind, Layout::WallWish wish);
+    void wall(const std::string& kind, float probability, Layout::WallWish wish = {}, const Then& then = {});
+    void beside(int anchor, const std::string& kind, float probability, int side, float gap, const Then& then = {});
+    void before(int anchor, const std::string& kind, float probability, float gap, bool facing, const Then& then = {});
+    void top(int anchor, const std::string& kind, float probability);
+    void above(int anchor, const std::string& kind, float probability);
+    void on_wall(const std::string& kind, float probability);
     void rug(int anchor, float probability, float width, float depth, float shift);
     // Seats around a table or along a worktop: as many as were asked for; else, with this probability, `usual`.
-    void seats_around(int table, const std::string& klass, int usual, float probability);
+    void seats_around(int table, const std::string& kind, int usual, float probability);
     std::optional<int> at_wall(const PieceRequest& request, Layout::WallWish wish, const PromptObject& from);
     std::optional<int> laid_under(int anchor, PieceRequest request, Vec2f size, float shift, const PromptObject& from);
 
     const Placed& at(int i) const { return l_.placed()[static_cast<std::size_t>(i)]; }
-    const std::string& klass_of(int i) const { return at(i).piece.klass; }
+    const std::string& kind_of(int i) const { return at(i).piece.kind; }
     const Vec3f& size(int i) const { return at(i).piece.size_m; }
     Vec2f front_point(int anchor, float far) const;
     // The wall that a piece with its back at a wall faces: 0..3.
@@ -63,9 +63,9 @@ class Placement {
     // Places what was asked for at this piece.
     virtual void attend(int index) = 0;
     // Sees to it that a piece of this class stands, if one was asked for.
-    virtual void summon(const std::string& klass) = 0;
+    virtual void summon(const std::string& kind) = 0;
     // The floor and the wall that wait for what was asked for at a piece of this class.
-    virtual Spare spare_for(const std::string& klass) = 0;
+    virtual Spare spare_for(const std::string& kind) = 0;
 
   protected:
     // From here on all that was asked for stands: what was put off is placed.

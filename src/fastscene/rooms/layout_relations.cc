@@ -18,13 +18,13 @@ Vec2f heading_of(float yaw) { return {std::sin(yaw), std::cos(yaw)}; }
 // To the right of someone who looks at a thing with this front (x, y up and z towards him are right-handed).
 Vec2f right_of_viewer(Vec2f front) { return {front.y, -front.x}; }
 
-std::vector<Place> places_of(const Plan& plan, const std::vector<Placed>& placed, const std::string& klass,
+std::vector<Place> places_of(const Plan& plan, const std::vector<Placed>& placed, const std::string& kind,
                              const Placed& piece) {
     std::vector<Place> out;
     for (std::size_t i = 0; i < placed.size(); ++i)
-        if (&placed[i] != &piece && (placed[i].wish.klass == klass || placed[i].piece.klass == klass))
+        if (&placed[i] != &piece && (placed[i].wish.kind == kind || placed[i].piece.kind == kind))
             out.push_back({footprint_of(placed[i]), heading_of(placed[i].yaw), static_cast<int>(i), -1});
-    if (klass == "skylight")
+    if (kind == "skylight")
         for (const Skylight& k : plan.skylights) {
             const Vec2f inward = flat(plan.wall(k.wall).inward);
             const Vec2f at = Vec2f{k.wall == 1 ? plan.width / 2 : -plan.width / 2, (k.z0 + k.z1) / 2} +
@@ -36,10 +36,10 @@ std::vector<Place> places_of(const Plan& plan, const std::vector<Placed>& placed
                  -1});
         }
     for (const Block& b : plan.blocks)
-        if (klass == "column" && b.kind == Block::Kind::column)
+        if (kind == "column" && b.kind == Block::Kind::column)
             out.push_back({{(b.low + b.high) * 0.5f, (b.high - b.low) * 0.5f, 0, 0, plan.height}, {0, -1}, -1, -1});
     for (const Opening& o : plan.openings) {
-        if (!is_opening_of(o, klass)) continue;
+        if (!is_opening_of(o, kind)) continue;
         const WallFace face = plan.wall(o.wall);
         const Vec3f middle = face.point((o.u0 + o.u1) / 2, 0);
         out.push_back({{flat(middle), {(o.u1 - o.u0) / 2, 0.01f}, std::atan2(face.inward.x, face.inward.z), o.y0, o.y1},
@@ -134,9 +134,9 @@ bool is_between(const Footprint& box, const Place& a, const Place& b) {
 
 }  // namespace
 
-bool is_opening_of(const Opening& o, std::string_view klass) {
-    if (o.kind == Opening::Kind::window) return klass == "window" || klass == "bay_window";
-    return klass == (o.kind == Opening::Kind::door ? "door" : "doorway");
+bool is_opening_of(const Opening& o, std::string_view kind) {
+    if (o.kind == Opening::Kind::window) return kind == "window" || kind == "bay_window";
+    return kind == (o.kind == Opening::Kind::door ? "door" : "doorway");
 }
 
 std::optional<bool> stands_as_asked(const Plan& plan, const std::vector<Placed>& placed, const Placed& piece,

@@ -15,7 +15,7 @@ inline float free_before(const Opening& window, float above_sill) {
     return window.y0 < 0.3f ? 0.92f : window.y0 + above_sill;
 }
 // Whether a wish for this class means such an opening.
-bool is_opening_of(const Opening& opening, std::string_view klass);
+bool is_opening_of(const Opening& opening, std::string_view kind);
 
 // Of `piece`, which stands or might stand in the room with the others. Nothing: it asks for no place, or for one at
 // something that is not there (yet).

@@ -15,7 +15,7 @@ namespace {
 constexpr float kWellSeen = 24.f;  // pixels of 512 x 256: no better place is looked for
 
 // What a room keeps even when nobody asked for it.
-bool makes_the_room(std::string_view klass) { return has_role(klass, Role::room_maker); }
+bool makes_the_room(std::string_view kind) { return has_role(kind, Role::room_maker); }
 
 }  // namespace
 
@@ -29,7 +29,7 @@ float Layout::show(int piece, Vec3f eye, bool anywhere) {
     std::vector<int> tops{before.on};
     for (int i = 0; anywhere && i < static_cast<int>(placed_.size()); ++i) {
         const Placed& top = placed_[static_cast<std::size_t>(i)];
-        if (i != piece && i != before.on && top.on < 0 && !furnishing::is_seat(top.piece.klass) &&
+        if (i != piece && i != before.on && top.on < 0 && !furnishing::is_seat(top.piece.kind) &&
             !top.piece.surfaces.empty())
             tops.push_back(i);
     }
@@ -73,7 +73,7 @@ void Layout::take_away(std::vector<int> pieces) {
         for (int i = 0; i < static_cast<int>(placed_.size()); ++i)
             if (bears(top, i)) whole.push_back(i);
         if (std::all_of(whole.begin(), whole.end(),
-                        [&](int i) { return placed_[static_cast<std::size_t>(i)].wish.klass.empty(); }))
+                        [&](int i) { return placed_[static_cast<std::size_t>(i)].wish.kind.empty(); }))
             gone.insert(whole.begin(), whole.end());
     }
     if (gone.empty()) return;
@@ -99,10 +99,10 @@ void Furnisher::uncover(Vec3f eye) {
     std::set<int> hiders;
     for (int i = 0; i < static_cast<int>(l_.placed().size()); ++i) {
         const Placed& p = at(i);
-        if (p.wish.klass.empty() || p.piece.mount != Mount::floor || p.flat || p.on >= 0) continue;
+        if (p.wish.kind.empty() || p.piece.mount != Mount::floor || p.flat || p.on >= 0) continue;
         const Sight::View view = sight.look(i, eye);
         for (std::size_t k = 0; view.share < kShown && k < view.hiders.size() && k < 2; ++k)
-            if (const int h = view.hiders[k]; at(h).wish.klass.empty() && has_role(klass_of(h), Role::movable))
+            if (const int h = view.hiders[k]; at(h).wish.kind.empty() && has_role(kind_of(h), Role::movable))
                 hiders.insert(h);
     }
     l_.take_away({hiders.begin(), hiders.end()});
@@ -123,7 +123,7 @@ void Furnisher::reveal() {
         const Sight sight(l_.plan(), l_.placed());
         for (const int i : still)
             for (const int h : sight.look(i, eye).hiders)
-                if (at(h).wish.klass.empty() && !makes_the_room(klass_of(h)) && h != at(i).on) hiders.insert(h);
+                if (at(h).wish.kind.empty() && !makes_the_room(kind_of(h)) && h != at(i).on) hiders.insert(h);
         l_.take_away({hiders.begin(), hiders.end()});
     }
 }

@@ -11,10 +11,10 @@
 namespace fastscene {
 namespace {
 
-Placed placed(const char* klass, Vec3f position, float yaw, Vec3f size = {}) {
+Placed placed(const char* kind, Vec3f position, float yaw, Vec3f size = {}) {
     static const Style style = style_named("modern");
     PieceRequest request;
-    request.klass = klass;
+    request.kind = kind;
     request.style = &style;
     request.size_m = size;
     Placed p;
@@ -64,8 +64,8 @@ TEST(Reveal, SmallThingsThatWereAskedForAreSeen) {
         }
 }
 
-bool has(const std::vector<Placed>& pieces, const char* klass) {
-    return std::any_of(pieces.begin(), pieces.end(), [&](const Placed& p) { return p.piece.klass == klass; });
+bool has(const std::vector<Placed>& pieces, const char* kind) {
+    return std::any_of(pieces.begin(), pieces.end(), [&](const Placed& p) { return p.piece.kind == kind; });
 }
 
 TEST(NextRoom, IsOfTheKindThatWasAskedFor) {
@@ -94,10 +94,10 @@ TEST(NextRoom, APartOfTheRoomIsNone) {
     const PromptSpec spec = understand_prompt("a kitchen with a dining area and an office corner", true);
     EXPECT_EQ(spec.room, "kitchen");
     EXPECT_TRUE(spec.next_room.empty());
-    for (const char* klass : {"dining_table", "desk"})
+    for (const char* kind : {"dining_table", "desk"})
         EXPECT_TRUE(std::any_of(spec.objects.begin(), spec.objects.end(), [&](const PromptObject& o) {
-            return o.klass == klass;
-        })) << klass;
+            return o.kind == kind;
+        })) << kind;
 }
 
 }  // namespace

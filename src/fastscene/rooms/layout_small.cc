@@ -28,7 +28,7 @@ void hang_up(Piece& piece, float height) {
 // cord that meets a beam hangs from that.
 void hang_among_beams(const Plan& plan, Placed& p) {
     constexpr float kRod = 0.08f;  // half of what covers its end
-    const bool rail = p.piece.klass == "track_light", plate = p.piece.klass == "ceiling_lamp";
+    const bool rail = p.piece.kind == "track_light", plate = p.piece.kind == "ceiling_lamp";
     const float spacing = plan.depth / static_cast<float>(beam_count(plan)), offset = p.position.z - beam_z(plan, 0);
     const float beam = beam_z(plan,
                               std::clamp(static_cast<int>(std::lround(offset / spacing)), 0, beam_count(plan) - 1));
@@ -58,7 +58,7 @@ std::optional<int> Layout::on_top(int anchor, const PieceRequest& request, const
     Placed p;
     p.piece = make_piece(request);
     p.on = anchor;
-    const bool leans = p.piece.mount == Mount::wall, asked = !from.klass.empty();
+    const bool leans = p.piece.mount == Mount::wall, asked = !from.kind.empty();
     if (leans) stand_up(p.piece);
     const Vec3f front = front_of(a.yaw), right = right_of(a.yaw), size = p.piece.size_m;
     // One machine on the other: what is no larger than what carries it may reach beyond the free part of its top.
@@ -72,17 +72,17 @@ std::optional<int> Layout::on_top(int anchor, const PieceRequest& request, const
         if (over && !middle_of_all && !(asked && a.piece.size_m.y < s.center.y + 0.6f)) continue;
         slack_x = std::max(0.f, slack_x), slack_z = std::max(0.f, slack_z);
         // Out of reach only vases and baskets are kept.
-        if (!asked && s.center.y > 1.5f && p.piece.klass != "vase" && p.piece.klass != "basket") continue;
+        if (!asked && s.center.y > 1.5f && p.piece.kind != "vase" && p.piece.kind != "basket") continue;
         for (int tries = 0; tries < (asked ? 30 : 14); ++tries) {
             // Televisions and the like stand in the middle, small things anywhere; pictures lean at the back.
             const bool middle = over || (size.x > 0.55f && tries == 0);
-            const float x = middle ? 0.f : dice_.uniform(-slack_x, slack_x), z = leans ? -slack_z
-                                                                                 : middle
-                                                                                     ? 0.f
-                                                                                     : dice_.uniform(-slack_z, slack_z);
+            const float x = middle ? 0.f : rng_.uniform(-slack_x, slack_x), z = leans ? -slack_z
+                                                                                : middle
+                                                                                    ? 0.f
+                                                                                    : rng_.uniform(-slack_z, slack_z);
             const Vec2f at = middle_of_all ? Vec2f{0, 0} : Vec2f{s.center.x + x, s.center.z + z};
             p.position = a.position + right * at.x + front * at.y + Vec3f{0, s.center.y, 0};
-            p.yaw = a.yaw + (size.x > 0.3f || leans ? 0.f : dice_.uniform(-0.3f, 0.3f));
+            p.yaw = a.yaw + (size.x > 0.3f || leans ? 0.f : rng_.uniform(-0.3f, 0.3f));
             if (free_on_top(p) && std::isfinite(as_asked(p, from)) && leaves_way(p)) return keep(p, from);
         }
     }
@@ -114,7 +114,7 @@ std::optional<int> Layout::on_sill(const PieceRequest& request, std::optional<in
     if (make_piece(request).mount != Mount::surface) return {};
     constexpr float kLowest = 0.3f;  // a window down to the floor has no sill
     constexpr float kSides = 0.14f;  // of the window's width, at either side: there hang its curtains
-    const int count = static_cast<int>(plan_.openings.size()), first = count > 0 ? dice_.index(count) : 0;
+    const int count = static_cast<int>(plan_.openings.size()), first = count > 0 ? rng_.index(count) : 0;
     for (const float size : {1.f, 0.85f, 0.7f, 0.58f, 0.48f}) {
         PieceRequest smaller = request;
         smaller.size_factor *= size;
@@ -131,7 +131,7 @@ std::optional<int> Layout::on_sill(const PieceRequest& request, std::optional<in
             const float side = std::max(0.06f, kSides * (o.u1 - o.u0)) + extents.x / 2;
             p.yaw = yaw_of(face.inward);
             for (int tries = 0; tries < (o.u1 - o.u0 > 2 * side ? 12 : 0); ++tries) {
-                p.position = face.point(dice_.uniform(o.u0 + side, o.u1 - side), o.y0) +
+                p.position = face.point(rng_.uniform(o.u0 + side, o.u1 - side), o.y0) +
                              face.inward * ((kSillReach - kRevealDepth) / 2);
                 const Footprint room_for = footprint_of(p, 0.01f);
                 const bool free = std::none_of(placed_.begin(), placed_.end(), [&](const Placed& other) {
@@ -150,29 +150,28 @@ std::optional<int> Layout::on_floor_near(Vec2f at, const PieceRequest& request, 
     p.piece.mount = Mount::floor;
     for (int tries = 0; tries < 24; ++tries) {
         const float far = tries < 12 ? 0.7f : 1.6f;
-        p.position = {at.x + dice_.uniform(-far, far), 0.013f, at.y + dice_.uniform(-far, far)};  // it may lie on a rug
-        p.yaw = dice_.uniform(-kPi, kPi);
+        p.position = {at.x + rng_.uniform(-far, far), 0.013f, at.y + rng_.uniform(-far, far)};  // it may lie on a rug
+        p.yaw = rng_.uniform(-kPi, kPi);
         if (fits(p, false) && leaves_way(p)) return keep(p, from);
     }
     return {};
 }
 
 std::optional<int> Layout::on_any_top(const PieceRequest& request, const PromptObject& from) {
-    const int first = placed_.empty() ? 0 : dice_.index(static_cast<int>(placed_.size()));
+    const int first = placed_.empty() ? 0 : rng_.index(static_cast<int>(placed_.size()));
     // What was asked for stands on a wardrobe only when nothing lower has room.
     constexpr float kInReach = 1.5f;
     for (std::size_t k = 0; k < 2 * placed_.size(); ++k) {
         const int i = static_cast<int>((static_cast<std::size_t>(first) + k) % placed_.size());
         const Placed& p = placed_[static_cast<std::size_t>(i)];
-        if (p.on >= 0 || p.piece.surfaces.empty() || p.piece.klass == "kitchen_counter") continue;
+        if (p.on >= 0 || p.piece.surfaces.empty() || p.piece.kind == "kitchen_counter") continue;
         const bool low = p.piece.surfaces.front().center.y < kInReach, second = k >= placed_.size();
         if (second == low) continue;
-        if (!furnishing::lies_on_seats(request.klass) && furnishing::is_seat(p.piece.klass)) continue;
+        if (!furnishing::lies_on_seats(request.kind) && furnishing::is_seat(p.piece.kind)) continue;
         // Three bowls in a row are a shop.
         const auto alike = std::count_if(placed_.begin(), placed_.end(),
-                                         [&](const Placed& q) { return q.on == i && q.piece.klass == request.klass; });
-        if (from.klass.empty() && alike > (request.klass == "candle" || request.klass == "book_stack" ? 1 : 0))
-            continue;
+                                         [&](const Placed& q) { return q.on == i && q.piece.kind == request.kind; });
+        if (from.kind.empty() && alike > (request.kind == "candle" || request.kind == "book_stack" ? 1 : 0)) continue;
         if (const auto index = on_top(i, request, from)) return index;
     }
     return {};
@@ -185,7 +184,7 @@ std::optional<int> Layout::on_wall(const PieceRequest& request, std::optional<in
     if (p.piece.mount == Mount::ceiling) return {};
     if (p.piece.mount == Mount::surface) {
         // A television hangs as well as it stands; other small things need a top.
-        if (p.piece.klass != "tv") return {};
+        if (p.piece.kind != "tv") return {};
         PieceRequest hung = request;
         hung.pattern = kHungScreen;
         p.piece = make_piece(hung);
@@ -226,7 +225,7 @@ std::optional<int> Layout::on_wall(const PieceRequest& request, std::optional<in
                        !hides(other, p);
             if (!free) continue;
             float score = wanted_u ? -std::abs(u - *wanted_u)
-                                   : -0.2f * std::abs(u - face.length / 2) + dice_.uniform() * 0.4f -
+                                   : -0.2f * std::abs(u - face.length / 2) + rng_.uniform() * 0.4f -
                                          (face.wall == 2 ? 0.4f : 0.f);
             if (!wanted_u) {
                 // Where the wall is barest.
@@ -244,7 +243,7 @@ std::optional<int> Layout::on_wall(const PieceRequest& request, std::optional<in
     return best ? keep(*best, from) : std::nullopt;
 }
 
-std::optional<int> Layout::over_opening(const std::string& klass, const PieceRequest& request,
+std::optional<int> Layout::over_opening(const std::string& kind, const PieceRequest& request,
                                         const PromptObject& from) {
     Placed p;
     p.piece = make_piece(request);
@@ -252,7 +251,7 @@ std::optional<int> Layout::over_opening(const std::string& klass, const PieceReq
     if (p.piece.mount != Mount::wall) return {};
     constexpr float kCasing = 0.09f;
     for (const Opening& o : plan_.openings) {
-        if (!is_opening_of(o, klass)) continue;
+        if (!is_opening_of(o, kind)) continue;
         const WallFace face = plan_.wall(o.wall);
         p.yaw = yaw_of(face.inward);
         p.position = face.point((o.u0 + o.u1) / 2, o.y1 + kCasing + 0.02f) + face.inward * 0.002f;
@@ -292,7 +291,7 @@ std::optional<int> Layout::in_upper_corner(const PieceRequest& request, const Pr
     p.piece = make_piece(request);
     p.overhead = true;
     const Vec3f half = p.piece.size_m * 0.5f;
-    const int first = dice_.index(4);
+    const int first = rng_.index(4);
     for (int k = 0; k < 4; ++k) {
         // Its own walls are at -x and -z: a quarter turn for each corner.
         const int corner = (first + k) % 4;
@@ -383,7 +382,7 @@ int Layout::at_windows(const PieceRequest& request, const PromptObject& from) {
     for (const Opening& o : plan_.openings) {
         // No cloth hangs before a porthole, and none hides an arch that was asked for.
         if (o.kind != Opening::Kind::window || o.shape == Opening::Shape::round ||
-            (o.shape == Opening::Shape::arched && from.klass.empty()))
+            (o.shape == Opening::Shape::arched && from.kind.empty()))
             continue;
         const WallFace face = plan_.wall(o.wall);
         const float top = std::min(plan_.height - 0.06f, o.y1 + 0.16f);

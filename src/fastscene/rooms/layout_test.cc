@@ -22,9 +22,9 @@ struct LaidOut {
 
 LaidOut laid_out(const std::string& text, std::uint64_t seed) {
     LaidOut out{understand_prompt(text, false), {}, {}, {}};
-    Random dice(seed, "layout test");
-    out.plan = make_plan(out.spec, dice);
-    Layout layout(out.plan, out.spec, dice);
+    Random rng(seed, "layout test");
+    out.plan = make_plan(out.spec, rng);
+    Layout layout(out.plan, out.spec, rng);
     furnish(layout);
     out.placed = layout.placed();
     out.camera = layout.camera_position();
@@ -70,15 +70,15 @@ TEST(Layout, PiecesWithABackStandAtAWallAndLookIntoTheRoom) {
         for (const char* text : {"a living room", "a bedroom", "a study", "a kitchen", "a bathroom"}) {
             const LaidOut f = laid_out(text, seed);
             for (const Placed& p : f.placed) {
-                for (const char* klass : {"bed", "wardrobe", "bookshelf", "tv_stand", "fireplace", "fridge",
-                                          "kitchen_counter", "washbasin", "picture", "mirror"}) {
-                    if (p.piece.klass != klass || (p.piece.mount != Mount::wall && p.piece.mount != Mount::floor))
+                for (const char* kind : {"bed", "wardrobe", "bookshelf", "tv_stand", "fireplace", "fridge",
+                                         "kitchen_counter", "washbasin", "picture", "mirror"}) {
+                    if (p.piece.kind != kind || (p.piece.mount != Mount::wall && p.piece.mount != Mount::floor))
                         continue;
                     const Footprint box = footprint_of(p);
                     const Vec2f front{std::sin(p.yaw), std::cos(p.yaw)}, back = box.center - front * box.half.y;
                     // The back is at the wall behind it.
-                    EXPECT_LT(f.plan.wall_distance(back), 0.12f) << text << ": " << klass;
-                    EXPECT_LT(dot(front, back), 0.f) << text << ": " << klass << " faces the wall";
+                    EXPECT_LT(f.plan.wall_distance(back), 0.12f) << text << ": " << kind;
+                    EXPECT_LT(dot(front, back), 0.f) << text << ": " << kind << " faces the wall";
                 }
             }
         }
@@ -92,15 +92,15 @@ TEST(Layout, SmallThingsStandOnWhatCarriesThem) {
             for (const Placed& p : f.placed) {
                 if (p.piece.mount != Mount::surface && p.on < 0) continue;
                 if (p.sill >= 0) {
-                    EXPECT_TRUE(stands_on_sill(f.plan, p)) << p.piece.klass;
+                    EXPECT_TRUE(stands_on_sill(f.plan, p)) << p.piece.kind;
                     continue;
                 }
-                ASSERT_GE(p.on, 0) << p.piece.klass << " floats";
+                ASSERT_GE(p.on, 0) << p.piece.kind << " floats";
                 const Placed& below = f.placed[static_cast<std::size_t>(p.on)];
                 bool at_a_top = false;
                 for (const Surface& s : below.piece.surfaces)
                     at_a_top = at_a_top || std::abs(below.position.y + s.center.y - p.position.y) < 1e-3f;
-                EXPECT_TRUE(at_a_top) << p.piece.klass << " on " << below.piece.klass;
+                EXPECT_TRUE(at_a_top) << p.piece.kind << " on " << below.piece.kind;
                 EXPECT_LT(distance_to(footprint_of(below), footprint_of(p).center), 1e-3f);
                 ++carried;
             }
@@ -117,9 +117,9 @@ TEST(Layout, ThingsStandOnWindowSills) {
             for (const Placed& p : f.placed) {
                 if (p.sill < 0) continue;
                 any = true;
-                EXPECT_TRUE(stands_on_sill(f.plan, p)) << p.piece.klass;
+                EXPECT_TRUE(stands_on_sill(f.plan, p)) << p.piece.kind;
                 for (const Placed& q : f.placed)
-                    EXPECT_TRUE(&p == &q || q.flat || !overlap(footprint_of(p), footprint_of(q))) << q.piece.klass;
+                    EXPECT_TRUE(&p == &q || q.flat || !overlap(footprint_of(p), footprint_of(q))) << q.piece.kind;
             }
             rooms_with += any;
         }
@@ -129,7 +129,7 @@ TEST(Layout, ThingsStandOnWindowSills) {
         windows += std::any_of(f.plan.openings.begin(), f.plan.openings.end(),
                                [](const Opening& o) { return o.kind == Opening::Kind::window; });
         asked += std::any_of(f.placed.begin(), f.placed.end(),
-                             [](const Placed& p) { return p.wish.klass == "vase" && p.sill >= 0; });
+                             [](const Placed& p) { return p.wish.kind == "vase" && p.sill >= 0; });
     }
     EXPECT_GE(asked, windows - 1);
 }
@@ -141,9 +141,9 @@ TEST(Layout, MonitorsStandInARowOnTheDesk) {
             const LaidOut f = laid_out(text, seed);
             int on_desk = 0, all = 0;
             for (const Placed& p : f.placed) {
-                if (p.wish.klass != "monitor") continue;
+                if (p.wish.kind != "monitor") continue;
                 ++all;
-                if (p.on < 0 || f.placed[static_cast<std::size_t>(p.on)].piece.klass != "desk") continue;
+                if (p.on < 0 || f.placed[static_cast<std::size_t>(p.on)].piece.kind != "desk") continue;
                 ++on_desk;
                 // Turned to who sits in the middle of the desk's front.
                 const Placed& desk = f.placed[static_cast<std::size_t>(p.on)];
@@ -163,7 +163,7 @@ TEST(Layout, TowelsLieWhereItIsDamp) {
     for (const char* text : {"a cluttered living room with a bench", "a cozy hallway with a bench",
                              "a cluttered bedroom with two benches"})
         for (std::uint64_t seed = 0; seed < 5; ++seed)
-            for (const Placed& p : laid_out(text, seed).placed) EXPECT_NE(p.piece.klass, "towel_stack") << text;
+            for (const Placed& p : laid_out(text, seed).placed) EXPECT_NE(p.piece.kind, "towel_stack") << text;
 }
 
 TEST(Layout, RelationsHold) {
@@ -171,9 +171,9 @@ TEST(Layout, RelationsHold) {
     for (std::uint64_t seed = 0; seed < 6; ++seed) {
         const LaidOut f = laid_out("a bedroom with a desk under the window and a lamp on the desk", seed);
         for (const Placed& p : f.placed) {
-            if (p.piece.klass == "table_lamp" && !p.wish.klass.empty())
-                on += p.on >= 0 && f.placed[static_cast<std::size_t>(p.on)].piece.klass == "desk";
-            if (p.piece.klass != "desk") continue;
+            if (p.piece.kind == "table_lamp" && !p.wish.kind.empty())
+                on += p.on >= 0 && f.placed[static_cast<std::size_t>(p.on)].piece.kind == "desk";
+            if (p.piece.kind != "desk") continue;
             for (const Opening& o : f.plan.openings) {
                 if (o.kind != Opening::Kind::window) continue;
                 const WallFace face = f.plan.wall(o.wall);
@@ -205,8 +205,8 @@ TEST(Layout, WhatWasAskedForComesBeforeWhatTheRoomAdds) {
             const LaidOut f = laid_out(c.text, seed);
             EXPECT_TRUE(std::any_of(f.placed.begin(), f.placed.end(),
                                     [&](const Placed& p) {
-                                        return p.wish.klass == c.thing && p.on >= 0 &&
-                                               f.placed[static_cast<std::size_t>(p.on)].piece.klass == c.at;
+                                        return p.wish.kind == c.thing && p.on >= 0 &&
+                                               f.placed[static_cast<std::size_t>(p.on)].piece.kind == c.at;
                                     }))
                 << c.text << ", seed " << seed;
         }
@@ -224,7 +224,7 @@ TEST(Layout, ThingsHangAboveWhatTheyWereAskedToHangAbove) {
             bool above = false;
             for (const Placed& p : f.placed)
                 for (const Placed& q : f.placed)
-                    above = above || (p.wish.klass == c.thing && q.wish.klass == c.at &&
+                    above = above || (p.wish.kind == c.thing && q.wish.kind == c.at &&
                                       footprint_of(p).y0 > footprint_of(q).y1 - 0.01f &&
                                       distance_to(footprint_of(q), footprint_of(p).center) < 0.3f);
             EXPECT_TRUE(above) << c.text << ", seed " << seed;
@@ -253,7 +253,7 @@ TEST(Layout, APictureBetweenTwoWindowsHasWallToHangOn) {
         for (const Placed& p : f.placed) {
             const float u = dot(p.position - face.origin, face.along), off = dot(p.position - face.origin, face.inward);
             between = between ||
-                      (p.wish.klass == "picture" && off < 0.1f && u > std::min(windows[0].u1, windows[1].u1) &&
+                      (p.wish.kind == "picture" && off < 0.1f && u > std::min(windows[0].u1, windows[1].u1) &&
                        u < std::max(windows[0].u0, windows[1].u0));
         }
         EXPECT_TRUE(between) << "seed " << seed;
@@ -281,8 +281,7 @@ TEST(Anneal, MendsABadRoomAndKeepsAGoodOne) {
             EXPECT_LT(next, cost);
             cost = next;
             for (std::size_t i = 0; i < f.placed.size(); ++i)
-                EXPECT_TRUE(f.placed[i].sill >= 0 || f.plan.holds(footprint_of(f.placed[i])))
-                    << f.placed[i].piece.klass;
+                EXPECT_TRUE(f.placed[i].sill >= 0 || f.plan.holds(footprint_of(f.placed[i]))) << f.placed[i].piece.kind;
         }
         EXPECT_TRUE(anneal(f.plan, f.placed, {.steps = 0}, 7).empty());
     }
@@ -305,7 +304,7 @@ TEST(Layout, PicturesHangAtEyeHeight) {
         const LaidOut f = laid_out("a modern living room with three pictures", seed);
         int pictures = 0;
         for (const Placed& p : f.placed) {
-            if (p.piece.klass != "picture" || p.on >= 0) continue;
+            if (p.piece.kind != "picture" || p.on >= 0) continue;
             ++pictures;
             const float middle = p.position.y + p.piece.size_m.y / 2;
             EXPECT_GT(middle, 1.1f);
@@ -322,15 +321,15 @@ TEST(Layout, NothingTallStandsBeforeAPicture) {
         for (const std::uint64_t seed : {1u, 2u}) {
             const LaidOut f = laid_out("a cluttered " + style + " living room with three pictures", seed);
             for (const Placed& p : f.placed) {
-                if (p.piece.klass != "picture" || p.on >= 0) continue;
+                if (p.piece.kind != "picture" || p.on >= 0) continue;
                 Footprint before = footprint_of(p);
                 before.half.y += kBefore / 2;
                 before.center = before.center + flat(front_of(p.yaw)) * (kBefore / 2);
                 for (const Placed& q : f.placed) {
                     const bool tall = q.piece.mount == Mount::floor && !q.flat && q.on < 0 &&
-                                      q.piece.klass != "curtain" && footprint_of(q).y1 > before.y0 + 0.3f;
+                                      q.piece.kind != "curtain" && footprint_of(q).y1 > before.y0 + 0.3f;
                     EXPECT_FALSE(tall && overlap(before, footprint_of(q)))
-                        << style << ", seed " << seed << ": " << q.piece.klass;
+                        << style << ", seed " << seed << ": " << q.piece.kind;
                 }
             }
         }
@@ -340,7 +339,7 @@ TEST(Layout, NothingTallStandsBeforeAPicture) {
 TEST(Layout, OnlyTheHeadOfABedIsHigh) {
     const LaidOut f = laid_out("a rustic bedroom with a single bed", 1);
     const auto bed = std::find_if(f.placed.begin(), f.placed.end(),
-                                  [](const Placed& p) { return p.piece.klass == "bed_single"; });
+                                  [](const Placed& p) { return p.piece.kind == "bed_single"; });
     ASSERT_TRUE(bed != f.placed.end());
     const auto head = part_above(*bed, 0.8f);
     ASSERT_TRUE(head);
@@ -351,7 +350,7 @@ TEST(Layout, OnlyTheHeadOfABedIsHigh) {
 // Beds and seats that were asked for by their form stand there, are seen, and have the air above them that their use
 // wants.
 TEST(Layout, BedsAndSeatsAskedForByNameStandAndAreSeen) {
-    for (const auto& [text, klass, count] :
+    for (const auto& [text, kind, count] :
          {std::tuple{"a kids room with a bunk bed and a colorful rug", "bunk_bed", 1},
           {"an industrial kids room with two bunk beds", "bunk_bed", 2},
           {"a teenager's room with a loft bed with a desk underneath", "loft_bed", 1},
@@ -376,10 +375,10 @@ TEST(Layout, BedsAndSeatsAskedForByNameStandAndAreSeen) {
                 ADD_FAILURE() << fault.kind << ": " << fault.text;
             int there = 0;
             for (const Placed& p : f.placed) {
-                if (p.piece.klass != klass) continue;
+                if (p.piece.kind != kind) continue;
                 ++there;
                 EXPECT_GT(distance_to(footprint_of(p), flat(f.camera)), 0.05f);
-                if (!has_role(klass, Role::along_wall)) continue;
+                if (!has_role(kind, Role::along_wall)) continue;
                 // Its back is at a wall, and one can sit up in it.
                 const Vec3f back = p.position - front_of(p.yaw) * (p.piece.size_m.z / 2 + 0.2f);
                 EXPECT_LE(f.plan.wall_distance(flat(back)), 0.f);
@@ -399,9 +398,9 @@ TEST(Layout, ADeskStandsBelowALoftBed) {
             SCOPED_TRACE(std::string(text) + ", seed " + std::to_string(seed));
             int desks = 0, below = 0;
             for (const Placed& p : f.placed) {
-                if (p.piece.klass != "desk") continue;
+                if (p.piece.kind != "desk") continue;
                 ++desks;
-                below += p.below >= 0 && f.placed[static_cast<std::size_t>(p.below)].piece.klass == "loft_bed";
+                below += p.below >= 0 && f.placed[static_cast<std::size_t>(p.below)].piece.kind == "loft_bed";
             }
             EXPECT_EQ(desks, 1);
             EXPECT_EQ(below, 1);
@@ -415,13 +414,13 @@ TEST(Layout, AKidsRoomIsFilledForChildren) {
             const LaidOut f = laid_out("a cluttered " + style + " kids room", seed);
             int toys = 0;
             for (const Placed& p : f.placed) {
-                const std::string& klass = p.piece.klass;
+                const std::string& kind = p.piece.kind;
                 for (const char* grown : {"vase", "vase_small", "candle", "sculpture", "bottles", "magazines", "tray",
                                           "coffee_table", "bowl"})
-                    EXPECT_NE(klass, grown) << style << ", seed " << seed;
+                    EXPECT_NE(kind, grown) << style << ", seed " << seed;
                 for (const char* toy :
                      {"teddy_bear", "toy_blocks", "toy_box", "play_table", "rocking_horse", "bean_bag"})
-                    toys += klass == toy;
+                    toys += kind == toy;
             }
             EXPECT_GE(toys, 3) << style << ", seed " << seed;
         }
@@ -432,7 +431,7 @@ TEST(Layout, NothingHangsBeforeAWindow) {
         for (const std::uint64_t seed : {1u, 2u, 3u}) {
             const LaidOut f = laid_out("a " + room_title(room) + " with a mirror and two pictures", seed);
             for (const Placed& p : f.placed) {
-                if (p.piece.klass != "mirror" && p.piece.klass != "picture") continue;
+                if (p.piece.kind != "mirror" && p.piece.kind != "picture") continue;
                 const Footprint box = footprint_of(p);
                 for (const Opening& o : f.plan.openings) {
                     const WallFace face = f.plan.wall(o.wall);
@@ -440,7 +439,7 @@ TEST(Layout, NothingHangsBeforeAWindow) {
                     const float u = dot(at, face.along);
                     if (std::abs(dot(at, face.inward)) > 0.1f || p.on >= 0) continue;
                     EXPECT_FALSE(u + box.half.x > o.u0 && u - box.half.x < o.u1 && box.y0 < o.y1 && box.y1 > o.y0)
-                        << room << ", seed " << seed << ": " << p.piece.klass;
+                        << room << ", seed " << seed << ": " << p.piece.kind;
                 }
             }
         }
@@ -451,7 +450,7 @@ TEST(Layout, CurtainsHangBeforeTheirWindow) {
         const LaidOut f = laid_out("a bedroom with red curtains", seed);
         int curtains = 0;
         for (const Placed& p : f.placed) {
-            if (p.piece.klass != "curtain") continue;
+            if (p.piece.kind != "curtain") continue;
             ++curtains;
             bool before = false;
             for (const Opening& o : f.plan.openings) {
@@ -471,25 +470,25 @@ TEST(Layout, NothingIsPutOnSeats) {
     for (const std::uint64_t seed : {1u, 2u, 3u, 4u}) {
         const LaidOut f = laid_out("a cluttered living room with an armchair and a sofa", seed);
         for (const Placed& p : f.placed) {
-            if (p.on < 0 || p.piece.klass == "cushion" || p.piece.klass == "cat") continue;
-            const std::string& below = f.placed[static_cast<std::size_t>(p.on)].piece.klass;
-            EXPECT_TRUE(below != "armchair" && below != "sofa" && below != "chair") << p.piece.klass << " on " << below;
+            if (p.on < 0 || p.piece.kind == "cushion" || p.piece.kind == "cat") continue;
+            const std::string& below = f.placed[static_cast<std::size_t>(p.on)].piece.kind;
+            EXPECT_TRUE(below != "armchair" && below != "sofa" && below != "chair") << p.piece.kind << " on " << below;
         }
     }
 }
 
 // Every class asked for, or reported, once for each time it was asked for.
-void expect_there_or_reported(const LaidOut& f, const std::string& klass) {
+void expect_there_or_reported(const LaidOut& f, const std::string& kind) {
     for (const PromptObject& wish : f.spec.objects) {
-        if (wish.klass != klass) continue;
+        if (wish.kind != kind) continue;
         const auto there = std::count_if(f.placed.begin(), f.placed.end(),
-                                         [&](const Placed& p) { return p.wish.klass == klass; }) +
+                                         [&](const Placed& p) { return p.wish.kind == kind; }) +
                            std::count_if(f.plan.openings.begin(), f.plan.openings.end(), [&](const Opening& o) {
-                               return o.requested && (o.kind == Opening::Kind::door ? "door" : "window") == klass;
+                               return o.requested && (o.kind == Opening::Kind::door ? "door" : "window") == kind;
                            });
         const auto reported = std::count_if(f.spec.not_placed.begin(), f.spec.not_placed.end(),
                                             [&](const std::string& s) { return s.starts_with(wish.words); });
-        EXPECT_EQ(there + reported, wish.count) << f.spec.text << ": " << klass;
+        EXPECT_EQ(there + reported, wish.count) << f.spec.text << ": " << kind;
     }
 }
 
@@ -529,7 +528,7 @@ TEST(Ways, AWallOfPiecesClosesThem) {
     EXPECT_TRUE(ways.open());
     EXPECT_TRUE(ways.reaches({0, 2}));
     Placed block;
-    block.piece.klass = "bookshelf";
+    block.piece.kind = "bookshelf";
     block.piece.size_m = {4, 2, 0.4f};
     block.position = {0, 0, -1.5f};
     EXPECT_FALSE(ways.open_with(block)) << "right before the door, from wall to wall";
@@ -568,14 +567,14 @@ TEST(Layout, OpeningsAreCountedAndKeepApart) {
 }
 
 TEST(Layout, NothingIsAddedToWhatIsCounted) {
-    for (const auto& [text, klass] : {std::pair{"a modern living room with a sofa and two plants", "plant"},
-                                      std::pair{"a boho bedroom with two plants and a rug", "plant"},
-                                      std::pair{"a classic study with two bookshelves", "bookshelf"},
-                                      std::pair{"a rustic kitchen with two baskets", "basket"}})
+    for (const auto& [text, kind] : {std::pair{"a modern living room with a sofa and two plants", "plant"},
+                                     std::pair{"a boho bedroom with two plants and a rug", "plant"},
+                                     std::pair{"a classic study with two bookshelves", "bookshelf"},
+                                     std::pair{"a rustic kitchen with two baskets", "basket"}})
         for (const std::uint64_t seed : {1u, 2u, 3u}) {
             const LaidOut f = laid_out(text, seed);
             const auto stand = std::count_if(f.placed.begin(), f.placed.end(),
-                                             [k = klass](const Placed& p) { return p.piece.klass.starts_with(k); });
+                                             [k = kind](const Placed& p) { return p.piece.kind.starts_with(k); });
             EXPECT_LE(stand, 2) << text << ", seed " << seed;
             EXPECT_GE(stand, 1) << text << ", seed " << seed;
         }

@@ -33,9 +33,9 @@ class Touches {
     }
 
   private:
-    bool is_settled(std::string_view klass) const { return furnishing::is_settled(l_.spec(), klass); }
-    bool wants(std::string_view klass, float probability) {
-        return l_.dice().chance(std::min(0.97f, probability * (0.35f + 1.3f * clutter_))) && !is_settled(klass);
+    bool is_settled(std::string_view kind) const { return furnishing::is_settled(l_.spec(), kind); }
+    bool wants(std::string_view kind, float probability) {
+        return l_.rng().chance(std::min(0.97f, probability * (0.35f + 1.3f * clutter_))) && !is_settled(kind);
     }
     bool is_sparse() const { return is_one_of(l_.spec().clutter, {"bare", "minimal"}); }
 
@@ -43,7 +43,7 @@ class Touches {
     void radiators() {
         if (is_settled("radiator") || !l_.plan().style.radiators) return;
         for (const Opening& o : l_.plan().openings) {
-            if (o.kind != Opening::Kind::window || o.y0 < 0.75f || !l_.dice().chance(0.6f)) continue;
+            if (o.kind != Opening::Kind::window || o.y0 < 0.75f || !l_.rng().chance(0.6f)) continue;
             PieceRequest r = l_.request("radiator");
             const WallFace face = l_.plan().wall(o.wall);
             const Vec3f middle = face.point((o.u0 + o.u1) / 2, 0);
@@ -57,15 +57,14 @@ class Touches {
         const float area = l_.plan().width * l_.plan().depth;
         const float usual = type_.pieces_per_m2;
         const int wanted = static_cast<int>(area * (is_sparse() ? 0.5f * usual : usual + 0.24f * clutter_));
-        for (const std::string& klass : type_.pieces) {
+        for (const std::string& kind : type_.pieces) {
             const auto standing = std::count_if(l_.placed().begin(), l_.placed().end(), [](const Placed& p) {
-                return p.on < 0 && !p.flat && !p.overhead && p.piece.mount == Mount::floor &&
-                       p.piece.klass != "curtain";
+                return p.on < 0 && !p.flat && !p.overhead && p.piece.mount == Mount::floor && p.piece.kind != "curtain";
             });
             if (standing >= wanted) return;
-            if (is_settled(klass)) continue;
-            const bool tall = has_role(klass, Role::shades_windows);
-            l_.against_wall(l_.request(klass),
+            if (is_settled(kind)) continue;
+            const bool tall = has_role(kind, Role::shades_windows);
+            l_.against_wall(l_.request(kind),
                             {.center_pull = 0.2f, .window_pull = tall ? -1.f : 0.2f, .apart_pull = 0.6f});
         }
     }
@@ -84,8 +83,8 @@ class Touches {
         for (int i = l_.count("picture") + l_.count("mirror") + l_.count("shelf") + l_.count("picture_ledge");
              i < wanted && !is_settled("picture"); ++i) {
             PieceRequest r = l_.request("picture");
-            const float w = l_.dice().uniform(0.35f, 0.95f);
-            r.size_m = {w, w * l_.dice().uniform(0.65f, w < 0.6f ? 1.4f : 0.95f), 0};
+            const float w = l_.rng().uniform(0.35f, 0.95f);
+            r.size_m = {w, w * l_.rng().uniform(0.65f, w < 0.6f ? 1.4f : 0.95f), 0};
             if (type_.for_children) r.pattern = furnishing::picture_for_a_child(l_);
             if (!l_.on_wall(r, {})) return;
         }
@@ -100,7 +99,7 @@ class Touches {
         const std::size_t count = l_.placed().size();
         for (std::size_t i = 0; i < count; ++i) {
             const Placed chair = l_.placed()[i];
-            if (chair.piece.klass != "chair") continue;
+            if (chair.piece.kind != "chair") continue;
             const Footprint top = footprint_of(l_.placed()[static_cast<std::size_t>(*table)]);
             if (distance_to(top, flat(chair.position)) > 0.45f) continue;
             // From the chair towards the table, a hand inside its edge.
@@ -113,18 +112,18 @@ class Touches {
         const std::size_t count = l_.placed().size();
         for (std::size_t i = 0; i < count; ++i) {
             if (l_.placed()[i].on >= 0) continue;
-            const std::string klass = l_.placed()[i].piece.klass;
+            const std::string kind = l_.placed()[i].piece.kind;
             int put = 0;
             // One bowl, one vase, one lamp on a top; frames and candles come in groups.
             const auto there = [&](std::string_view thing) {
                 return !has_role(thing, Role::in_groups) &&
                        std::any_of(l_.placed().begin(), l_.placed().end(), [&](const Placed& p) {
-                           return p.on == static_cast<int>(i) && p.piece.klass == thing;
+                           return p.on == static_cast<int>(i) && p.piece.kind == thing;
                        });
             };
             const bool damp = type_.wet;
-            const bool washes = klass == "kitchen_counter" && damp;
-            const Thing* top = find_thing(klass);
+            const bool washes = kind == "kitchen_counter" && damp;
+            const Thing* top = find_thing(kind);
             if (!top) continue;
             for (const TopHabit& h : washes ? at_washing() : top->on_top) {
                 const std::string_view thing = type_.for_children ? furnishing::for_a_child(h.thing) : h.thing;
@@ -140,14 +139,13 @@ class Touches {
         const std::vector<std::string>& things = type_.sills;
         for (int window = 0; window < static_cast<int>(l_.plan().openings.size()); ++window) {
             const Opening& o = l_.plan().openings[static_cast<std::size_t>(window)];
-            if (o.kind != Opening::Kind::window || !l_.dice().chance(std::min(0.95f, 0.45f + 0.6f * clutter_)))
-                continue;
+            if (o.kind != Opening::Kind::window || !l_.rng().chance(std::min(0.95f, 0.45f + 0.6f * clutter_))) continue;
             // Things gather: one for every half metre or so, with some left out.
             const int most = std::clamp(static_cast<int>((o.u1 - o.u0) / 0.5f), 1, 4),
-                      first = l_.dice().index(static_cast<int>(things.size()));
+                      first = l_.rng().index(static_cast<int>(things.size()));
             for (int i = 0; i < most; ++i) {
-                const std::string& klass = things[static_cast<std::size_t>(first + i) % things.size()];
-                if (wants(klass, 0.75f)) l_.on_sill(l_.request(klass), window);
+                const std::string& kind = things[static_cast<std::size_t>(first + i) % things.size()];
+                if (wants(kind, 0.75f)) l_.on_sill(l_.request(kind), window);
             }
         }
     }
@@ -156,8 +154,8 @@ class Touches {
         if (!type_.for_children) return;
         const auto rug = l_.find("rug");
         const Vec2f at = rug ? flat(l_.placed()[static_cast<std::size_t>(*rug)].position) : Vec2f{0, 0};
-        for (const char* klass : {"toy_blocks", "teddy_bear", "toy_blocks", "book_stack"})
-            if (wants(klass, 0.8f)) l_.on_floor_near(at, l_.request(klass));
+        for (const char* kind : {"toy_blocks", "teddy_bear", "toy_blocks", "book_stack"})
+            if (wants(kind, 0.8f)) l_.on_floor_near(at, l_.request(kind));
     }
 
     Layout& l_;

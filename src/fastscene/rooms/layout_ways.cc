@@ -63,8 +63,7 @@ void Ways::narrow(std::vector<Clear>& cells, const Placed& placed) const {
     // One steps over a toy.
     constexpr float kToyHigh = 0.36f, kToyWide = 0.34f;
     const bool toy = box.y1 < kToyHigh && std::max(box.half.x, box.half.y) < kToyWide / 2;
-    const bool feet = !toy && placed.on < 0 && !placed.overhead && box.y0 < kStepOver &&
-                      placed.piece.klass != "curtain";
+    const bool feet = !toy && placed.on < 0 && !placed.overhead && box.y0 < kStepOver && placed.piece.kind != "curtain";
     const bool eyes = box.y1 > kEyeHeight - kEyeBand && box.y0 < kEyeHeight + kEyeBand;
     if (!feet && !eyes) return;
     for (int j = 0; j < rows_; ++j)

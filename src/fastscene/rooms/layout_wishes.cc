@@ -9,23 +9,23 @@
 namespace fastscene::furnishing {
 namespace {
 
-bool is_opening(std::string_view klass) { return has_role(klass, Role::opening); }
+bool is_opening(std::string_view kind) { return has_role(kind, Role::opening); }
 
 }  // namespace
 
-bool is_small(std::string_view klass) { return has_role(klass, Role::small); }
-bool is_seat(std::string_view klass) { return has_role(klass, Role::seat); }
+bool is_small(std::string_view kind) { return has_role(kind, Role::small); }
+bool is_seat(std::string_view kind) { return has_role(kind, Role::seat); }
 // Tables of the furniture pack have no row.
-bool hangs_over(std::string_view klass) { return has_role(klass, Role::lamp_above) || klass.ends_with("table"); }
+bool hangs_over(std::string_view kind) { return has_role(kind, Role::lamp_above) || kind.ends_with("table"); }
 
 bool is_hung_screen(const PromptObject& wish) {
-    return wish.klass == "tv" && wish.relation == "on" && wish.relation_to == "wall";
+    return wish.kind == "tv" && wish.relation == "on" && wish.relation_to == "wall";
 }
 
-bool is_blind(std::string_view klass) { return has_role(klass, Role::blind); }
-bool lights_from_above(std::string_view klass) { return has_role(klass, Role::ceiling_light); }
-bool lies_about(std::string_view klass) { return has_role(klass, Role::litter); }
-bool lies_on_seats(std::string_view klass) { return has_role(klass, Role::lies_on_seats); }
+bool is_blind(std::string_view kind) { return has_role(kind, Role::blind); }
+bool lights_from_above(std::string_view kind) { return has_role(kind, Role::ceiling_light); }
+bool lies_about(std::string_view kind) { return has_role(kind, Role::litter); }
+bool lies_on_seats(std::string_view kind) { return has_role(kind, Role::lies_on_seats); }
 
 bool Ask::at_shell() const {
     return is_one_of(relation, {"in the corner", "in the middle", "far wall", "against"}) || is_opening(at) ||
@@ -36,16 +36,16 @@ bool Ask::at_piece() const { return !relation.empty() && !at.empty() && !at_shel
 Wishes::Wishes(const PromptSpec& spec) : spec_(spec) {
     for (const PromptObject& o : spec.objects)
         asks_.push_back({&o, o.relation, o.relation_to, o.relation_and,
-                         o.forbidden || is_shell(o.klass) || o.relation == "in the next room" ? 0 : o.count});
-    const auto ask_for = [&](const std::string& klass) {
+                         o.forbidden || is_shell(o.kind) || o.relation == "in the next room" ? 0 : o.count});
+    const auto ask_for = [&](const std::string& kind) {
         const auto i = std::find_if(asks_.begin(), asks_.end(), [&](const Ask& a) {
-            return a.left > 0 && a.wish->klass == klass && a.relation.empty();
+            return a.left > 0 && a.wish->kind == kind && a.relation.empty();
         });
         return i == asks_.end() ? nullptr : &*i;
     };
     // A screen opposite the sofa is what every living room has: it gets its stand there.
     for (Ask& ask : asks_)
-        if (ask.wish->klass == "tv" &&
+        if (ask.wish->kind == "tv" &&
             ((ask.at == "sofa" &&
               (ask.relation == "opposite" || ask.relation == "in front of" || ask.relation == "facing")) ||
              is_hung_screen(*ask.wish)))
@@ -57,27 +57,27 @@ Wishes::Wishes(const PromptSpec& spec) : spec_(spec) {
         const bool on_rug = ask.relation == "on" && ask.at == "rug",
                    below_hung = ask.relation == "under" && has_role(ask.at, Role::hung);
         Ask* other = on_rug || below_hung ? ask_for(ask.at) : nullptr;
-        if (!other || other == &ask || (on_rug && is_small(ask.wish->klass))) continue;
+        if (!other || other == &ask || (on_rug && is_small(ask.wish->kind))) continue;
         other->relation = on_rug ? "under" : "above";
-        other->at = ask.wish->klass;
+        other->at = ask.wish->kind;
         ask.relation = ask.at = "";
     }
 }
 
-bool is_settled(const PromptSpec& spec, std::string_view klass) {
+bool is_settled(const PromptSpec& spec, std::string_view kind) {
     return std::any_of(spec.objects.begin(), spec.objects.end(), [&](const PromptObject& o) {
-        return (o.forbidden && o.klass == klass) || (o.counted && klass.starts_with(o.klass));
+        return (o.forbidden && o.kind == kind) || (o.counted && kind.starts_with(o.kind));
     });
 }
 
-bool Wishes::forbids(std::string_view klass) const {
+bool Wishes::forbids(std::string_view kind) const {
     return std::any_of(spec_.objects.begin(), spec_.objects.end(),
-                       [&](const PromptObject& o) { return o.forbidden && o.klass == klass; });
+                       [&](const PromptObject& o) { return o.forbidden && o.kind == kind; });
 }
 
-const PromptObject* Wishes::next(std::string_view klass) {
+const PromptObject* Wishes::next(std::string_view kind) {
     for (Ask& ask : asks_)
-        if (ask.left > 0 && ask.wish->klass == klass && !ask.at_piece()) return --ask.left, ask.wish;
+        if (ask.left > 0 && ask.wish->kind == kind && !ask.at_piece()) return --ask.left, ask.wish;
     return nullptr;
 }
 
@@ -86,16 +86,16 @@ void Wishes::give_back(const PromptObject* wish) {
         if (ask.wish == wish) ++ask.left;
 }
 
-int Wishes::count(std::string_view klass) const {
+int Wishes::count(std::string_view kind) const {
     int n = 0;
     for (const Ask& ask : asks_)
-        if (ask.wish->klass == klass) n += ask.left;
+        if (ask.wish->kind == kind) n += ask.left;
     return n;
 }
 
-bool Wishes::asked(std::string_view klass) const {
+bool Wishes::asked(std::string_view kind) const {
     return std::any_of(spec_.objects.begin(), spec_.objects.end(),
-                       [&](const PromptObject& o) { return !o.forbidden && o.klass == klass; });
+                       [&](const PromptObject& o) { return !o.forbidden && o.kind == kind; });
 }
 
 }  // namespace fastscene::furnishing

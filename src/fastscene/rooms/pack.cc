@@ -18,10 +18,10 @@ namespace fs = std::filesystem;
 namespace {
 
 std::string class_of(const std::string& name) {
-    std::string klass = folded(name);
-    for (char& c : klass)
+    std::string kind = folded(name);
+    for (char& c : kind)
         if (!std::isalnum(static_cast<unsigned char>(c))) c = '_';
-    return klass;
+    return kind;
 }
 
 using Properties = std::map<std::string, std::string>;
@@ -64,7 +64,7 @@ std::optional<PackModel> model_from(const Properties& p, const std::string& numb
                kMetresPerUnit;
     if (m.name.empty() || m.path.empty() || !(m.size_m.x > 0 && m.size_m.y > 0 && m.size_m.z > 0)) return {};
     if (m.path.front() == '/') m.path.erase(0, 1);
-    m.klass = class_of(m.name);
+    m.kind = class_of(m.name);
     m.category = text(p, key("category"));
     m.elevation_m = number(p, key("elevation"), 0) * kMetresPerUnit;
     if (const float top = number(p, key("dropOnTopElevation"), -1); top > 0) m.top_m = top * kMetresPerUnit;
@@ -99,12 +99,12 @@ void FurniturePack::read_archive(std::size_t archive, bool free_only) {
         auto model = model_from(english, key.substr(4), pack, license);
         if (!model) continue;
         if (free_only && !model->free) {
-            if (!model->opening) excluded_.emplace(model->klass, model->credit);
+            if (!model->opening) excluded_.emplace(model->kind, model->credit);
             continue;
         }
         model->archive = archive;
         model_at[key.substr(4)] = models_.size();
-        by_class_.emplace(model->klass, models_.size());
+        by_class_.emplace(model->kind, models_.size());
         by_name_.emplace(folded(model->name), models_.size());
         models_.push_back(std::move(*model));
     }
@@ -154,7 +154,7 @@ std::shared_ptr<const FurniturePack> FurniturePack::open(const fs::path& folder,
 std::optional<std::string> FurniturePack::class_named(const std::string& term) const {
     const auto find = [&](const std::string& name) -> std::optional<std::string> {
         const auto at = by_name_.find(name);
-        return at == by_name_.end() ? std::nullopt : std::optional(models_[at->second].klass);
+        return at == by_name_.end() ? std::nullopt : std::optional(models_[at->second].kind);
     };
     if (auto found = find(term)) return found;
     for (const Language language : {"", "de", "fr", "es", "it"})
@@ -163,9 +163,9 @@ std::optional<std::string> FurniturePack::class_named(const std::string& term) c
     return {};
 }
 
-const PackModel* FurniturePack::choose(const std::string& klass, std::uint64_t seed) const {
-    if (packs::keeps_builder(klass)) return nullptr;
-    for (const std::string& name : packs::catalogue_classes(klass)) {
+const PackModel* FurniturePack::choose(const std::string& kind, std::uint64_t seed) const {
+    if (packs::keeps_builder(kind)) return nullptr;
+    for (const std::string& name : packs::catalogue_classes(kind)) {
         std::vector<std::size_t> found;
         const auto [begin, end] = by_class_.equal_range(name);
         for (auto at = begin; at != end; ++at)
@@ -177,8 +177,8 @@ const PackModel* FurniturePack::choose(const std::string& klass, std::uint64_t s
     return nullptr;
 }
 
-bool FurniturePack::only_with_attribution(const std::string& klass) const {
-    const auto classes = packs::catalogue_classes(klass);
+bool FurniturePack::only_with_attribution(const std::string& kind) const {
+    const auto classes = packs::catalogue_classes(kind);
     return std::any_of(classes.begin(), classes.end(),
                        [&](const std::string& name) { return excluded_.contains(name); });
 }

@@ -21,7 +21,7 @@ Assets assets_named(const std::string& name);
 
 // An entry of a catalogue.
 struct PackModel {
-    std::string klass;              // "grand_piano"
+    std::string kind;               // "grand_piano"
     std::string name;               // "Grand piano"
     std::string category;           // "Living room"
     std::size_t archive = 0;        // index of its .sh3f
@@ -51,9 +51,9 @@ class FurniturePack {
 
     // The model to use for a class of the lexicon or the catalogue: the pack's if it has a good one, and a better one
     // than our own builder of that class, if there is one. `seed` chooses among several. Null: none.
-    const PackModel* choose(const std::string& klass, std::uint64_t seed) const;
+    const PackModel* choose(const std::string& kind, std::uint64_t seed) const;
     // Whether a model exists that `assets` of this pack excluded: "… needs --assets all".
-    bool only_with_attribution(const std::string& klass) const;
+    bool only_with_attribution(const std::string& kind) const;
 
     // The model as a piece, in its catalogue size, colored as the request wishes. Throws Error for a damaged model.
     Piece piece(const PackModel& model, const PieceRequest& request) const;
@@ -83,6 +83,6 @@ class FurniturePack {
 };
 
 // The builder that stands in for a class nobody has a model of ("grand_piano" -> "piano"), if any.
-std::optional<std::string> stand_in(const std::string& klass);
+std::optional<std::string> stand_in(const std::string& kind);
 
 }  // namespace fastscene

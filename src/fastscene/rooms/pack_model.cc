@@ -93,9 +93,9 @@ float area_of(const Mesh& m) {
 bool is_table_like(const PackModel& model) {
     for (const char* word : {"table", "desk", "cabinet", "shelves", "bookcase", "cupboard", "chest", "crate", "barrel",
                              "oven", "drawers", "dresser", "workbench", "trunck", "trunk", "fridge", "box"})
-        if (model.klass.find(word) != std::string::npos && model.klass.find("lamp") == std::string::npos &&
-            model.klass.find("pool") == std::string::npos && model.klass.find("football") == std::string::npos &&
-            model.klass.find("tennis") == std::string::npos)
+        if (model.kind.find(word) != std::string::npos && model.kind.find("lamp") == std::string::npos &&
+            model.kind.find("pool") == std::string::npos && model.kind.find("football") == std::string::npos &&
+            model.kind.find("tennis") == std::string::npos)
             return true;
     return false;
 }
@@ -122,7 +122,7 @@ Piece load_model(const ZipFile& zip, const PackModel& model) {
     for (std::size_t k = 0; k < 3; ++k) scale[k] = model.size_m[k] / std::max(high[k] - low[k], 1e-6f);
 
     Piece piece;
-    piece.klass = model.klass;
+    piece.kind = model.kind;
     piece.source = model.credit;
     piece.size_m = model.size_m;
     piece.mount = mount_of(model);
@@ -194,7 +194,7 @@ std::vector<std::string> FurniturePack::damage() const {
 
 Piece FurniturePack::piece(const PackModel& model, const PieceRequest& request) const {
     Piece piece = *loaded(model);
-    piece.klass = request.klass;
+    piece.kind = request.kind;
     Material& main = piece.materials[static_cast<std::size_t>(piece.main_material)];
     if (request.color) {
         if (main.image) {

@@ -13,9 +13,9 @@ namespace fastscene::packs {
 std::map<std::string, std::string> read_properties(const std::string& text);
 
 // A class of ours that is never taken from the pack: the builder is better.
-bool keeps_builder(const std::string& klass);
+bool keeps_builder(const std::string& kind);
 // The classes of the catalogue that serve for a class, best first; at least the class itself.
-std::vector<std::string> catalogue_classes(const std::string& klass);
+std::vector<std::string> catalogue_classes(const std::string& kind);
 // Neither a door nor larger than a room.
 bool fits_a_room(const PackModel& model);
 

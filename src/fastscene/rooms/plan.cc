@@ -47,26 +47,26 @@ struct AtWindows {
     bool below = false, above = false, between = false;
     float beside = 0;  // metres of wall that what stands on both sides of one takes at each
 };
-bool is_small_or_hung(std::string_view klass) {
-    return furnishing::is_small(klass) || has_role(klass, Role::beside_window);
+bool is_small_or_hung(std::string_view kind) {
+    return furnishing::is_small(kind) || has_role(kind, Role::beside_window);
 }
 AtWindows at_windows(const PromptSpec& spec) {
     AtWindows at;
     for (const PromptObject& o : spec.objects) {
-        if (o.forbidden || o.relation_to != "window" || o.klass == "curtain" || o.klass == "rug") continue;
+        if (o.forbidden || o.relation_to != "window" || o.kind == "curtain" || o.kind == "rug") continue;
         at.below = at.below || o.relation == "under" || o.relation == "in front of" || o.relation == "next to";
         at.above = at.above || o.relation == "above";
-        if (o.relation == "on both sides of" && !is_small_or_hung(o.klass))
-            at.beside = std::max(at.beside, o.klass == "bed" ? 1.95f : has_role(o.klass, Role::bed) ? 1.25f : 1.f);
+        if (o.relation == "on both sides of" && !is_small_or_hung(o.kind))
+            at.beside = std::max(at.beside, o.kind == "bed" ? 1.95f : has_role(o.kind, Role::bed) ? 1.25f : 1.f);
         at.between = at.between || (o.relation == "between" && o.relation_and == "window");
     }
     return at;
 }
 
 // Two windows in one wall with a piece of wall between them.
-bool add_window_pair(const PromptSpec& spec, Plan& plan, const PromptObject* wish, Random& dice) {
+bool add_window_pair(const PromptSpec& spec, Plan& plan, const PromptObject* wish, Random& rng) {
     constexpr float kBetween = 1.35f, kBeside = 0.35f;
-    const int first = dice.chance(0.5f) ? 1 : 3;
+    const int first = rng.chance(0.5f) ? 1 : 3;
     for (const int w : {first, 4 - first, 0}) {
         const auto [low, high] = plan.free_span(w, 2.1f);
         const float wide = std::min(1.3f, (high - low - kBetween) / 2 - kBeside);
@@ -85,12 +85,12 @@ bool add_window_pair(const PromptSpec& spec, Plan& plan, const PromptObject* wis
     return false;
 }
 
-void add_windows(PromptSpec& spec, Plan& plan, Random& dice) {
+void add_windows(PromptSpec& spec, Plan& plan, Random& rng) {
     const PromptObject* wish = wish_for(spec, "window");
     if (wish_for(spec, "window", true)) return;
     const AtWindows asked = at_windows(spec);
     const bool paired = asked.between && (!wish || wish->count <= 2) && !(plan.knee > 0);
-    if (paired && add_window_pair(spec, plan, wish, dice)) {
+    if (paired && add_window_pair(spec, plan, wish, rng)) {
         plan.bay = false;  // its recess is an alcove then
         return;
     }
@@ -99,21 +99,20 @@ void add_windows(PromptSpec& spec, Plan& plan, Random& dice) {
                        spec.mood == "airy" || spec.light == "bright";
     const bool small = (wish && wish->size == "small") || usually.size == WindowSize::small;
     constexpr int kOfHalls = 3;
-    int count = wish                                      ? std::clamp(wish->count, 1, 4)
-                : usually.count > 0                       ? usually.count
-                : is_hall(spec)                           ? kOfHalls
-                : dice.chance(usually.second_probability) ? 2
-                                                          : 1;
+    int count = wish                                     ? std::clamp(wish->count, 1, 4)
+                : usually.count > 0                      ? usually.count
+                : is_hall(spec)                          ? kOfHalls
+                : rng.chance(usually.second_probability) ? 2
+                                                         : 1;
     const bool opens = !spec.next_room.empty() || wish_for(spec, "doorway");
     if (opens && (!wish || !wish->counted)) count = std::min(count, 2);  // a wall is left for the doorway
     // Blinds and shutters are square, and so are their windows.
-    const bool blinds = std::any_of(spec.objects.begin(), spec.objects.end(), [](const PromptObject& o) {
-        return !o.forbidden && furnishing::is_blind(o.klass);
-    });
+    const bool blinds = std::any_of(spec.objects.begin(), spec.objects.end(),
+                                    [](const PromptObject& o) { return !o.forbidden && furnishing::is_blind(o.kind); });
     if (blinds && shape_of(wish) != Opening::Shape::square)
         spec.assumed.push_back("shape of the " + wish->words + ": square, as its blinds are");
     // The first window faces the visitor or stands to his right: there it lights what he looks at.
-    const bool right = dice.chance(0.5f);
+    const bool right = rng.chance(0.5f);
     const int first = usually.first_on_far_wall || plan.bay || plan.knee > 0 ? 0
                       : right                                                ? 1
                                                                              : 3,
@@ -134,9 +133,9 @@ void add_windows(PromptSpec& spec, Plan& plan, Random& dice) {
         const bool bay = plan.bay && window.wall == 0;
         const float margin = wants_corners(spec) ? 2 * kCornerMargin : 0.6f;
         const float usual = bay ? length - 0.3f
-                                : std::min(std::max(0.6f, length - margin), large   ? dice.uniform(2.2f, 3.0f)
-                                                                            : small ? dice.uniform(0.7f, 0.9f)
-                                                                                    : dice.uniform(1.3f, 1.8f));
+                                : std::min(std::max(0.6f, length - margin), large   ? rng.uniform(2.2f, 3.0f)
+                                                                            : small ? rng.uniform(0.7f, 0.9f)
+                                                                                    : rng.uniform(1.3f, 1.8f));
         window.y0 = std::max(bay ? 0.5f : large ? 0.4f : small ? kSmallSill : 0.85f, usually.least_sill_m);
         if (asked.below) window.y0 = std::max(window.y0, 0.9f);
         window.y1 = std::min(plan.height - (asked.above ? 0.7f : 0.25f), large ? 2.45f : 2.2f);
@@ -158,7 +157,7 @@ void add_windows(PromptSpec& spec, Plan& plan, Random& dice) {
             window.y1 = window.y0 + width;
         }
         const float slack = wants_corners(spec) || asked.beside > 0 ? 0.f : free_margin(length, width) - 0.25f;
-        window.u0 = low + (bay ? 0.15f : free_margin(length, width) + slack * dice.uniform(-0.5f, 0.5f));
+        window.u0 = low + (bay ? 0.15f : free_margin(length, width) + slack * rng.uniform(-0.5f, 0.5f));
         window.u1 = window.u0 + width;
         if (window.wall == 2) {  // beside the door
             window.u1 = high - 0.3f;
@@ -174,7 +173,7 @@ void add_windows(PromptSpec& spec, Plan& plan, Random& dice) {
     }
 }
 
-void add_door(PromptSpec& spec, Plan& plan, Random& dice) {
+void add_door(PromptSpec& spec, Plan& plan, Random& rng) {
     if (wish_for(spec, "door", true)) return;
     Opening door;
     door.kind = Opening::Kind::door;
@@ -188,7 +187,7 @@ void add_door(PromptSpec& spec, Plan& plan, Random& dice) {
     const float margin = wants_corners(spec) && !shared
                              ? std::clamp((high - low - kDoorWidth) / 2, kDoorMargin, kCornerMargin)
                              : kDoorMargin;
-    door.u0 = dice.chance(0.5f) || shared ? low + margin : high - margin - kDoorWidth;
+    door.u0 = rng.chance(0.5f) || shared ? low + margin : high - margin - kDoorWidth;
     door.u1 = door.u0 + kDoorWidth;
     door.y1 = 2.06f;
     if (shape_of(wish) != Opening::Shape::square)
@@ -202,7 +201,7 @@ float room_for_wishes(const PromptSpec& spec) {
     for (const PromptObject& o : spec.objects)
         if (!o.forbidden) wanted += 1.2f * o.size_m.x * static_cast<float>(o.count);
     for (const PromptObject& o : spec.objects)
-        if (const Thing* thing = find_thing(o.klass); thing && !o.forbidden)
+        if (const Thing* thing = find_thing(o.kind); thing && !o.forbidden)
             wanted += thing->floor_m2 * static_cast<float>(std::min(o.count, 12));
     constexpr float kUsual = 9.f, kGain = 0.022f, kMost = 1.28f;
     return std::clamp(1.f + kGain * (wanted - kUsual), 1.f, kMost);
@@ -210,14 +209,14 @@ float room_for_wishes(const PromptSpec& spec) {
 
 }  // namespace
 
-bool is_shell(std::string_view klass) { return has_role(klass, Role::shell); }
+bool is_shell(std::string_view kind) { return has_role(kind, Role::shell); }
 
 namespace {
 
 // What no room of ours has yet is said so.
 void report_unbuilt(PromptSpec& spec) {
     for (const PromptObject& wish : spec.objects)
-        if (!wish.forbidden && has_role(wish.klass, Role::unbuilt))
+        if (!wish.forbidden && has_role(wish.kind, Role::unbuilt))
             for (int i = 0; i < wish.count; ++i)
                 spec.not_placed.push_back(wish.words + ": rooms are not built with one yet");
 }
@@ -280,9 +279,9 @@ void apply_accents(const std::vector<std::string>& accents, Style& style) {
 // Some pieces are at home in one style: who names none, but a rocking chair, means no glass and chrome.
 void suggest_style(PromptSpec& spec) {
     for (const PromptObject& o : spec.objects)
-        if (const Thing* thing = find_thing(o.klass); thing && !thing->style.empty() && spec.style.empty() &&
-                                                      !o.forbidden &&
-                                                      !(o.klass == "cobweb" && spec.clutter == "abandoned")) {
+        if (const Thing* thing = find_thing(o.kind); thing && !thing->style.empty() && spec.style.empty() &&
+                                                     !o.forbidden &&
+                                                     !(o.kind == "cobweb" && spec.clutter == "abandoned")) {
             spec.style = thing->style;
             spec.assumed.push_back("style: " + spec.style + ", as the " + o.words);
         }
@@ -307,13 +306,13 @@ void paint_in(const std::string& name, bool wet, Plan& plan) {
 
 }  // namespace
 
-Plan make_plan(PromptSpec& spec, Random& dice) {
+Plan make_plan(PromptSpec& spec, Random& rng) {
     if (spec.room.empty()) {
         // What the furniture asks for says what room it is.
         // Where several rooms are meant, the first in the order of guesses.
         const RoomType* guess = nullptr;
         for (const PromptObject& o : spec.objects) {
-            const Thing* thing = find_thing(o.klass);
+            const Thing* thing = find_thing(o.kind);
             const RoomType* type = thing && !o.forbidden ? find_room_type(thing->room) : nullptr;
             if (type && type->guess_rank > 0 && (!guess || type->guess_rank < guess->guess_rank)) guess = type;
         }
@@ -330,7 +329,7 @@ Plan make_plan(PromptSpec& spec, Random& dice) {
             : !spec.colors.empty()                                         ? StyleMood::colored
             : bright                                                       ? StyleMood::bright
                                                                            : StyleMood::usual);
-        spec.style = choice[static_cast<std::size_t>(dice.index(static_cast<int>(choice.size())))];
+        spec.style = choice[static_cast<std::size_t>(rng.index(static_cast<int>(choice.size())))];
         spec.assumed.push_back("style: " + spec.style);
     }
     Plan plan;
@@ -339,8 +338,8 @@ Plan make_plan(PromptSpec& spec, Random& dice) {
     const float factor = spec.size == "large"   ? std::max(1.18f, room_for_wishes(spec))
                          : spec.size == "small" ? 0.88f
                                                 : room_for_wishes(spec);
-    plan.width = dice.uniform(type.width_low_m, type.width_high_m) * factor;
-    plan.depth = dice.uniform(type.depth_low_m, type.depth_high_m) * factor;
+    plan.width = rng.uniform(type.width_low_m, type.width_high_m) * factor;
+    plan.depth = rng.uniform(type.depth_low_m, type.depth_high_m) * factor;
     if (spec.size == "narrow") plan.width = std::max(kNarrowest, std::min(0.72f * plan.width, 0.7f * plan.depth));
     plan.height = is_hall(spec) ? std::max(3.2f, plan.style.ceiling_m) : plan.style.ceiling_m;
     if (const PromptObject* ceiling = wish_for(spec, "ceiling"); ceiling && !ceiling->size.empty())
@@ -351,35 +350,35 @@ Plan make_plan(PromptSpec& spec, Random& dice) {
         if (!o.forbidden && o.relation == "above" && (o.relation_to == "door" || o.relation_to == "doorway"))
             plan.height = std::max(plan.height, 2.75f);
     plan.beams = plan.style.beams || wish_for(spec, "beams");
-    plan.accent = type.accent_wall && dice.chance(0.6f);
+    plan.accent = type.accent_wall && rng.chance(0.6f);
 
     // Children and cheerful people paint a wall in a color they love.
     if (type.for_children || spec.mood == "colorful") {
         plan.accent = true;
         plan.style.accent_wall = plan.style.wall;
         plan.style.accent_wall.color_a = plan.style.accent_wall.color_b = plan.style.accent_wall.color_c = lerp(
-            plan.style.palette[static_cast<std::size_t>(dice.index(3))], {0.8f, 0.8f, 0.78f}, 0.3f);
+            plan.style.palette[static_cast<std::size_t>(rng.index(3))], {0.8f, 0.8f, 0.78f}, 0.3f);
     }
 
     const bool wet = type.wet;
-    choose_paint(spec, plan, dice);
+    choose_paint(spec, plan, rng);
     deepen_paint(spec, plan);
-    if (wet) tile_wet_room(plan, dice);
+    if (wet) tile_wet_room(plan, rng);
     apply_accents(spec.accents, plan.style);
     cover_everything(spec.everything, plan);
     avoid_colors(spec);
     const auto stands_before = [](const PromptObject& wish) {
-        return wish.klass == "wall" && !wish.forbidden && wish.relation == "behind" && !wish.relation_to.empty();
+        return wish.kind == "wall" && !wish.forbidden && wish.relation == "behind" && !wish.relation_to.empty();
     };
     for (PromptObject& wish : spec.objects) {
         if (wish.forbidden) continue;
-        if (wish.klass == "wall" && wish.words.starts_with("wallpaper") && wish.pattern.empty() &&
+        if (wish.kind == "wall" && wish.words.starts_with("wallpaper") && wish.pattern.empty() &&
             wish.material.empty()) {
             wish.pattern = plan.style.wallpaper;
             spec.assumed.push_back("pattern of the " + wish.words + ": " + wish.pattern);
         }
         if (stands_before(wish)) continue;
-        if (wish.klass == "wall") {
+        if (wish.kind == "wall") {
             // "a brick wall" is one wall; "white walls" are all.
             const bool one = wish.words == "wall" || wish.words == "accent wall";
             const bool accent = one && (wish.material == "brick" || wish.material == "wood" ||
@@ -389,10 +388,10 @@ Plan make_plan(PromptSpec& spec, Random& dice) {
             if (accent || wish.material == "brick") plan.accent = true;
             if (!accent && !wish.material.empty()) plan.style.accent_wall = plan.style.wall;
         }
-        if (wish.klass == "floor") apply_floor_wish(plan.style.floor, wish, plan.style.palette);
-        if (wish.klass == "fittings") apply_fittings(plan.style, wish);
-        if (wish.klass == "ceiling") apply_wish(plan.style.ceiling, wish, true);
-        if (wish.klass == "curtain" && !wish.color.empty()) apply_wish(plan.style.curtain, wish);
+        if (wish.kind == "floor") apply_floor_wish(plan.style.floor, wish, plan.style.palette);
+        if (wish.kind == "fittings") apply_fittings(plan.style, wish);
+        if (wish.kind == "ceiling") apply_wish(plan.style.ceiling, wish, true);
+        if (wish.kind == "curtain" && !wish.color.empty()) apply_wish(plan.style.curtain, wish);
         // Tiles that belong to no noun are the bathroom's walls ("a bathroom with blue tiles").
     }
     // "Wallpaper behind the bed" is on that wall alone: which one it is, the layout decides.
@@ -414,14 +413,14 @@ Plan make_plan(PromptSpec& spec, Random& dice) {
     }
     plan.style.shelves = type.shelves;
     report_unbuilt(spec);
-    shape_plan(spec, plan, dice);
+    shape_plan(spec, plan, rng);
     tell_measures(spec, plan);
-    add_windows(spec, plan, dice);
-    add_door(spec, plan, dice);
+    add_windows(spec, plan, rng);
+    add_door(spec, plan, rng);
     choose_ceiling(spec, plan);
     plan.neon = spec.light == "neon";
     if (!spec.light_color.empty()) plan.neon_color = color_named(spec.light_color);
-    open_plan(spec, plan, dice);
+    open_plan(spec, plan, rng);
     return plan;
 }
 

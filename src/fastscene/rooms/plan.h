@@ -56,7 +56,7 @@ struct WallFace {
 };
 
 // Whether wishes of this class are for the shell: make_plan heeds them, or says in spec.not_placed why it cannot.
-bool is_shell(std::string_view klass);
+bool is_shell(std::string_view kind);
 
 // A part of the plan's box that is not room, from floor to ceiling: the corner that an L leaves out, a chimney breast,
 // a column.
@@ -99,7 +99,7 @@ struct Plan {
 
     WallFace wall(int i) const;
     // What the prompt says of a part of the shell, or nothing.
-    const PromptObject* asked(std::string_view klass) const;
+    const PromptObject* asked(std::string_view kind) const;
     // All pieces of wall where things may stand or hang, sides of blocks too.
     std::vector<WallFace> faces() const;
     float ceiling_at(Vec2f point) const;
@@ -122,9 +122,9 @@ struct NextRoom {
 
 // The shape of the room beyond a box, by room type, style and wishes: blocks, slopes, coffers, panelling. Before the
 // openings.
-void shape_plan(PromptSpec& spec, Plan& plan, Random& dice);
+void shape_plan(PromptSpec& spec, Plan& plan, Random& rng);
 // Skylights, and a doorway to a next room where a wall is left for it. After windows and door.
-void open_plan(PromptSpec& spec, Plan& plan, Random& dice);
+void open_plan(PromptSpec& spec, Plan& plan, Random& rng);
 
 // Beams run along x, evenly spaced over the room's depth: the middle of the first is half a space from the wall.
 inline int beam_count(const Plan& plan) { return std::max(2, static_cast<int>(plan.depth / 1.1f)); }
@@ -133,9 +133,9 @@ inline float beam_z(const Plan& plan, int i) {
     return plan.depth * ((static_cast<float>(i) + 0.5f) / static_cast<float>(beam_count(plan)) - 0.5f);
 }
 
-// Size, openings and surfaces from what the prompt asks and the room's type; the rest is drawn from `dice`.
+// Size, openings and surfaces from what the prompt asks and the room's type; the rest is drawn from `rng`.
 // Adds to spec.assumed what it chose.
-Plan make_plan(PromptSpec& spec, Random& dice);
+Plan make_plan(PromptSpec& spec, Random& rng);
 
 // Walls, floor, ceiling, mouldings, window frames, door: meshes in the room frame. Materials and objects are appended
 // to `room` (objects still with room-frame poses), portals too.

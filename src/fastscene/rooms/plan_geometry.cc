@@ -71,9 +71,9 @@ std::vector<WallFace> Plan::faces() const {
     return out;
 }
 
-const PromptObject* Plan::asked(std::string_view klass) const {
+const PromptObject* Plan::asked(std::string_view kind) const {
     const auto found = std::find_if(asked_parts.begin(), asked_parts.end(),
-                                    [&](const PromptObject& o) { return o.klass == klass; });
+                                    [&](const PromptObject& o) { return o.kind == kind; });
     return found != asked_parts.end() ? &*found : nullptr;
 }
 

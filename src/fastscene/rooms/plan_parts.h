@@ -11,18 +11,18 @@
 namespace fastscene {
 
 // The first wish for this class, or, with `forbidden`, the first that says there shall be none; or nothing.
-inline const PromptObject* wish_for(const PromptSpec& spec, std::string_view klass, bool forbidden = false) {
+inline const PromptObject* wish_for(const PromptSpec& spec, std::string_view kind, bool forbidden = false) {
     for (const PromptObject& o : spec.objects)
-        if (o.klass == klass && o.forbidden == forbidden) return &o;
+        if (o.kind == kind && o.forbidden == forbidden) return &o;
     return nullptr;
 }
 
 // One of the paints that go with the room's style.
-void choose_paint(const PromptSpec& spec, Plan& plan, Random& dice);
+void choose_paint(const PromptSpec& spec, Plan& plan, Random& rng);
 // Deep colors for studies and libraries of some styles.
 void deepen_paint(const PromptSpec& spec, Plan& plan);
 // Tiles for a bathroom or laundry, as the style has them.
-void tile_wet_room(Plan& plan, Random& dice);
+void tile_wet_room(Plan& plan, Random& rng);
 
 // What the ceiling is made of and how it is shaped, where the prompt does not say it. Once the room has its shape and
 // windows.

@@ -20,44 +20,43 @@ Vec3f as_wall(Vec3f card) {
 
 }  // namespace
 
-void choose_paint(const PromptSpec& spec, Plan& plan, Random& dice) {
+void choose_paint(const PromptSpec& spec, Plan& plan, Random& rng) {
     // A room whose color the prompt speaks of keeps plain walls beside it.
     if (!spec.colors.empty() || spec.mood == "airy" || spec.light == "bright") return;
     const std::vector<Vec3f>& paints = plan.style.paints;
-    const Vec3f card = paints[static_cast<std::size_t>(dice.index(static_cast<int>(paints.size())))];
+    const Vec3f card = paints[static_cast<std::size_t>(rng.index(static_cast<int>(paints.size())))];
     plan.style.wall.color_a = plan.style.wall.color_b = plan.style.wall.color_c = as_wall(card);
 }
 
 void deepen_paint(const PromptSpec& spec, Plan& plan) {
     if (!spec.colors.empty() || !spec.mood.empty() || spec.light == "bright" || !room_type(spec.room).deep_paints)
         return;
-    Random dice(hash_name(spec.text) ^ std::bit_cast<std::uint32_t>(plan.depth), "deep paint");
+    Random rng(hash_name(spec.text) ^ std::bit_cast<std::uint32_t>(plan.depth), "deep paint");
     const std::vector<Vec3f>& paints = plan.style.deep_paints;
-    if (paints.empty() || !dice.chance(0.6f)) return;
+    if (paints.empty() || !rng.chance(0.6f)) return;
     plan.style.wall.color_a = plan.style.wall.color_b = plan.style.wall.color_c =
-        paints[static_cast<std::size_t>(dice.index(static_cast<int>(paints.size())))];
+        paints[static_cast<std::size_t>(rng.index(static_cast<int>(paints.size())))];
     plan.accent = false;
 }
 
-void tile_wet_room(Plan& plan, Random& dice) {
+void tile_wet_room(Plan& plan, Random& rng) {
     plan.style.accent_wall = plan.style.wet_wall;
     plan.accent = true;
     // All around, or one wall; dark tiles all around make a cave.
-    if (luminance(plan.style.accent_wall.color_a) > 0.25f && dice.chance(0.5f))
-        plan.style.wall = plan.style.accent_wall;
+    if (luminance(plan.style.accent_wall.color_a) > 0.25f && rng.chance(0.5f)) plan.style.wall = plan.style.accent_wall;
     plan.style.floor = plan.style.wet_floor;
 }
 
 void choose_ceiling(const PromptSpec& spec, Plan& plan) {
-    const auto speaks_of = [&](std::string_view klass) {
+    const auto speaks_of = [&](std::string_view kind) {
         return std::any_of(spec.objects.begin(), spec.objects.end(),
-                           [&](const PromptObject& o) { return o.klass == klass; });
+                           [&](const PromptObject& o) { return o.kind == kind; });
     };
-    // Dice of its own: what the ceiling is like changes nothing else.
-    Random dice(hash_name(spec.text) ^ std::bit_cast<std::uint32_t>(plan.width), "ceiling");
-    const float boards = dice.uniform(), tray = dice.uniform(), spots = dice.uniform();
+    // A generator of its own: what the ceiling is like changes nothing else.
+    Random rng(hash_name(spec.text) ^ std::bit_cast<std::uint32_t>(plan.width), "ceiling");
+    const float boards = rng.uniform(), tray = rng.uniform(), spots = rng.uniform();
     plan.recessed_lights = wish_for(spec, "recessed_lights") != nullptr;
-    if (speaks_of("ceiling") || !spec.everything.klass.empty()) return;
+    if (speaks_of("ceiling") || !spec.everything.kind.empty()) return;
     const bool wet = room_type(spec.room).wet, flat = !(plan.knee > 0) && !plan.beams && !plan.coffers;
     const Style& style = plan.style;
     if (boards < style.ceiling_boards_probability && !wet) {

@@ -47,7 +47,7 @@ void apply_fittings(Style& style, const PromptObject& wish) {
 }
 
 void cover_everything(const PromptObject& everything, Plan& plan) {
-    if (everything.klass.empty()) return;
+    if (everything.kind.empty()) return;
     Style& s = plan.style;
     for (Material* m : {&s.wall, &s.accent_wall, &s.floor, &s.ceiling}) apply_wish(*m, everything, true);
     if (everything.color.empty()) return;

@@ -12,11 +12,11 @@ namespace {
 using namespace reading;
 
 std::string described(const PromptObject& object) {
-    std::string text = object.klass;
-    const bool units = object.klass.starts_with("kitchen_");
+    std::string text = object.kind;
+    const bool units = object.kind.starts_with("kitchen_");
     for (const auto& [name, value] : {std::pair{"color", &object.color},
                                       {"and", &object.color2},
-                                      {has_role(object.klass, Role::bed)       ? "bedding in color"
+                                      {has_role(object.kind, Role::bed)        ? "bedding in color"
                                        : units                                 ? "top in color"
                                        : object.holder_material == kTableCloth ? "cloth in color"
                                                                                : "vase in color",
@@ -66,7 +66,7 @@ void collect(const Matches& matches, PromptSpec& spec) {
 bool PromptSpec::names_a_room() const {
     return !room.empty() || !style.empty() || !objects.empty() || !colors.empty() || !time.empty() ||
            !weather.empty() || !mood.empty() || !light.empty() || !clutter.empty() || !structure.empty() ||
-           !everything.klass.empty() || size_m != Vec3f{} || area_m2 > 0;
+           !everything.kind.empty() || size_m != Vec3f{} || area_m2 > 0;
 }
 
 std::vector<PromptWord> PromptSpec::words_with(PromptWord::Fate fate) const {
@@ -156,7 +156,7 @@ Json entry(const PromptWord& word, const char* key, const std::string& value) {
 Json to_json(const PromptSpec& spec) {
     Json objects = Json::array();
     for (const PromptObject& o : spec.objects)
-        objects.push_back({{"class", o.klass},
+        objects.push_back({{"class", o.kind},
                            {"words", o.words},
                            {"count", o.count},
                            {"placed", o.placed},

@@ -78,13 +78,13 @@ bool is_brown(std::string_view material) {
 }
 
 // Lamps of the furniture pack have no row.
-bool is_lamp(std::string_view klass) { return has_role(klass, Role::light) || klass.ends_with("_lamp"); }
+bool is_lamp(std::string_view kind) { return has_role(kind, Role::light) || kind.ends_with("_lamp"); }
 
 // What "dark" and "light" mean for a thing of this material.
 std::string shade_of(std::string_view word, const PromptObject& object) {
     const bool light = word == "bright" || word == "light" || word == "hell" || word == "clair" || word == "claire";
     if (is_brown(object.material)) return light ? "light brown" : "dark brown";
-    return light ? (object.klass == "wall" || object.klass == "ceiling" ? "white" : "cream") : "charcoal";
+    return light ? (object.kind == "wall" || object.kind == "ceiling" ? "white" : "cream") : "charcoal";
 }
 
 bool can_be_counted(const Match& noun) {
@@ -101,7 +101,7 @@ bool is_heap(const std::string& words) {
 // What of a kitchen's units a word names: "marble countertops", "green cabinets", "a tiled backsplash", "a steel sink".
 enum class UnitPart { fronts, top, back, other };
 UnitPart part_of_units(const PromptObject& object, const Match& noun, const Match& adjective) {
-    if (!is_one_of(object.klass, {"kitchen_counter", "kitchen_island"})) return UnitPart::fronts;
+    if (!is_one_of(object.kind, {"kitchen_counter", "kitchen_island"})) return UnitPart::fronts;
     const std::string& w = noun.words;
     if (is_one_of(w, {"backsplash", "splashback"})) return UnitPart::back;
     const bool counter = w.find("counter") != std::string::npos && w.find("bar") == std::string::npos,
@@ -151,7 +151,7 @@ void give(Reading& r, std::size_t at, std::size_t noun) {
         return;
     }
     PromptObject& object = r.object_of(noun);
-    const std::string whose = " of " + object.klass;
+    const std::string whose = " of " + object.kind;
     if (a.negated && !n.negated) {
         if (!a.is(WordKind::color))
             return r.tell_near(at, "not " + a.word->meaning + ": the " + object.words + " is as the style has it",
@@ -172,7 +172,7 @@ void give(Reading& r, std::size_t at, std::size_t noun) {
         if (const UnitPart part = part_of_units(object, n, a); part != UnitPart::fronts)
             return give_part(r, at, n, part, object);
     // Flowers and their vase are one piece, whose own color is the flowers'.
-    const bool of_holder = object.klass == "bouquet" && has_role(n.word->meaning, Role::vase);
+    const bool of_holder = object.kind == "bouquet" && has_role(n.word->meaning, Role::vase);
     if (of_holder && a.is(WordKind::color)) {
         take(&PromptObject::holder_color, "vase in color");
     } else if (of_holder && a.is(WordKind::material)) {
@@ -192,7 +192,7 @@ void give(Reading& r, std::size_t at, std::size_t noun) {
         r.tell(at, "pattern " + object.pattern + whose, object.id);  // "trellis patterned"
     } else if (a.is(WordKind::pattern)) {
         take(&PromptObject::pattern, "pattern");
-        const bool shown = !is_one_of(object.klass, {"wall", "ceiling"}) || is_print(a.word->meaning) ||
+        const bool shown = !is_one_of(object.kind, {"wall", "ceiling"}) || is_print(a.word->meaning) ||
                            a.word->meaning == "plain";
         if (!shown) r.tell_near(at, "pattern " + a.word->meaning + whose + ": no paper of ours has it", object.id);
     } else if (a.is(WordKind::size) && a.words == "open") {
@@ -201,8 +201,8 @@ void give(Reading& r, std::size_t at, std::size_t noun) {
     } else if (a.is(WordKind::size)) {
         if (object.size.empty()) object.size = a.word->meaning == "small" ? "small" : "large";
         constexpr float kLongTable = 2.2f;
-        if (object.klass == "dining_table" && a.words == "long" && !(object.size_m.x > 0)) object.size_m.x = kLongTable;
-        if (object.klass == "window" && object.pattern.empty() &&
+        if (object.kind == "dining_table" && a.words == "long" && !(object.size_m.x > 0)) object.size_m.x = kLongTable;
+        if (object.kind == "window" && object.pattern.empty() &&
             is_one_of(a.words, {"floor to ceiling", "full height"}))
             object.pattern = kFullHeight;
         r.tell(at, "size " + object.size + whose, object.id);
@@ -210,7 +210,7 @@ void give(Reading& r, std::size_t at, std::size_t noun) {
         object.style = a.word->meaning;
         if (a.word->exact) r.tell(at, "style " + object.style + whose, object.id);
         else r.tell_near(at, "style " + object.style + whose, object.id);
-    } else if (is_shade(a) && is_lamp(object.klass) && is_one_of(a.words, {"dim", "bright"})) {
+    } else if (is_shade(a) && is_lamp(object.kind) && is_one_of(a.words, {"dim", "bright"})) {
         // Of lamps it is their light.
         if (r.spec.light.empty()) r.spec.light = a.words;
         if (r.spec.light == a.words) r.tell(at, "light: " + a.words, object.id);
@@ -221,7 +221,7 @@ void give(Reading& r, std::size_t at, std::size_t noun) {
         else r.tell_near(at, "the color" + whose + " stays " + object.color, object.id);
     } else if (a.is(WordKind::count)) {
         // "a dozen red roses" are one bouquet, "two bouquets of roses" are two.
-        const bool flowers = object.klass == "bouquet" && n.word->meaning == "bouquet" &&
+        const bool flowers = object.kind == "bouquet" && n.word->meaning == "bouquet" &&
                              !is_one_of(n.words, {"bouquet", "bouquets", "flower arrangement", "flower arrangements",
                                                   "floral arrangement", "floral arrangements", "centerpiece",
                                                   "centerpieces", "posy", "posies"});
@@ -230,9 +230,9 @@ void give(Reading& r, std::size_t at, std::size_t noun) {
         } else if (flowers) {
             if (!object.counted) object.count = 1;
             r.tell_near(at, "of flowers in a vase: as many as it holds", object.id);
-        } else if (is_heap(a.words) && has_role(object.klass, Role::heap)) {
+        } else if (is_heap(a.words) && has_role(object.kind, Role::heap)) {
             if (!object.counted) object.count = 1, object.counted = true;
-            r.tell(at, object.klass + " is one", object.id);
+            r.tell(at, object.kind + " is one", object.id);
         } else if (can_be_counted(n)) {
             object.count = std::stoi(a.word->meaning);
             object.counted = true;
@@ -342,7 +342,7 @@ bool is_tablecloth(const std::string& words) {
     return is_one_of(words, {"tablecloth", "tablecloths", "table cloth", "table cloths"});
 }
 // Tables that a cloth is drawn for.
-bool is_laid(std::string_view klass) { return has_role(klass, Role::laid); }
+bool is_laid(std::string_view kind) { return has_role(kind, Role::laid); }
 
 // "a yellow gingham tablecloth": its color and its print; the table below keeps its own.
 void lay_cloth(Reading& r, std::size_t cloth, std::size_t owner) {
@@ -368,7 +368,7 @@ void pass_on_cloth(Reading& r) {
         // A tablecloth is a table's, wherever that is named.
         const bool of_table = is_tablecloth(r.m[i].words);
         for (std::size_t k = 0; k < r.m.size() && of_table && !owner; ++k)
-            if (has_object(r.m[k]) && r.m[k].is(WordKind::object) && !r.m[k].negated && is_laid(r.object_of(k).klass))
+            if (has_object(r.m[k]) && r.m[k].is(WordKind::object) && !r.m[k].negated && is_laid(r.object_of(k).kind))
                 owner = k;
         if (of_table && owner) lay_cloth(r, i, *owner);
         if (of_table && !owner) r.tell_near(i, "no table was named that it could lie on");
@@ -383,11 +383,11 @@ void pass_on_cloth(Reading& r) {
                 r.m[k].noun = -1;
                 // Of a bunk the frame takes what is said of the piece; its bedding has a color of its own.
                 PromptObject& bed = r.object_of(*owner);
-                const bool framed = has_role(bed.klass, Role::framed_bed);
+                const bool framed = has_role(bed.kind, Role::framed_bed);
                 if (framed && r.m[k].is(WordKind::color) && bed.holder_color.empty()) {
                     r.m[k].noun = static_cast<int>(*owner);
                     bed.holder_color = r.m[k].word->meaning;
-                    r.tell(k, "bedding in color " + bed.holder_color + " of " + bed.klass, bed.id);
+                    r.tell(k, "bedding in color " + bed.holder_color + " of " + bed.kind, bed.id);
                 } else if (framed && r.m[k].is(WordKind::material)) {
                     r.m[k].noun = static_cast<int>(*owner);
                     r.tell_near(k, "of the " + r.m[i].words + ", which is as the piece has it");
@@ -395,7 +395,7 @@ void pass_on_cloth(Reading& r) {
                     give(r, k, *owner);
                 }
             }
-        r.tell(i, "cloth of " + r.object_of(*owner).klass, r.m[*owner].object);
+        r.tell(i, "cloth of " + r.object_of(*owner).kind, r.m[*owner].object);
     }
 }
 
@@ -410,7 +410,7 @@ void name_lounge_chairs(Reading& r) {
     };
     if (std::any_of(r.m.begin(), r.m.end(), sits_up)) return;
     for (PromptObject& o : r.spec.objects)
-        if (o.klass == "chair" && o.material == "rattan" && o.count <= 2 && !o.forbidden) o.klass = "armchair";
+        if (o.kind == "chair" && o.material == "rattan" && o.count <= 2 && !o.forbidden) o.kind = "armchair";
 }
 
 // "fifty sofas in a small bathroom": of the room.

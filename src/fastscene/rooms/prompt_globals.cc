@@ -42,9 +42,9 @@ bool is_wall(const std::string& material) {
 bool has_tiled_walls(const Reading& r) {
     const auto room = std::find_if(r.m.begin(), r.m.end(),
                                    [](const Match& m) { return m.is(WordKind::room) && !m.negated; });
-    const std::string klass = !r.spec.room.empty() ? r.spec.room : room == r.m.end() ? "" : room->word->meaning;
-    const RoomType* type = find_room_type(klass);
-    return klass.empty() || (type && type->wall_tiles);
+    const std::string kind = !r.spec.room.empty() ? r.spec.room : room == r.m.end() ? "" : room->word->meaning;
+    const RoomType* type = find_room_type(kind);
+    return kind.empty() || (type && type->wall_tiles);
 }
 bool is_free(const Match& m) {
     return m.noun < 0 && !m.settled && !m.negated && (m.is(WordKind::color) || m.is(WordKind::pattern));
@@ -109,16 +109,16 @@ void read_surface(Reading& r, std::size_t i) {
                                                           : surface.color2;
         r.m[k].noun = static_cast<int>(i);
         if (field.empty() || (r.m[k].is(WordKind::pattern) && r.m[k].words.starts_with("pattern")))
-            r.tell(k, (r.m[k].is(WordKind::pattern) ? "pattern " : "color ") + what + " of the " + surface.klass,
+            r.tell(k, (r.m[k].is(WordKind::pattern) ? "pattern " : "color ") + what + " of the " + surface.kind,
                    surface.id);
-        else r.tell_near(k, "the " + surface.klass + " stays " + field, surface.id);
+        else r.tell_near(k, "the " + surface.kind + " stays " + field, surface.id);
         if (field.empty()) field = what;
     }
     if (surface.pattern.empty()) surface.pattern = added_by(*r.m[i].word, "pattern");
     r.m[i].object = surface.id;
     r.m[i].settled = true;
-    if (r.m[i].word->exact) r.tell(i, "material " + material + " of the " + surface.klass, surface.id);
-    else r.tell_near(i, "material " + material + " of the " + surface.klass, surface.id);
+    if (r.m[i].word->exact) r.tell(i, "material " + material + " of the " + surface.kind, surface.id);
+    else r.tell_near(i, "material " + material + " of the " + surface.kind, surface.id);
 }
 
 // "formal", "minimalist", "modern": qualifies a style as well as naming one.

@@ -86,8 +86,8 @@ class Matcher {
             else if (take_term(n)) return;
         for (std::size_t n = pack_ ? longest : 0; n > 0; --n) {
             const std::string term = joined(tokens_, at_, n);
-            if (const auto klass = pack_->class_named(term))
-                return take({.words = term, .word = Word{WordKind::object, *klass}}, n);
+            if (const auto kind = pack_->class_named(term))
+                return take({.words = term, .word = Word{WordKind::object, *kind}}, n);
         }
         take_unknown();
     }

@@ -94,7 +94,7 @@ Extent extent_near(Reading& r, std::size_t at) {
     return Extent::any;
 }
 
-bool stands_tall(std::string_view klass) { return has_role(klass, Role::tall); }
+bool stands_tall(std::string_view kind) { return has_role(kind, Role::tall); }
 
 std::string in_metres(float value) {
     std::string text = std::to_string(std::round(value * 100) / 100);
@@ -107,16 +107,16 @@ std::string in_metres(float value) {
 Vec3f piece_size(const PromptObject& object, const std::vector<float>& metres, Extent extent) {
     if (metres.size() == 1) {
         const float v = metres[0];
-        if (extent == Extent::height || (extent == Extent::any && stands_tall(object.klass))) return {0, v, 0};
-        const bool bed = object.klass.starts_with("bed");
+        if (extent == Extent::height || (extent == Extent::any && stands_tall(object.kind))) return {0, v, 0};
+        const bool bed = object.kind.starts_with("bed");
         if (extent == Extent::depth || (extent == Extent::length && bed)) return {0, 0, v};
-        if ((object.klass == "tv" || object.klass == "monitor") && extent == Extent::any)
+        if ((object.kind == "tv" || object.kind == "monitor") && extent == Extent::any)
             return {v * 0.87f, 0, 0};  // a screen's diagonal, 16:9
         return {v, 0, 0};
     }
     const auto [low, high] = std::minmax(metres[0], metres[1]);
     const float height = metres.size() > 2 ? metres[2] : 0.f;
-    return object.klass.starts_with("bed") ? Vec3f{low, height, high} : Vec3f{high, height, low};
+    return object.kind.starts_with("bed") ? Vec3f{low, height, high} : Vec3f{high, height, low};
 }
 
 void give_room(Reading& r, std::size_t at, Extent extent) {
@@ -147,7 +147,7 @@ void give_piece(Reading& r, std::size_t at, std::size_t noun, Extent extent) {
     std::string said;
     for (const auto& [name, value] : {std::pair{" wide", size.x}, {" high", size.y}, {" deep", size.z}})
         if (value > 0) said += (said.empty() ? "" : ", ") + in_metres(value) + name;
-    r.tell(at, "size of " + object.klass + ": " + said, object.id);
+    r.tell(at, "size of " + object.kind + ": " + said, object.id);
 }
 
 void bind_measure(Reading& r, std::size_t at) {
@@ -158,7 +158,7 @@ void bind_measure(Reading& r, std::size_t at) {
     r.m[at].measure = true;
     if (at + 1 < r.m.size() && r.m[at + 1].is(WordKind::relation))
         return r.tell_near(at, "how far: as far as such pieces stand apart");
-    const bool ceiling = owner && has_object(r.m[*owner]) && r.object_of(*owner).klass == "ceiling";
+    const bool ceiling = owner && has_object(r.m[*owner]) && r.object_of(*owner).kind == "ceiling";
     if (ceiling && r.m[at].metres.size() == 1) return give_room(r, at, Extent::height);
     if (r.m[at].area || !owner || !has_object(r.m[*owner])) {
         if (!owner && !r.m[at].area && r.m[at].metres.size() == 1)

@@ -37,9 +37,9 @@ bool may_be_one(const Match& a, const Match& b) {
 
 // "the chair" after "two armchairs", "the lamp" after "a floor lamp".
 int spoken_of_before(const Reading& r, std::size_t i) {
-    const std::string& klass = r.m[i].word->meaning;
+    const std::string& kind = r.m[i].word->meaning;
     for (std::size_t k = i; k-- > 0;)
-        if (has_object(r.m[k]) && r.m[k].word->meaning == klass && r.m[k].is(WordKind::object) &&
+        if (has_object(r.m[k]) && r.m[k].word->meaning == kind && r.m[k].is(WordKind::object) &&
             may_be_one(r.m[k], r.m[i]))
             return r.m[k].object;
     // "each bed" after "twin beds"
@@ -57,21 +57,21 @@ int spoken_of_before(const Reading& r, std::size_t i) {
 
 // A bare plural means more than one ("plants", "chairs"); some words are plural by nature.
 bool is_plural(const Match& m, Language language) {
-    const std::string& klass = m.word->meaning;
-    if (has_role(klass, Role::never_plural) || m.is(WordKind::detail)) return false;
+    const std::string& kind = m.word->meaning;
+    if (has_role(kind, Role::never_plural) || m.is(WordKind::detail)) return false;
     if (!language.empty()) {
         const auto forms = base_forms(m.words, language);
         return !forms.empty() &&
                (m.words.back() == 's' || m.words.back() == 'n' || m.words.back() == 'i' || m.words.back() == 'e') &&
                std::any_of(forms.begin(), forms.end(), [&](const std::string& f) {
                    const auto w = look_up(f, language);
-                   return w && w->meaning == klass;
+                   return w && w->meaning == kind;
                });
     }
     if (m.plural) return true;
-    if (m.words.ends_with("drawers") || klass == "glass_cup" || m.words.ends_with("stairs")) return false;
+    if (m.words.ends_with("drawers") || kind == "glass_cup" || m.words.ends_with("stairs")) return false;
     for (const std::string& single : base_forms(m.words))
-        if (const auto word = look_up(single); word && word->meaning == klass) return true;
+        if (const auto word = look_up(single); word && word->meaning == kind) return true;
     return false;
 }
 
@@ -475,18 +475,18 @@ void clear_surfaces(Reading& r) {
         while (surface < r.m.size() && (modifies(r.m[surface]) || (nothing && r.m[surface].is_function("the"))))
             ++surface;
         if (surface >= r.m.size() || !r.m[surface].is(WordKind::structure)) continue;
-        const std::string& klass = r.m[surface].word->meaning;
-        if (klass != "wall" && klass != "floor") continue;
+        const std::string& kind = r.m[surface].word->meaning;
+        if (kind != "wall" && kind != "floor") continue;
         const auto asked = [&](std::string_view what) {
             return std::any_of(r.spec.objects.begin(), r.spec.objects.end(),
-                               [&](const PromptObject& o) { return o.klass == what; });
+                               [&](const PromptObject& o) { return o.kind == what; });
         };
-        if (klass == "floor" && !asked("rug")) r.add_object("rug", r.m[i].words).forbidden = true;
-        if (klass == "wall")
+        if (kind == "floor" && !asked("rug")) r.add_object("rug", r.m[i].words).forbidden = true;
+        if (kind == "wall")
             for (const std::string_view what : kOnWalls)
                 if (!asked(what)) r.add_object(std::string(what), r.m[i].words).forbidden = true;
-        r.tell(i, klass == "wall" ? "nothing hangs on the walls but what is named"
-                                  : "no rug lies there but what is named");
+        r.tell(i,
+               kind == "wall" ? "nothing hangs on the walls but what is named" : "no rug lies there but what is named");
         r.m[i].settled = true;
         if (nothing) r.m[i + 1].word = Word{WordKind::function, ""};
     }
@@ -521,15 +521,15 @@ void leave_out(Reading& r) {
     for (const Match& m : r.m) {
         std::string left = m.is(WordKind::room) && !m.negated ? added_by(*m.word, "without") : "";
         while (!left.empty()) {
-            const std::string klass = left.substr(0, left.find('+'));
-            left.erase(0, std::min(left.size(), klass.size() + 1));
-            const auto is_it = [&](const std::string& what) { return what == klass || what == klass + "_stand"; };
+            const std::string kind = left.substr(0, left.find('+'));
+            left.erase(0, std::min(left.size(), kind.size() + 1));
+            const auto is_it = [&](const std::string& what) { return what == kind || what == kind + "_stand"; };
             const bool asked = std::any_of(r.m.begin(), r.m.end(), [&](const Match& x) {
                 return x.is(WordKind::object) && is_it(x.word->meaning);
             });
             const bool there = std::any_of(r.spec.objects.begin(), r.spec.objects.end(),
-                                           [&](const PromptObject& o) { return is_it(o.klass); });
-            if (!asked && !there) r.add_object(klass, m.words).forbidden = true;
+                                           [&](const PromptObject& o) { return is_it(o.kind); });
+            if (!asked && !there) r.add_object(kind, m.words).forbidden = true;
         }
     }
 }
@@ -552,7 +552,7 @@ void find_nouns(Reading& r) {
         // A kitchen has one run of units: stove, sink and worktop are parts of it.
         if (m.word->meaning == "kitchen_counter") {
             const auto same = std::find_if(r.spec.objects.begin(), r.spec.objects.end(), [&](const PromptObject& o) {
-                return o.klass == m.word->meaning && o.forbidden == m.negated;
+                return o.kind == m.word->meaning && o.forbidden == m.negated;
             });
             if (same != r.spec.objects.end()) {
                 m.object = same->id;
@@ -562,7 +562,7 @@ void find_nouns(Reading& r) {
         // "walls … on the wall", "a window … by the window": a part of the shell that was spoken of.
         if (m.is(WordKind::structure) && (is_definite(r.m, i) || (i > 0 && r.m[i - 1].is(WordKind::relation)))) {
             const auto same = std::find_if(r.spec.objects.begin(), r.spec.objects.end(), [&](const PromptObject& o) {
-                return o.klass == m.word->meaning && o.forbidden == m.negated;
+                return o.kind == m.word->meaning && o.forbidden == m.negated;
             });
             if (same != r.spec.objects.end()) {
                 m.object = same->id;
@@ -571,7 +571,7 @@ void find_nouns(Reading& r) {
         }
         if (const int holder = holder_of(r, i); holder >= 0) {
             PromptObject& held = r.spec.objects[static_cast<std::size_t>(holder)];
-            held.klass = m.word->meaning;
+            held.kind = m.word->meaning;
             if (!held.material.empty())
                 held.holder_material = std::exchange(held.material, "");  // "a glass vase with tulips"
             take_added(*m.word, held);
@@ -584,7 +584,7 @@ void find_nouns(Reading& r) {
             continue;
         }
         PromptObject& object = r.add_object(m.word->meaning, m.words);
-        if (object.klass == "window_seat") object.relation = "under", object.relation_to = "window";
+        if (object.kind == "window_seat") object.relation = "under", object.relation_to = "window";
         object.forbidden = m.negated;
         constexpr int kManyFill = 4;
         if (is_plural(m, r.language)) object.count = fills ? kManyFill : 2;

@@ -54,9 +54,9 @@ struct Reading {
     Language language;
 
     PromptObject& object_of(std::size_t noun) { return spec.objects[static_cast<std::size_t>(m[noun].object)]; }
-    PromptObject& add_object(std::string klass, std::string words) {
+    PromptObject& add_object(std::string kind, std::string words) {
         PromptObject object;
-        object.klass = std::move(klass);
+        object.kind = std::move(kind);
         object.words = std::move(words);
         object.id = static_cast<int>(spec.objects.size());
         return spec.objects.emplace_back(std::move(object));

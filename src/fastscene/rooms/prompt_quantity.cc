@@ -74,30 +74,30 @@ void merge_seats(Matches& m) {
     }
 }
 
-bool is_table(std::string_view klass) {
-    return klass == "dining_table" || klass == "dining_table_round" || klass == "side_table" || klass == "coffee_table";
+bool is_table(std::string_view kind) {
+    return kind == "dining_table" || kind == "dining_table_round" || kind == "side_table" || kind == "coffee_table";
 }
-bool is_seat(std::string_view klass) {
-    return klass == "chair" || klass == "bench" || klass == "stool" || klass == "armchair" || klass == "pouf";
+bool is_seat(std::string_view kind) {
+    return kind == "chair" || kind == "bench" || kind == "stool" || kind == "armchair" || kind == "pouf";
 }
 
 // So many seats of a kind that was named without a number, or so many new ones.
-int want(Reading& r, std::size_t at, const char* klass, int count) {
+int want(Reading& r, std::size_t at, const char* kind, int count) {
     for (PromptObject& o : r.spec.objects)
-        if (!o.forbidden && o.klass == "bench" && is_seat(klass) && !o.counted && o.count == 1) {
+        if (!o.forbidden && o.kind == "bench" && is_seat(kind) && !o.counted && o.count == 1) {
             count = std::max(1, count - 2);  // two sit on the bench that was named
-        } else if (!o.forbidden && (o.klass == klass || (is_seat(klass) && is_seat(o.klass)))) {
-            if (!o.counted) o.count = o.klass == "bench" ? (count + 1) / 2 : count, o.counted = true;
+        } else if (!o.forbidden && (o.kind == kind || (is_seat(kind) && is_seat(o.kind)))) {
+            if (!o.counted) o.count = o.kind == "bench" ? (count + 1) / 2 : count, o.counted = true;
             return o.id;
         }
-    PromptObject& added = r.add_object(klass, r.m[at].words);
+    PromptObject& added = r.add_object(kind, r.m[at].words);
     added.count = count;
     added.counted = true;
     return added.id;
 }
 void tell_count(Reading& r, std::size_t at, int object) {
     const PromptObject& o = r.spec.objects[static_cast<std::size_t>(object)];
-    r.tell(at, "count " + std::to_string(o.count) + " of " + o.klass, object);
+    r.tell(at, "count " + std::to_string(o.count) + " of " + o.kind, object);
 }
 
 constexpr float kPlace = 0.64f;  // metres of a table's side for one; two sit at the heads
@@ -106,15 +106,15 @@ constexpr int kMany = 7;         // more than a usual table seats
 void seat_at(Reading& r, std::size_t at, int owner) {
     const int people = number_of(r.m[at]);
     PromptObject& o = r.spec.objects[static_cast<std::size_t>(owner)];
-    const std::string klass = o.klass;
+    const std::string kind = o.kind;
     const std::string said = "for " + std::to_string(people) + ": ";
-    if (is_table(klass)) {
-        if (klass != "dining_table_round") o.klass = "dining_table";
+    if (is_table(kind)) {
+        if (kind != "dining_table_round") o.kind = "dining_table";
         if (o.size.empty() && people >= kMany) o.size = "large";
         return tell_count(r, at, want(r, at, "chair", people));
     }
-    if (klass == "sofa" || klass == "loveseat") {
-        o.klass = people <= 2 ? "loveseat" : "sofa";
+    if (kind == "sofa" || kind == "loveseat") {
+        o.kind = people <= 2 ? "loveseat" : "sofa";
         if (people >= 4) o.size = "large";
         return r.tell(at,
                       said + (people <= 2   ? "a sofa with two seats"
@@ -122,8 +122,8 @@ void seat_at(Reading& r, std::size_t at, int owner) {
                                             : "a sofa with three seats"),
                       owner);
     }
-    if (klass == "bed" || klass == "bed_single") {
-        if (people == 2) o.klass = "bed";
+    if (kind == "bed" || kind == "bed_single") {
+        if (people == 2) o.kind = "bed";
         if (people <= 2) return r.tell(at, said + (people == 2 ? "a double bed" : "a bed"), owner);
     }
     r.tell_near(at, "for how many: the " + o.words + " is as such pieces are", owner);
@@ -135,7 +135,7 @@ void seat_in_room(Reading& r, std::size_t at) {
     std::string room;
     for (const Match& m : r.m)
         if (m.is(WordKind::room) && !m.negated && room.empty()) room = m.word->meaning;
-    const auto so_many = [&](const char* klass) { tell_count(r, at, want(r, at, klass, people)); };
+    const auto so_many = [&](const char* kind) { tell_count(r, at, want(r, at, kind, people)); };
     const RoomType* type = find_room_type(room);
     if (type && !type->per_person.empty() && people <= type->most_people)
         for (const std::string& thing : type->per_person) so_many(thing.c_str());
@@ -166,11 +166,11 @@ void seat_people(Reading& r) {
     }
     // "a table with ten chairs": as long as those need, unless its length was said.
     int chairs = 0;
-    for (const PromptObject& o : r.spec.objects) chairs += o.klass == "chair" && !o.forbidden ? o.count : 0;
+    for (const PromptObject& o : r.spec.objects) chairs += o.kind == "chair" && !o.forbidden ? o.count : 0;
     for (PromptObject& o : r.spec.objects) {
         const bool measured = std::any_of(r.m.begin(), r.m.end(),
                                           [&](const Match& m) { return m.measure && m.about == o.id; });
-        if (chairs >= kMany && o.klass == "dining_table" && o.count == 1 && !measured)
+        if (chairs >= kMany && o.kind == "dining_table" && o.count == 1 && !measured)
             o.size_m.x = std::max(o.size_m.x, kPlace * static_cast<float>((chairs - 1) / 2));
     }
 }

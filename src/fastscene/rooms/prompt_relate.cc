@@ -51,15 +51,15 @@ bool opens_clause(const Reading& r, std::size_t at) {
 // Whether a thing may be asked to stand so at another: a painting hangs above no stool, a rug lies before no lamp,
 // nothing stands on a picture.
 bool is_likely(const PromptObject& thing, std::string_view relation, const PromptObject& place) {
-    const bool hangs = has_role(thing.klass, Role::likely_above), low = has_role(place.klass, Role::too_low_below),
-               flat_or_hung = has_role(place.klass, Role::no_top), tall = has_role(place.klass, Role::too_tall_below);
-    if (relation == "above") return hangs ? !low && !tall : !has_role(place.klass, Role::nothing_above);
-    if (relation == "on") return !flat_or_hung && !(place.klass == "sofa" && !furnishing::lies_on_seats(thing.klass));
+    const bool hangs = has_role(thing.kind, Role::likely_above), low = has_role(place.kind, Role::too_low_below),
+               flat_or_hung = has_role(place.kind, Role::no_top), tall = has_role(place.kind, Role::too_tall_below);
+    if (relation == "above") return hangs ? !low && !tall : !has_role(place.kind, Role::nothing_above);
+    if (relation == "on") return !flat_or_hung && !(place.kind == "sofa" && !furnishing::lies_on_seats(thing.kind));
     if (relation == "in front of" || relation == "at the foot of")
-        return thing.klass == "rug"
-                   ? !low && !flat_or_hung && !place.klass.ends_with("table") && place.klass != "dining_table_round"
-                   : place.klass != "rug";
-    if (relation == "behind") return place.klass != "rug" && (!flat_or_hung || place.klass == "plant");
+        return thing.kind == "rug"
+                   ? !low && !flat_or_hung && !place.kind.ends_with("table") && place.kind != "dining_table_round"
+                   : place.kind != "rug";
+    if (relation == "behind") return place.kind != "rug" && (!flat_or_hung || place.kind == "plant");
     return true;
 }
 
@@ -94,7 +94,7 @@ std::optional<std::size_t> meant_by(const Reading& r, std::size_t subject, bool 
             // stands at.
             const PromptObject& thing = r.spec.objects[static_cast<std::size_t>(r.m[k].object)];
             if (place_of_another &&
-                thing.relation_to == r.spec.objects[static_cast<std::size_t>(r.m[*place_of_another].object)].klass)
+                thing.relation_to == r.spec.objects[static_cast<std::size_t>(r.m[*place_of_another].object)].kind)
                 return place_of_another;
             continue;
         }
@@ -133,39 +133,39 @@ void attach(Reading& r, std::size_t at, std::size_t subject, std::optional<std::
     // "cushions and herringbone tiles on the floor": the tiles are, and they are the floor.
     if (placed && relation == "on")
         for (std::size_t k = subject + 1; k < at; ++k)
-            if (has_object(r.m[k]) && r.object_of(k).klass == r.object_of(target).klass)
-                return r.tell(at, "the " + r.m[k].words + " of the " + r.object_of(target).klass, r.object_of(k).id);
+            if (has_object(r.m[k]) && r.object_of(k).kind == r.object_of(target).kind)
+                return r.tell(at, "the " + r.m[k].words + " of the " + r.object_of(target).kind, r.object_of(k).id);
     // Stockings and leaves on a mantel hang at the wall above it.
-    if (placed && relation == "on" && has_role(object.klass, Role::on_mantels) && r.m[target].is(WordKind::object))
+    if (placed && relation == "on" && has_role(object.kind, Role::on_mantels) && r.m[target].is(WordKind::object))
         relation = "above";
     // "clothes on the floor" were dropped there, "papers" slid apart.
-    if (placed && relation == "on" && r.object_of(target).klass == "floor") {
-        if (object.klass == "folded_clothes") object.klass = "clothes_heap";
-        if (object.klass == "book_stack" && is_one_of(object.words, {"papers", "paper", "sheets of paper"}))
-            object.klass = "paper_litter";
+    if (placed && relation == "on" && r.object_of(target).kind == "floor") {
+        if (object.kind == "folded_clothes") object.kind = "clothes_heap";
+        if (object.kind == "book_stack" && is_one_of(object.words, {"papers", "paper", "sheets of paper"}))
+            object.kind = "paper_litter";
     }
-    if (placed && furnishing::lies_about(object.klass) && r.object_of(target).klass == "floor")
-        return r.tell(at, object.klass + " lies on the floor", object.id);
+    if (placed && furnishing::lies_about(object.kind) && r.object_of(target).kind == "floor")
+        return r.tell(at, object.kind + " lies on the floor", object.id);
     if (!object.relation.empty())
         return r.tell_near(at, "where: the " + object.words + " already has its place", object.id);
     // Who sits at a desk that faces the window looks out of it: there the desk stands.
-    if (placed && relation == "facing" && has_role(object.klass, Role::under_windows) &&
-        is_one_of(r.object_of(target).klass, {"window", "bay_window"}))
+    if (placed && relation == "facing" && has_role(object.kind, Role::under_windows) &&
+        is_one_of(r.object_of(target).kind, {"window", "bay_window"}))
         relation = "under";
     object.relation = relation;
     // "a lamp above the table" hangs, "a lamp in the corner" stands on the floor.
-    const bool any_lamp = object.klass == "table_lamp" && is_one_of(object.words, {"lamp", "lamps"}),
+    const bool any_lamp = object.kind == "table_lamp" && is_one_of(object.words, {"lamp", "lamps"}),
                at_piece = placed && r.m[target].is(WordKind::object);
-    if (any_lamp && relation == "above" && at_piece && furnishing::hangs_over(r.object_of(target).klass))
-        object.klass = "pendant_lamp";
-    if (any_lamp && (relation == "in the corner" || (relation == "behind" && at_piece))) object.klass = "floor_lamp";
+    if (any_lamp && relation == "above" && at_piece && furnishing::hangs_over(r.object_of(target).kind))
+        object.kind = "pendant_lamp";
+    if (any_lamp && (relation == "in the corner" || (relation == "behind" && at_piece))) object.kind = "floor_lamp";
     // Pans above an island hang from the ceiling.
-    if (object.klass == "hung_pans" && relation == "above" && at_piece &&
-        furnishing::hangs_over(r.object_of(target).klass))
-        object.klass = "pot_rack";
+    if (object.kind == "hung_pans" && relation == "above" && at_piece &&
+        furnishing::hangs_over(r.object_of(target).kind))
+        object.kind = "pot_rack";
     // "A paper lantern on the nightstand" is a lamp with such a shade.
-    if (object.klass == "paper_lantern" && relation == "on" && at_piece)
-        object.klass = "table_lamp", object.style = style_with_lamp(LampFamily::paper);
+    if (object.kind == "paper_lantern" && relation == "on" && at_piece)
+        object.kind = "table_lamp", object.style = style_with_lamp(LampFamily::paper);
     std::string to;
     constexpr int kCorners = 4;
     if (says_every_corner(r.m[at]))
@@ -178,12 +178,12 @@ void attach(Reading& r, std::size_t at, std::size_t subject, std::optional<std::
         !object.counted)
         object.count = 2, object.counted = true;
     // "a picture above each bed": as many pictures as beds.
-    if (placed && says_each(r, target) && r.object_of(target).klass == "nightstand" && !r.object_of(target).counted)
+    if (placed && says_each(r, target) && r.object_of(target).kind == "nightstand" && !r.object_of(target).counted)
         r.object_of(target).count = 2;
     if (placed && says_each(r, target) && r.object_of(target).count > 1 && !object.counted)
         object.count = r.object_of(target).count, object.counted = true;
     if (placed && !takes_no_target(relation)) {
-        object.relation_to = r.object_of(target).klass;
+        object.relation_to = r.object_of(target).kind;
         to = " the " + r.m[target].words;
         r.m[at].target = static_cast<int>(target);
         if (relation == "between") {
@@ -198,13 +198,13 @@ void attach(Reading& r, std::size_t at, std::size_t subject, std::optional<std::
             // "a sofa, two armchairs opposite it and a table between them": between those and these.
             const PromptObject& those = r.object_of(target);
             const bool face_to_face = pronoun && those.relation == "opposite" &&
-                                      those.relation_to == r.object_of(*pronoun).klass;
-            object.relation_and = pronoun && (those.count == 1 || face_to_face) ? r.object_of(*pronoun).klass
-                                  : joined && *second != subject                ? r.object_of(*second).klass
+                                      those.relation_to == r.object_of(*pronoun).kind;
+            object.relation_and = pronoun && (those.count == 1 || face_to_face) ? r.object_of(*pronoun).kind
+                                  : joined && *second != subject                ? r.object_of(*second).kind
                                                                                 : object.relation_to;
         }
     }
-    r.tell(at, object.klass + " " + relation + to, object.id);
+    r.tell(at, object.kind + " " + relation + to, object.id);
     r.m[at].relation = true;
 }
 
@@ -222,12 +222,12 @@ void relate_both_sides(Reading& r, std::size_t at) {
     if (PromptObject& object = r.object_of(*subject); !object.counted || object.count == 1)
         object.count = 2, object.counted = true;
     // "twin beds flanking a nightstand": what is small stands between the large.
-    if (target && has_role(r.object_of(*subject).klass, Role::bed) && r.object_of(*subject).relation.empty() &&
-        has_role(r.object_of(*target).klass, Role::between_beds) && r.object_of(*target).count == 1 &&
+    if (target && has_role(r.object_of(*subject).kind, Role::bed) && r.object_of(*subject).relation.empty() &&
+        has_role(r.object_of(*target).kind, Role::between_beds) && r.object_of(*target).count == 1 &&
         r.object_of(*target).relation.empty()) {
         PromptObject &beds = r.object_of(*subject), &small = r.object_of(*target);
-        small.relation = "between", small.relation_to = small.relation_and = beds.klass;
-        r.tell(at, small.klass + " between the " + beds.words, small.id);
+        small.relation = "between", small.relation_to = small.relation_and = beds.kind;
+        r.tell(at, small.kind + " between the " + beds.words, small.id);
         r.m[at].relation = true;
         return;
     }
@@ -241,7 +241,7 @@ void relate_row(Reading& r, std::size_t at) {
     if (!subject) return r.tell_near(at, "where: of nothing that was named");
     PromptObject& object = r.object_of(*subject);
     object.in_row = true;
-    r.tell(at, object.klass + " side by side", object.id);
+    r.tell(at, object.kind + " side by side", object.id);
 }
 
 // "a stacked washer and dryer": the second on the first.
@@ -251,9 +251,9 @@ void stack_pairs(Reading& r) {
             !has_object(r.m[i + 3]))
             continue;
         PromptObject &below = r.object_of(i + 1), &above = r.object_of(i + 3);
-        if (below.id == above.id || below.klass != above.klass || !above.relation.empty()) continue;
+        if (below.id == above.id || below.kind != above.kind || !above.relation.empty()) continue;
         above.relation = "on";
-        above.relation_to = below.klass;
+        above.relation_to = below.kind;
         r.tell(i, "the " + above.words + " on the " + below.words, above.id);
         r.m[i].relation = true;
     }
@@ -269,7 +269,7 @@ void hang_screens(Reading& r) {
         PromptObject& object = r.object_of(screen);
         // Opposite the sofa it hangs anyway.
         const bool usual = is_one_of(object.relation, {"", "opposite", "facing", "in front of"});
-        if (object.klass == "tv" && usual) object.relation = "on", object.relation_to = "wall";
+        if (object.kind == "tv" && usual) object.relation = "on", object.relation_to = "wall";
     }
 }
 
@@ -306,7 +306,7 @@ bool names_a_stranger(const Reading& r, std::size_t subject, std::size_t at) {
 
 // What stands on tops, and is said to.
 bool stands_on_tops(const PromptObject& o) {
-    return furnishing::is_small(o.klass) && !furnishing::lies_on_seats(o.klass) && o.klass != "rug" && !o.forbidden;
+    return furnishing::is_small(o.kind) && !furnishing::lies_on_seats(o.kind) && o.kind != "rug" && !o.forbidden;
 }
 
 // "herbs and a vase on the sill", "books, a lamp and a clock on the desk": all of them stand there. Not the lamp of "a
@@ -387,7 +387,7 @@ void relate_one(Reading& r, std::size_t at) {
     if (relation == "against" && r.m[at].words.ends_with(" wall")) target.reset();  // it has said what
     // "blue tiles behind the sink": a surface that is named by its material.
     if (relation == "behind" && at > 0 && r.m[at - 1].is(WordKind::material) && has_object(r.m[at - 1]) &&
-        r.object_of(at - 1).klass == "wall")
+        r.object_of(at - 1).kind == "wall")
         subject = at - 1;
     // "curtains and a minibar under the tv": who stands there has a name nobody knows, and is not what was named
     // before.
@@ -407,11 +407,11 @@ void relate_one(Reading& r, std::size_t at) {
     }
     // "a throw over the armchair", "a blanket across the bed": it lies there.
     if (subject && target && is_one_of(r.m[at].words, {"over", "across"}) &&
-        furnishing::lies_on_seats(r.object_of(*subject).klass))
+        furnishing::lies_on_seats(r.object_of(*subject).kind))
         relation = "on";
     // "a washing machine under the dryer": of two alike the other stands on top.
     if (subject && target && relation == "under" && r.m[*subject].object != r.m[*target].object &&
-        r.object_of(*subject).klass == r.object_of(*target).klass)
+        r.object_of(*subject).kind == r.object_of(*target).kind)
         return attach(r, at, *target, subject, "on");
     if (takes_no_target(relation)) {
         const bool inverted = opens_clause(r, at) || !subject;

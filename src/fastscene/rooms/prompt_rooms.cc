@@ -163,9 +163,9 @@ void find_next_room(Reading& r) {
 }
 
 // What belongs into a room of a type and hardly anywhere else.
-bool belongs_to(const std::string& klass, const std::string& room) {
+bool belongs_to(const std::string& kind, const std::string& room) {
     const RoomType* type = find_room_type(room);
-    return type && is_own_thing(klass, *type);
+    return type && is_own_thing(kind, *type);
 }
 
 }  // namespace
@@ -194,7 +194,7 @@ void fill_next_room(Reading& r) {
         }
         if (any) continue;
         PromptObject& o = r.spec.objects[static_cast<std::size_t>(x->object)];
-        if (o.relation.empty() && belongs_to(o.klass, r.spec.next_room) && !belongs_to(o.klass, r.spec.room))
+        if (o.relation.empty() && belongs_to(o.kind, r.spec.next_room) && !belongs_to(o.kind, r.spec.room))
             o.relation = kInNextRoom;
     }
 }

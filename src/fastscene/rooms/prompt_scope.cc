@@ -70,7 +70,7 @@ void read_all(Reading& r, std::size_t at) {
                       : r.tell_near(at, "said of all, where nothing shows it");
     }
     PromptObject& all = r.spec.everything;
-    all.klass = "everything";
+    all.kind = "everything";
     for (const std::size_t i : said) {
         const Match& m = r.m[i];
         std::string& field = m.is(WordKind::color)      ? (all.color.empty() ? all.color : all.color2)

@@ -23,9 +23,9 @@ std::vector<std::string> not_understood(const PromptSpec& spec) {
 std::vector<std::string> approximated(const PromptSpec& spec) { return words_of(spec, PromptWord::Fate::approximated); }
 
 // Also one that says there shall be none.
-const PromptObject* wish_of(const PromptSpec& spec, std::string_view klass) {
+const PromptObject* wish_of(const PromptSpec& spec, std::string_view kind) {
     for (const PromptObject& o : spec.objects)
-        if (o.klass == klass) return &o;
+        if (o.kind == kind) return &o;
     return nullptr;
 }
 
@@ -59,9 +59,9 @@ TEST(Prompt, Relations) {
     EXPECT_EQ(object_of(spec, "table_lamp")->relation, "on");
     EXPECT_EQ(object_of(spec, "table_lamp")->relation_to, "desk");
     EXPECT_EQ(object_of(spec, "plant")->relation, "in the corner");
-    EXPECT_EQ(std::count_if(spec.objects.begin(), spec.objects.end(),
-                            [](const PromptObject& o) { return o.klass == "desk"; }),
-              1)
+    EXPECT_EQ(
+        std::count_if(spec.objects.begin(), spec.objects.end(), [](const PromptObject& o) { return o.kind == "desk"; }),
+        1)
         << "the desk is one desk";
     EXPECT_EQ(object_of(spec, "desk")->relation_to, "window");
     const PromptSpec under = read("a desk under the window");
@@ -141,10 +141,10 @@ TEST(Lexicon, IsLargeAndEveryObjectCanBeBuilt) {
         }
     }
     EXPECT_GE(objects, 600u);
-    for (const std::string& klass : classes) {
+    for (const std::string& kind : classes) {
         bool sayable = false;
-        for (const std::string& term : lexicon_terms()) sayable = sayable || look_up(term)->meaning == klass;
-        EXPECT_TRUE(sayable) << "no word for " << klass;
+        for (const std::string& term : lexicon_terms()) sayable = sayable || look_up(term)->meaning == kind;
+        EXPECT_TRUE(sayable) << "no word for " << kind;
     }
 }
 

@@ -10,7 +10,7 @@ namespace fastscene::reading {
 namespace {
 
 struct ThemedPiece {
-    std::string_view klass, pattern = {}, color = {}, relation = {}, to = {};
+    std::string_view kind, pattern = {}, color = {}, relation = {}, to = {};
     int count = 1;
 };
 struct Theme {
@@ -42,9 +42,9 @@ std::string value_of(const Match& m, std::string_view key) {
     return m.word->adds.substr(key.size());
 }
 
-bool is_forbidden(const PromptSpec& spec, std::string_view klass) {
+bool is_forbidden(const PromptSpec& spec, std::string_view kind) {
     return std::any_of(spec.objects.begin(), spec.objects.end(),
-                       [&](const PromptObject& o) { return o.forbidden && o.klass == klass; });
+                       [&](const PromptObject& o) { return o.forbidden && o.kind == kind; });
 }
 
 // What a theme brings where the prompt has not named it, and other rooms of a kind have not.
@@ -52,12 +52,12 @@ void bring(Reading& r, std::size_t i, const Theme& theme) {
     std::string list;
     int first = -1;
     for (const ThemedPiece& p : theme.pieces) {
-        if (is_forbidden(r.spec, p.klass)) continue;
+        if (is_forbidden(r.spec, p.kind)) continue;
         const bool there = std::any_of(r.spec.objects.begin(), r.spec.objects.end(), [&](const PromptObject& o) {
-            return !o.forbidden && o.klass == p.klass && (p.klass != "picture" || o.pattern == p.pattern);
+            return !o.forbidden && o.kind == p.kind && (p.kind != "picture" || o.pattern == p.pattern);
         });
         if (!there) {
-            PromptObject& object = r.add_object(std::string(p.klass), r.m[i].words);
+            PromptObject& object = r.add_object(std::string(p.kind), r.m[i].words);
             object.pattern = p.pattern;
             object.color = p.color;
             object.relation = p.relation;
@@ -65,9 +65,9 @@ void bring(Reading& r, std::size_t i, const Theme& theme) {
             object.count = p.count;
             if (first < 0) first = object.id;
         }
-        std::string name(p.pattern.empty() || p.klass != "picture" ? p.klass : p.pattern);
+        std::string name(p.pattern.empty() || p.kind != "picture" ? p.kind : p.pattern);
         std::replace(name.begin(), name.end(), '_', ' ');
-        list += (list.empty() ? "" : ", ") + (p.klass == "picture" ? "a picture (" + name + ")" : name);
+        list += (list.empty() ? "" : ", ") + (p.kind == "picture" ? "a picture (" + name + ")" : name);
     }
     // An hour or a light that the prompt names is kept.
     const bool lit = std::any_of(r.m.begin(), r.m.end(),
@@ -125,7 +125,7 @@ void read_themes(Reading& r) {
 // What lies about in a room that was left to decay, is lived in carelessly, renovated or moved into.
 void read_state(Reading& r) {
     struct Thing {
-        std::string_view klass;
+        std::string_view kind;
         int count = 1;
         std::string_view relation = {}, to = {};
     };
@@ -150,18 +150,17 @@ void read_state(Reading& r) {
         std::string list;
         int first = -1;
         for (const Thing& thing : things) {
-            if (is_forbidden(r.spec, thing.klass)) continue;
-            const bool there = std::any_of(r.spec.objects.begin(), r.spec.objects.end(), [&](const PromptObject& o) {
-                return o.klass == thing.klass && !o.forbidden;
-            });
+            if (is_forbidden(r.spec, thing.kind)) continue;
+            const bool there = std::any_of(r.spec.objects.begin(), r.spec.objects.end(),
+                                           [&](const PromptObject& o) { return o.kind == thing.kind && !o.forbidden; });
             if (!there) {
-                PromptObject& object = r.add_object(std::string(thing.klass), r.m[i].words);
+                PromptObject& object = r.add_object(std::string(thing.kind), r.m[i].words);
                 object.count = thing.count;
                 object.relation = thing.relation;
                 object.relation_to = thing.to;
                 if (first < 0) first = object.id;
             }
-            std::string name(thing.klass);
+            std::string name(thing.kind);
             std::replace(name.begin(), name.end(), '_', ' ');
             list += (list.empty() ? "" : ", ") + name;
         }

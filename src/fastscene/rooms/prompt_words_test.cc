@@ -46,8 +46,8 @@ TEST(PromptWords, NothingOnTheWallsIsHeeded) {
                              "one desk one lamp nothing on the walls", "a living room with bare walls"}) {
         const Furnished f = furnished(text);
         for (const Placed& p : f.room.placed)
-            EXPECT_TRUE(p.piece.klass != "picture" && p.piece.klass != "mirror" && p.piece.klass != "clock")
-                << text << ": " << p.piece.klass;
+            EXPECT_TRUE(p.piece.kind != "picture" && p.piece.kind != "mirror" && p.piece.kind != "clock")
+                << text << ": " << p.piece.kind;
     }
     EXPECT_EQ(object_of(read("one lamp nothing on the walls"), "table_lamp")->relation, "");
     const PromptSpec clock = read("a kitchen with a clock and nothing else on the walls");
@@ -59,7 +59,7 @@ TEST(PromptWords, WhatARoomIsForSaysWhatItLooksLikeAndWhatItHasNot) {
         for (const char* text :
              {"an antique shop", "a meditation room", "a chapel with candles", "a white gallery space"}) {
             const Furnished f = furnished(text, seed);
-            for (const Placed& p : f.room.placed) EXPECT_NE(p.piece.klass, "tv") << text;
+            for (const Placed& p : f.room.placed) EXPECT_NE(p.piece.kind, "tv") << text;
         }
     EXPECT_EQ(read("a speakeasy").style, "art deco");
     EXPECT_EQ(read("a scandinavian speakeasy").style, "scandinavian");
@@ -111,11 +111,11 @@ TEST(PromptWords, OnlyWhatIsNamedStandsThere) {
         const Furnished f = furnished(text);
         EXPECT_EQ(f.spec.clutter, "empty") << text;
         EXPECT_EQ(std::count_if(f.room.placed.begin(), f.room.placed.end(),
-                                [](const Placed& p) { return p.wish.klass == "bed"; }),
+                                [](const Placed& p) { return p.wish.kind == "bed"; }),
                   1)
             << text;
         for (const Placed& p : f.room.placed)
-            EXPECT_FALSE(p.wish.klass.empty()) << text << ": nobody asked for " << p.piece.klass;
+            EXPECT_FALSE(p.wish.kind.empty()) << text << ": nobody asked for " << p.piece.kind;
     }
     EXPECT_EQ(read("just a simple bedroom with a bed").clutter, "bare");
     EXPECT_EQ(read("the only light comes from a lamp").clutter, "");
@@ -135,7 +135,7 @@ TEST(PromptWords, EverythingMeansTheWholeRoom) {
          {&f.room.plan.style.wall, &f.room.plan.style.floor, &f.room.plan.style.wood, &f.room.plan.style.fabric})
         EXPECT_GT(m->color_a.x, 1.2f * m->color_a.y);
     const PromptSpec walls = read("a kitchen with all white walls");
-    EXPECT_TRUE(walls.everything.klass.empty());
+    EXPECT_TRUE(walls.everything.kind.empty());
     EXPECT_EQ(object_of(walls, "wall")->color, "white");
 }
 
@@ -185,7 +185,7 @@ TEST(PromptWords, TablesForSoMany) {
     EXPECT_EQ(object_of(benches, "bench")->count, 4);
     const Furnished f = furnished("a dining room with a table for eight");
     EXPECT_EQ(std::count_if(f.room.placed.begin(), f.room.placed.end(),
-                            [](const Placed& p) { return p.piece.klass == "chair"; }),
+                            [](const Placed& p) { return p.piece.kind == "chair"; }),
               8);
 }
 
@@ -212,7 +212,7 @@ TEST(PromptWords, SizesInMetresAndFeet) {
     }
     const Furnished f = furnished("a bedroom with a two metre wide bed");
     for (const Placed& p : f.room.placed) {
-        if (p.wish.klass == "bed") {
+        if (p.wish.kind == "bed") {
             EXPECT_NEAR(p.piece.size_m.x, 2.f, 0.02f);
         }
     }
@@ -224,7 +224,7 @@ TEST(PromptWords, SizesInMetresAndFeet) {
 TEST(PromptWords, TwoThingsOfOneClassAreTwo) {
     const PromptSpec spec = read("a laundry room with a dryer on top of the washing machine");
     const auto machines = std::count_if(spec.objects.begin(), spec.objects.end(),
-                                        [](const PromptObject& o) { return o.klass == "washing_machine"; });
+                                        [](const PromptObject& o) { return o.kind == "washing_machine"; });
     EXPECT_EQ(machines, 2);
     EXPECT_EQ(spec.objects[0].relation, "on");
     EXPECT_EQ(spec.objects[0].relation_to, "washing_machine");
@@ -238,7 +238,7 @@ TEST(PromptWords, PronounsAndEachFindTheirPiece) {
     EXPECT_EQ(object_of(kettle, "kettle")->relation_to, "coffee_table");
     const PromptSpec beds = read("twin beds with a picture above each bed");
     EXPECT_EQ(std::count_if(beds.objects.begin(), beds.objects.end(),
-                            [](const PromptObject& o) { return o.klass.starts_with("bed"); }),
+                            [](const PromptObject& o) { return o.kind.starts_with("bed"); }),
               1);
     EXPECT_EQ(object_of(beds, "picture")->count, 2);
     const PromptSpec coffee = read("a kitchen, coffee steaming on the counter, sun through the blinds");
@@ -250,15 +250,15 @@ TEST(PromptWords, PronounsAndEachFindTheirPiece) {
 
 // Who is joined by "and" to what stands there stands there too; not what another piece has with it.
 TEST(PromptWords, JoinedThingsStandOnTheSamePlace) {
-    const auto on = [](const PromptSpec& spec, const char* klass) {
-        const PromptObject* o = object_of(spec, klass);
+    const auto on = [](const PromptSpec& spec, const char* kind) {
+        const PromptObject* o = object_of(spec, kind);
         return o ? o->relation + " " + o->relation_to : std::string("nothing");
     };
     const PromptSpec sill = read("a kitchen with herbs and a vase on the window sill");
     EXPECT_EQ(on(sill, "plant_small"), "on window");
     EXPECT_EQ(on(sill, "vase"), "on window");
     const PromptSpec desk = read("a study with a stack of books, a globe and a brass lamp on the desk");
-    for (const char* klass : {"book_stack", "globe", "table_lamp"}) EXPECT_EQ(on(desk, klass), "on desk") << klass;
+    for (const char* kind : {"book_stack", "globe", "table_lamp"}) EXPECT_EQ(on(desk, kind), "on desk") << kind;
     const PromptSpec two = read("a study with a desk with a lamp and a vase on the shelf");
     EXPECT_EQ(on(two, "vase"), "on shelf");
     EXPECT_EQ(on(two, "table_lamp"), " ");
@@ -273,9 +273,9 @@ TEST(PromptWords, APartThatIsSaidAloneIsOfThePieceBefore) {
         ASSERT_TRUE(candles) << text;
         EXPECT_EQ(candles->relation_to, "bathtub") << text;
         for (const Placed& p : f.room.placed)
-            if (p.wish.klass == "candle") {
+            if (p.wish.kind == "candle") {
                 ASSERT_GE(p.on, 0) << text;
-                EXPECT_EQ(f.room.placed[static_cast<std::size_t>(p.on)].piece.klass, "bathtub") << text;
+                EXPECT_EQ(f.room.placed[static_cast<std::size_t>(p.on)].piece.kind, "bathtub") << text;
             }
     }
 }
@@ -287,15 +287,15 @@ TEST(PromptWords, ThemesBringTheirThings) {
           {"a gamer's bedroom", std::vector<const char*>{"desk", "monitor", "pc_tower"}},
           {"a gaming room with three monitors", std::vector<const char*>{"desk", "monitor", "office_chair"}}}) {
         const Furnished f = furnished(text);
-        for (const char* klass : classes) {
-            const PromptObject* o = object_of(f.spec, klass);
-            ASSERT_TRUE(o) << text << ": " << klass;
+        for (const char* kind : classes) {
+            const PromptObject* o = object_of(f.spec, kind);
+            ASSERT_TRUE(o) << text << ": " << kind;
             const bool there = std::any_of(f.room.placed.begin(), f.room.placed.end(),
-                                           [&](const Placed& p) { return p.wish.klass == klass; });
+                                           [&](const Placed& p) { return p.wish.kind == kind; });
             const bool told_why = std::any_of(
                 f.spec.not_placed.begin(), f.spec.not_placed.end(),
                 [&](const std::string& line) { return line.starts_with(o->words + ": "); });
-            EXPECT_TRUE(there || told_why) << text << ": " << klass;
+            EXPECT_TRUE(there || told_why) << text << ": " << kind;
         }
         EXPECT_TRUE(f.spec.words_with(PromptWord::Fate::not_understood).empty()) << text;
     }
@@ -304,7 +304,7 @@ TEST(PromptWords, ThemesBringTheirThings) {
     EXPECT_EQ(read("a gaming room in the morning").light, "");
     const PromptSpec bare = read("a pirate bedroom without pictures");
     EXPECT_TRUE(std::none_of(bare.objects.begin(), bare.objects.end(),
-                             [](const PromptObject& o) { return o.klass == "picture" && !o.forbidden; }));
+                             [](const PromptObject& o) { return o.kind == "picture" && !o.forbidden; }));
     const PromptSpec only = read("a pirate bedroom with only a bed");
     EXPECT_FALSE(object_of(only, "trunk"));
     // The picture that was named shows it; else one is hung.
@@ -319,10 +319,10 @@ TEST(PromptWords, TheEndFurnishesAndTheStructureShapes) {
         EXPECT_EQ(f.spec.structure, "attic") << text;
         EXPECT_GT(f.room.plan.knee, 0.f) << text;
         EXPECT_TRUE(std::any_of(f.room.placed.begin(), f.room.placed.end(), [](const Placed& p) {
-            return p.piece.klass == "desk";
+            return p.piece.kind == "desk";
         })) << text;
         EXPECT_FALSE(std::any_of(f.room.placed.begin(), f.room.placed.end(), [](const Placed& p) {
-            return p.piece.klass == "bed";
+            return p.piece.kind == "bed";
         })) << text;
     }
     EXPECT_EQ(read("a loft kitchen").room, "kitchen");
@@ -369,9 +369,9 @@ TEST(PromptWords, KitchenCabinetsAreTheUnits) {
     EXPECT_FALSE(object_of(f.spec, "cabinet"));
     int fronts = 0;
     for (const Placed& p : f.room.placed)
-        if (p.piece.klass == "kitchen_counter" || p.piece.klass == "kitchen_island") {
+        if (p.piece.kind == "kitchen_counter" || p.piece.kind == "kitchen_island") {
             const Vec3f c = p.piece.materials[static_cast<std::size_t>(p.piece.main_material)].color_a;
-            EXPECT_GT(c.y, 1.1f * c.x) << p.piece.klass;
+            EXPECT_GT(c.y, 1.1f * c.x) << p.piece.kind;
             ++fronts;
         }
     EXPECT_GE(fronts, 2);
@@ -383,7 +383,7 @@ TEST(PromptWords, RoundRugsAndMirrorsAreRound) {
          {"a living room with a round rug", "a bedroom with a round blue rug", "a study with a circular wool rug"}) {
         const Furnished f = furnished(text);
         const auto rug = std::find_if(f.room.placed.begin(), f.room.placed.end(),
-                                      [](const Placed& p) { return p.piece.klass == "rug"; });
+                                      [](const Placed& p) { return p.piece.kind == "rug"; });
         ASSERT_TRUE(rug != f.room.placed.end()) << text;
         EXPECT_NEAR(rug->piece.size_m.x, rug->piece.size_m.z, 0.02f) << text;
     }
@@ -391,7 +391,7 @@ TEST(PromptWords, RoundRugsAndMirrorsAreRound) {
     for (const char* text : {"a modern bathroom with a round mirror", "a rustic bedroom with a round brass mirror"}) {
         const Furnished f = furnished(text);
         const auto mirror = std::find_if(f.room.placed.begin(), f.room.placed.end(),
-                                         [](const Placed& p) { return p.piece.klass == "mirror"; });
+                                         [](const Placed& p) { return p.piece.kind == "mirror"; });
         ASSERT_TRUE(mirror != f.room.placed.end()) << text;
         EXPECT_NEAR(mirror->piece.size_m.x, mirror->piece.size_m.y, 0.02f) << text;
     }
@@ -414,7 +414,7 @@ TEST(PromptWords, AVaseOfFlowersIsOneThing) {
     EXPECT_TRUE(object_of(two, "bouquet")->material.empty());
     const Furnished f = furnished("a kitchen with a blue vase of yellow tulips on the table");
     const auto p = std::find_if(f.room.placed.begin(), f.room.placed.end(),
-                                [](const Placed& x) { return x.piece.klass == "bouquet"; });
+                                [](const Placed& x) { return x.piece.kind == "bouquet"; });
     ASSERT_TRUE(p != f.room.placed.end());
     EXPECT_TRUE(std::any_of(p->piece.materials.begin(), p->piece.materials.end(),
                             [](const Material& m) { return m.color_a == *color_named("blue"); }));
@@ -435,7 +435,7 @@ TEST(PromptWords, ASingleBedIsTheBedOfItsRoom) {
         for (const std::uint64_t seed : {1u, 2u, 3u}) {
             const Furnished f = furnished(text, seed);
             const auto beds = std::count_if(f.room.placed.begin(), f.room.placed.end(),
-                                            [](const Placed& p) { return p.piece.klass.starts_with("bed"); });
+                                            [](const Placed& p) { return p.piece.kind.starts_with("bed"); });
             EXPECT_EQ(beds, 1) << text << ", seed " << seed;
         }
 }
@@ -457,7 +457,7 @@ TEST(PromptWords, AccentMaterialsShowInTheFurniture) {
     EXPECT_TRUE(is_told(rattan.spec, "rattan", "understood"));
     int woven = 0;
     for (const Placed& p : rattan.room.placed)
-        if (furnishing::is_seat(p.piece.klass))
+        if (furnishing::is_seat(p.piece.kind))
             for (const Material& m : p.piece.materials) woven += m.pattern == Pattern::wicker;
     EXPECT_GT(woven, 0);
     const Furnished walnut = furnished("a modern living room with walnut furniture and brass accents");
@@ -469,7 +469,7 @@ TEST(PromptWords, AccentMaterialsShowInTheFurniture) {
 
 // What has a builder of ours only for those who ask stands where it belongs.
 TEST(PromptWords, RareWishesStandOrHangWhereTheyBelong) {
-    for (const auto& [text, klass, mount] :
+    for (const auto& [text, kind, mount] :
          {std::tuple{"a living room with a christmas tree", "christmas_tree", Mount::floor},
           {"a bedroom with a rocking chair", "rocking_chair", Mount::floor},
           {"a sunroom with a hammock", "hammock", Mount::floor},
@@ -482,10 +482,10 @@ TEST(PromptWords, RareWishesStandOrHangWhereTheyBelong) {
           {"a bedroom with a dressing table", "dressing_table", Mount::floor}}) {
         const Furnished f = furnished(text);
         const auto p = std::find_if(f.room.placed.begin(), f.room.placed.end(),
-                                    [&](const Placed& x) { return x.piece.klass == klass; });
+                                    [&](const Placed& x) { return x.piece.kind == kind; });
         ASSERT_TRUE(p != f.room.placed.end()) << text;
         EXPECT_EQ(p->piece.mount, mount) << text;
-        if (std::string(klass) != "cobweb") continue;
+        if (std::string(kind) != "cobweb") continue;
         // In the corner: two walls and the ceiling touch it.
         const Footprint box = footprint_of(*p);
         EXPECT_NEAR(box.y1, f.room.plan.height, 0.01f);
@@ -505,7 +505,7 @@ TEST(PromptWords, BedsOfManyPartsTakeTheirWords) {
     EXPECT_EQ(bunk->holder_color, "blue");
     const Furnished f = furnished("a kids room with a white bunk bed with blue bedding");
     const auto p = std::find_if(f.room.placed.begin(), f.room.placed.end(),
-                                [](const Placed& x) { return x.piece.klass == "bunk_bed"; });
+                                [](const Placed& x) { return x.piece.kind == "bunk_bed"; });
     ASSERT_TRUE(p != f.room.placed.end());
     int blue = 0;
     for (const Material& m : p->piece.materials) blue += m.name == "duvet" && m.color_a.z > 1.5f * m.color_a.x;
@@ -536,10 +536,10 @@ TEST(PromptWords, BlanketsLieOnSeats) {
           {"a boho reading nook with a rattan armchair and a blanket", "armchair", Pattern::knit}}) {
         const Furnished f = furnished(text);
         const auto p = std::find_if(f.room.placed.begin(), f.room.placed.end(),
-                                    [&](const Placed& x) { return x.piece.klass == "throw"; });
+                                    [&](const Placed& x) { return x.piece.kind == "throw"; });
         ASSERT_TRUE(p != f.room.placed.end()) << text;
         ASSERT_GE(p->on, 0) << text;
-        EXPECT_EQ(f.room.placed[static_cast<std::size_t>(p->on)].piece.klass, on) << text;
+        EXPECT_EQ(f.room.placed[static_cast<std::size_t>(p->on)].piece.kind, on) << text;
         const Material& cloth = p->piece.materials[static_cast<std::size_t>(p->piece.main_material)];
         EXPECT_EQ(cloth.pattern, pattern) << text;
         const auto red = [](Vec3f c) { return c.x / std::max(c.y, 1e-3f); };
@@ -634,10 +634,9 @@ TEST(Prints, EveryPatternOfTheLexiconIsDrawn) {
 }
 
 TEST(Prints, WallsFloorsAndClothShowTheirs) {
-    const auto main_of = [](const Furnished& f, const char* klass) {
+    const auto main_of = [](const Furnished& f, const char* kind) {
         for (const Placed& p : f.room.placed)
-            if (p.piece.klass == klass)
-                return p.piece.materials[static_cast<std::size_t>(p.piece.main_material)].pattern;
+            if (p.piece.kind == kind) return p.piece.materials[static_cast<std::size_t>(p.piece.main_material)].pattern;
         return Pattern::plain;
     };
     const Furnished kids = furnished("a child's bedroom with polka dot curtains and a chevron rug");
@@ -654,7 +653,7 @@ TEST(Prints, WallsFloorsAndClothShowTheirs) {
     // Two colors that were said are both there.
     const Furnished sofa = furnished("a living room with a red and white gingham armchair");
     for (const Placed& p : sofa.room.placed)
-        if (p.wish.klass == "armchair") {
+        if (p.wish.kind == "armchair") {
             const Material& m = p.piece.materials[static_cast<std::size_t>(p.piece.main_material)];
             EXPECT_EQ(m.pattern, Pattern::gingham);
             EXPECT_GT(luminance(m.color_b), 0.5f);
@@ -694,7 +693,7 @@ TEST(Openings, ArchesAndPortholesAreBuiltAsAsked) {
                 EXPECT_NEAR(o.u1 - o.u0, o.y1 - o.y0, 1e-4f);
                 EXPECT_LT(o.u1 - o.u0, 0.8f);
             }
-        for (const Placed& p : ship.room.placed) EXPECT_TRUE(p.sill < 0 && p.piece.klass != "curtain");
+        for (const Placed& p : ship.room.placed) EXPECT_TRUE(p.sill < 0 && p.piece.kind != "curtain");
     }
     // What is built about them is solid and faces outward.
     for (const char* text : {"a classic bedroom with two arched windows and an arched door",
@@ -719,9 +718,9 @@ TEST(Openings, ArchesAndPortholesAreBuiltAsAsked) {
 
 // What state a room is in shows in what stands there, and is told.
 TEST(States, AbandonedMessyRenovatedAndSparseRoomsDiffer) {
-    const auto count = [](const Furnished& f, std::string_view klass) {
+    const auto count = [](const Furnished& f, std::string_view kind) {
         return std::count_if(f.room.placed.begin(), f.room.placed.end(),
-                             [&](const Placed& p) { return p.piece.klass == klass; });
+                             [&](const Placed& p) { return p.piece.kind == kind; });
     };
     for (const std::uint64_t seed : {1u, 2u, 3u}) {
         const Furnished usual = furnished("a modern living room", seed),
@@ -730,15 +729,13 @@ TEST(States, AbandonedMessyRenovatedAndSparseRoomsDiffer) {
                         few = furnished("a minimalist living room", seed);
         EXPECT_LT(left.room.placed.size(), usual.room.placed.size());
         EXPECT_LT(static_cast<double>(few.room.placed.size()), 0.8 * static_cast<double>(usual.room.placed.size()));
-        for (const char* klass : {"curtain", "plant", "picture", "cushion_set"})
-            EXPECT_EQ(count(left, klass), 0) << klass;
-        for (const char* klass : {"cobweb", "rubble", "paper_litter"}) EXPECT_GT(count(left, klass), 0) << klass;
+        for (const char* kind : {"curtain", "plant", "picture", "cushion_set"}) EXPECT_EQ(count(left, kind), 0) << kind;
+        for (const char* kind : {"cobweb", "rubble", "paper_litter"}) EXPECT_GT(count(left, kind), 0) << kind;
         EXPECT_EQ(left.room.plan.style.wall.pattern, Pattern::peeling);
         EXPECT_TRUE(is_told(left.spec, "abandoned", "understood: state"));
         EXPECT_EQ(left.spec.style, "modern");
         EXPECT_EQ(furnished("an abandoned living room", seed).spec.style, "classic");  // nobody left it last year
-        for (const char* klass : {"step_ladder", "drop_cloth", "paint_buckets"})
-            EXPECT_GT(count(site, klass), 0) << klass;
+        for (const char* kind : {"step_ladder", "drop_cloth", "paint_buckets"}) EXPECT_GT(count(site, kind), 0) << kind;
         EXPECT_EQ(count(site, "sofa"), 0);
         EXPECT_TRUE(is_told(site.spec, "under renovation", "understood: state"));
         EXPECT_TRUE(is_told(few.spec, "minimalist", "understood: style: modern, with few things"));
@@ -748,14 +745,14 @@ TEST(States, AbandonedMessyRenovatedAndSparseRoomsDiffer) {
     }
     const Furnished dropped = furnished("a bedroom with clothes on the floor and a pizza box on the desk");
     EXPECT_EQ(count(dropped, "clothes_heap"), 1);
-    for (const Placed& p : dropped.room.placed) EXPECT_TRUE(p.piece.klass != "clothes_heap" || p.position.y < 0.05f);
+    for (const Placed& p : dropped.room.placed) EXPECT_TRUE(p.piece.kind != "clothes_heap" || p.position.y < 0.05f);
 }
 
 TEST(Bunks, ThreeHighAndWithStairs) {
     const auto bunk = [](const std::string& text) {
         const Furnished f = furnished(text);
         for (const Placed& p : f.room.placed)
-            if (p.piece.klass == "bunk_bed") return p.piece.size_m;
+            if (p.piece.kind == "bunk_bed") return p.piece.size_m;
         return Vec3f{};
     };
     const Vec3f two = bunk("a kids room with a bunk bed"), three = bunk("a kids room with a triple bunk bed"),

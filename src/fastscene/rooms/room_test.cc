@@ -116,7 +116,7 @@ void check_room(const Room& room, const std::vector<Vec3f>& rays) {
     }
     EXPECT_TRUE(sound);
     const bool next_room = std::any_of(room.objects.begin(), room.objects.end(),
-                                       [](const RoomObject& o) { return o.klass == "doorway"; });
+                                       [](const RoomObject& o) { return o.kind == "doorway"; });
     if (!next_room) {
         EXPECT_EQ(outside, -2) << (outside < 0 ? "the shell" : room.objects[static_cast<std::size_t>(outside)].name)
                                << " reaches out of the house";
@@ -169,16 +169,16 @@ TEST(Room, WhatIsAskedForIsThereOrReported) {
             PromptSpec spec;
             const Room room = room_of(text, seed, &spec, false);
             for (const PromptObject& wish : spec.objects) {
-                if (wish.forbidden || wish.klass == "wall" || wish.klass == "floor") continue;
+                if (wish.forbidden || wish.kind == "wall" || wish.kind == "floor") continue;
                 const auto there = std::count_if(room.objects.begin(), room.objects.end(), [&](const RoomObject& o) {
-                    return o.klass == wish.klass && o.requested;
+                    return o.kind == wish.kind && o.requested;
                 });
                 const auto reported = std::count_if(spec.not_placed.begin(), spec.not_placed.end(),
                                                     [&](const std::string& s) { return s.starts_with(wish.words); });
-                EXPECT_GE(there + reported, wish.count) << wish.klass;
+                EXPECT_GE(there + reported, wish.count) << wish.kind;
                 if (wish.color.empty()) continue;
                 for (const RoomObject& o : room.objects)
-                    EXPECT_TRUE(o.klass != wish.klass || !o.requested || o.color == wish.color) << o.name;
+                    EXPECT_TRUE(o.kind != wish.kind || !o.requested || o.color == wish.color) << o.name;
             }
         }
 }
@@ -227,9 +227,9 @@ TEST(Room, ForbiddenThingsAreAbsent) {
         const Room room = room_of("a living room with a sofa, no curtains, no tv, no rug, no plants, no windows", seed);
         EXPECT_TRUE(room.portals.empty());
         for (const RoomObject& o : room.objects)
-            EXPECT_TRUE(o.klass != "curtain" && o.klass != "tv" && o.klass != "rug" && o.klass != "plant" &&
-                        o.klass != "window")
-                << o.klass;
+            EXPECT_TRUE(o.kind != "curtain" && o.kind != "tv" && o.kind != "rug" && o.kind != "plant" &&
+                        o.kind != "window")
+                << o.kind;
     }
 }
 
@@ -256,7 +256,7 @@ TEST(Room, SameSeedSameRoomOtherSeedOtherRoom) {
 TEST(Room, ARugAskedForLiesFlatOnTheFloor) {
     const Room room = room_of("a living room with a sofa and a red rug", 3);
     const auto rug = std::find_if(room.objects.begin(), room.objects.end(),
-                                  [](const RoomObject& o) { return o.klass == "rug" && o.requested; });
+                                  [](const RoomObject& o) { return o.kind == "rug" && o.requested; });
     ASSERT_NE(rug, room.objects.end());
     EXPECT_LT(rug->size_m.y, 0.03f);
     EXPECT_NEAR(rug->world_from_object.translation.y, room.max_corner.y, 0.005f);
@@ -331,7 +331,7 @@ TEST(Room, BathroomShelvesHoldNoBooks) {
         PromptSpec spec;
         const Room room = room_of("a bathroom with a shelf", seed, &spec);
         for (const Mesh& mesh : room.meshes)
-            if (mesh.object >= 0 && room.objects[static_cast<std::size_t>(mesh.object)].klass == "shelf") {
+            if (mesh.object >= 0 && room.objects[static_cast<std::size_t>(mesh.object)].kind == "shelf") {
                 EXPECT_NE(room.materials[static_cast<std::size_t>(mesh.material)].pattern, Pattern::book);
             }
     }

@@ -64,15 +64,14 @@ TEST(RoomTypeFiles, ErrorsNameFileKeyAndWhatWasExpected) {
 
 // docs/extend/room-type.md: one file, and nothing else names the type.
 TEST(RoomTypeFiles, AFileIsEnough) {
-    for (const char* words :
-         {"a walk-in closet", "a classic dressing room at night"}) {
+    for (const char* words : {"a walk-in closet", "a classic dressing room at night"}) {
         PromptSpec spec = read(words);
         EXPECT_EQ(spec.room, "walk_in_closet") << words;
         EXPECT_TRUE(spec.words_with(PromptWord::Fate::not_understood).empty()) << words;
         const FurnishedRoom room = furnish_room(spec, {1, nullptr, {}});
-        const auto count = [&](std::string_view klass) {
+        const auto count = [&](std::string_view kind) {
             return std::count_if(room.placed.begin(), room.placed.end(),
-                                 [&](const Placed& p) { return p.piece.klass == klass; });
+                                 [&](const Placed& p) { return p.piece.kind == kind; });
         };
         EXPECT_GE(count("wardrobe"), 2) << words;
         EXPECT_GE(count("mirror"), 1) << words;

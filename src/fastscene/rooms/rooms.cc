@@ -69,8 +69,8 @@ void assume_time(PromptSpec& spec, std::uint64_t seed) {
 }
 
 // What the windows show, when the prompt does not say it: it goes with the style.
-Sky::View outlook_of(PromptSpec& spec, const Style& style, Random& dice) {
-    const float draw = dice.uniform();
+Sky::View outlook_of(PromptSpec& spec, const Style& style, Random& rng) {
+    const float draw = rng.uniform();
     if (spec.outlook.empty()) {
         const RoomWindows& windows = room_type(spec.room).windows;
         const Sky::View view = windows.outlook.value_or(style.outlook);
@@ -85,7 +85,7 @@ Sky::View outlook_of(PromptSpec& spec, const Style& style, Random& dice) {
 
 // The sun stands where it shines through the first window, a little from the side, so that its patch falls on the
 // floor.
-Sky make_sky(PromptSpec& spec, const Plan& plan, const Mat3f& world_from_room, Random& dice) {
+Sky make_sky(PromptSpec& spec, const Plan& plan, const Mat3f& world_from_room, Random& rng) {
     const Daylight* light = &kDaylight[1];
     for (const Daylight& d : kDaylight)
         if (spec.time == d.name) light = &d;
@@ -98,13 +98,13 @@ Sky make_sky(PromptSpec& spec, const Plan& plan, const Mat3f& world_from_room, R
     sky.clouds = spec.weather == "sunny"                                                            ? 0.1f
                  : spec.weather == "overcast" || spec.weather == "rainy" || spec.weather == "snowy" ? 1.f
                                                                                                     : 0.3f;
-    sky.seed = dice.next_u32();
+    sky.seed = rng.next_u32();
     sky.snow = spec.weather == "snowy";
     // At dusk the room is exposed for its lamps: what is outside is deep blue.
     sky.seen = light->time == Sky::Time::night ? 1.f : light->time == Sky::Time::dusk ? 0.22f : 0.13f;
     sky.sun_limit = 3.5f;
     if (light->time != Sky::Time::night && light->time != Sky::Time::dusk) sky.ground_least = 0.55f;
-    sky.view = outlook_of(spec, plan.style, dice);
+    sky.view = outlook_of(spec, plan.style, rng);
     if (sky.clouds > 0.9f) {
         // An overcast sky is gray and even, and hides the sun.
         const float gray = (luminance(light->zenith) + luminance(light->horizon)) / 2 *
@@ -119,8 +119,8 @@ Sky make_sky(PromptSpec& spec, const Plan& plan, const Mat3f& world_from_room, R
             out = -plan.wall(o.wall).inward;
             break;
         }
-    const float elevation = (light->sun_elevation_deg + dice.uniform(-4, 4)) * kPi / 180,
-                aside = dice.uniform(0.35f, 0.75f) * (dice.chance(0.5f) ? 1.f : -1.f);
+    const float elevation = (light->sun_elevation_deg + rng.uniform(-4, 4)) * kPi / 180,
+                aside = rng.uniform(0.35f, 0.75f) * (rng.chance(0.5f) ? 1.f : -1.f);
     const Vec3f side = cross(Vec3f{0, 1, 0}, out);
     const Vec3f level = out * std::cos(aside) + side * std::sin(aside);
     sky.sun_dir = world_from_room * normalize(level * std::cos(elevation) + Vec3f{0, std::sin(elevation), 0});
@@ -140,7 +140,7 @@ float lamp_level(const PromptSpec& spec, const Plan& plan) {
 }
 
 std::string name_of(const Placed& placed) {
-    std::string name = placed.piece.klass;
+    std::string name = placed.piece.kind;
     std::replace(name.begin(), name.end(), '_', ' ');
     if (!placed.wish.material.empty()) name = placed.wish.material + " " + name;
     if (!placed.wish.color.empty()) name = placed.wish.color + " " + name;
@@ -149,7 +149,7 @@ std::string name_of(const Placed& placed) {
 
 // Fires burn always; candles when they were asked for, or when lamps are lit.
 bool is_burning(const Placed& placed, float lamps) {
-    return lamps > 0 || !placed.wish.klass.empty() || placed.piece.klass == "fireplace";
+    return lamps > 0 || !placed.wish.kind.empty() || placed.piece.kind == "fireplace";
 }
 
 void add_piece(const Placed& placed, float lamps, Room& room) {
@@ -161,19 +161,19 @@ void add_piece(const Placed& placed, float lamps, Room& room) {
         if (material.pattern != Pattern::screen && !material.burns) material.emission = material.emission * lamps;
         // Eyes and cameras open up by night: a sign as bright as by day would burn out the wall that it stands before,
         // and itself with it.
-        if (placed.piece.klass == "neon_sign" && lamps > 0) material.emission = material.emission * kSignByNight;
+        if (placed.piece.kind == "neon_sign" && lamps > 0) material.emission = material.emission * kSignByNight;
         room.materials.push_back(std::move(material));
     }
     const Rigid room_from_object{rotation_about(Vec3f{0, 1, 0}, placed.yaw), placed.position};
     RoomObject entry;
     // Another builder may stand in for what was asked for; the name says which.
-    entry.klass = placed.wish.klass.empty() ? placed.piece.klass : placed.wish.klass;
+    entry.kind = placed.wish.kind.empty() ? placed.piece.kind : placed.wish.kind;
     entry.name = name_of(placed);
     entry.color = placed.wish.color;
     entry.world_from_object = room_from_object;
     entry.size_m = placed.piece.size_m;
     entry.source = placed.piece.source;
-    entry.requested = !placed.wish.klass.empty();
+    entry.requested = !placed.wish.kind.empty();
     room.objects.push_back(entry);
     const bool burning = is_burning(placed, lamps);
     for (Mesh mesh : placed.piece.meshes) {
@@ -188,11 +188,11 @@ void add_piece(const Placed& placed, float lamps, Room& room) {
 
 // Looks at the piece that names the room, else along the room's longer side.
 Vec3f view_direction(const FurnishedRoom& room, Vec3f camera) {
-    for (const char* klass : {"bed", "bed_single", "canopy_bed", "four_poster_bed", "floor_bed", "bunk_bed", "loft_bed",
-                              "cabin_bed", "crib", "sofa", "loveseat", "dining_table", "kitchen_counter", "bathtub",
-                              "desk", "sideboard", "washing_machine"})
+    for (const char* kind : {"bed", "bed_single", "canopy_bed", "four_poster_bed", "floor_bed", "bunk_bed", "loft_bed",
+                             "cabin_bed", "crib", "sofa", "loveseat", "dining_table", "kitchen_counter", "bathtub",
+                             "desk", "sideboard", "washing_machine"})
         for (const Placed& p : room.placed) {
-            if (p.piece.klass != klass) continue;
+            if (p.piece.kind != kind) continue;
             const Vec3f to = p.position - camera;
             if (std::hypot(to.x, to.z) > 0.4f) return normalize(Vec3f{to.x, 0, to.z});
         }
@@ -238,20 +238,20 @@ void count_placed(const FurnishedRoom& room, PromptSpec& spec) {
                     word.fate = PromptWord::Fate::approximated,
                     word.meaning = "the " + placed.wish.words + " stands elsewhere: no free place there";
         tell_size(placed, spec);
-        if (placed.piece.klass == placed.wish.klass) continue;
-        if (placed.wish.klass == "plant" && is_one_of(placed.piece.klass, {"plant_small", "hanging_plant"}))
+        if (placed.piece.kind == placed.wish.kind) continue;
+        if (placed.wish.kind == "plant" && is_one_of(placed.piece.kind, {"plant_small", "hanging_plant"}))
             continue;  // in a smaller pot they are plants
         for (PromptWord& word : spec.words)
             if (word.object == placed.wish.id && word.words == placed.wish.words &&
                 word.fate == PromptWord::Fate::understood) {
                 word.fate = PromptWord::Fate::approximated;
-                word.meaning += "; shown as " + placed.piece.klass;
+                word.meaning += "; shown as " + placed.piece.kind;
             }
     }
     for (const Placed& placed : room.placed_next)
         if (placed.wish.id >= 0) ++spec.objects[static_cast<std::size_t>(placed.wish.id)].placed;
     for (PromptObject& object : spec.objects)
-        if (is_shell(object.klass) && !object.forbidden)
+        if (is_shell(object.kind) && !object.forbidden)
             object.placed = object.count -
                             static_cast<int>(std::count_if(
                                 spec.not_placed.begin(), spec.not_placed.end(),
@@ -263,9 +263,9 @@ bool is_asked_next_door(const PromptObject& o) { return !o.forbidden && o.relati
 // "A green wall behind the bed": the wall that the bed came to stand at.
 void turn_accent(const PromptSpec& spec, const std::vector<Placed>& placed, Plan& plan) {
     for (const PromptObject& wish : spec.objects) {
-        if (wish.klass != "wall" || wish.forbidden || wish.relation != "behind") continue;
+        if (wish.kind != "wall" || wish.forbidden || wish.relation != "behind") continue;
         const auto piece = std::find_if(placed.begin(), placed.end(), [&](const Placed& p) {
-            return p.piece.klass == wish.relation_to || p.wish.klass == wish.relation_to;
+            return p.piece.kind == wish.relation_to || p.wish.kind == wish.relation_to;
         });
         if (piece == placed.end()) continue;
         for (int i = 0; i < 4; ++i)
@@ -275,10 +275,10 @@ void turn_accent(const PromptSpec& spec, const std::vector<Placed>& placed, Plan
 }
 
 FurnishedRoom furnish_once(PromptSpec& spec, const Run& run, const std::string& draw, const AnnealParams& annealing) {
-    Random dice(run.seed, "room:" + spec.text + draw);
+    Random rng(run.seed, "room:" + spec.text + draw);
     assume_time(spec, run.seed);
-    FurnishedRoom out{make_plan(spec, dice), {}, {}, {}, 0, {}};
-    Layout layout(out.plan, spec, dice, annealing);
+    FurnishedRoom out{make_plan(spec, rng), {}, {}, {}, 0, {}};
+    Layout layout(out.plan, spec, rng, annealing);
     furnish(layout);
     out.annealed = layout.annealed();
     out.placed = layout.placed();
@@ -299,8 +299,8 @@ FurnishedRoom furnish_once(PromptSpec& spec, const Run& run, const std::string& 
             if (there) o.relation.clear();
             if (o.forbidden || there) next.objects.push_back(o);
         }
-        Random next_dice(run.seed, "next room:" + spec.text);
-        Layout beyond(out.plan.next->plan, next, next_dice, annealing);
+        Random next_rng(run.seed, "next room:" + spec.text);
+        Layout beyond(out.plan.next->plan, next, next_rng, annealing);
         furnish(beyond);
         out.placed_next = beyond.placed();
         spec.not_placed.insert(spec.not_placed.end(), next.not_placed.begin(), next.not_placed.end());
@@ -335,7 +335,7 @@ std::size_t misplaced(const FurnishedRoom& room) {
 bool lacks_a_bed(const FurnishedRoom& room, const PromptSpec& spec) {
     constexpr int kMost = 3;  // more is for halls
     return std::any_of(spec.objects.begin(), spec.objects.end(), [&](const PromptObject& o) {
-        return has_role(o.klass, Role::bed) && !o.forbidden && o.relation != "in the next room" && o.count <= kMost &&
+        return has_role(o.kind, Role::bed) && !o.forbidden && o.relation != "in the next room" && o.count <= kMost &&
                std::count_if(room.placed.begin(), room.placed.end(),
                              [&](const Placed& p) { return p.wish.id == o.id; }) < o.count;
     });
@@ -371,7 +371,7 @@ Room make_room(PromptSpec& spec, const Run& run) { return room_of(spec, furnish_
 
 Room room_of(PromptSpec& spec, const FurnishedRoom& furnished, const Run& run) {
     const Plan& plan = furnished.plan;
-    Random dice(run.seed, "light:" + spec.text);
+    Random rng(run.seed, "light:" + spec.text);
     Room room;
     room.type = spec.room;
     room.style = plan.style.name;
@@ -389,7 +389,7 @@ Room room_of(PromptSpec& spec, const FurnishedRoom& furnished, const Run& run) {
     const Mat3f rotation{cross(down, forward), down, forward};
     const Rigid world_from_room{rotation, -(rotation * camera)};
     turn_into_world(world_from_room, room);
-    room.sky = make_sky(spec, plan, rotation, dice);
+    room.sky = make_sky(spec, plan, rotation, rng);
     if (spec.mood == "cozy") room.look.white = {1.03f, 1.f, 0.95f};
 
     room.min_corner = {1e9f, 1e9f, 1e9f};
@@ -414,7 +414,7 @@ Json room_json(const Room& room, const Image<std::int32_t>& object_of_pixel) {
     Json objects = Json::array();
     for (std::size_t i = 0; i < room.objects.size(); ++i) {
         const RoomObject& o = room.objects[i];
-        objects.push_back({{"class", o.klass},
+        objects.push_back({{"class", o.kind},
                            {"name", o.name},
                            {"color", o.color},
                            {"visible_pixels", visible[i]},

@@ -29,7 +29,7 @@ inline constexpr const char* kFullHeight = "full height";  // the pattern of win
 // A piece of the prompt's, or a part of the room's shell (window, wall, floor …).
 // Empty text = not said (the room's maker chooses).
 struct PromptObject {
-    std::string klass;  // canonical class: "armchair"
+    std::string kind;   // canonical class: "armchair"
     std::string words;  // as written
     int count = 1;
     std::string color, material, pattern, size;

@@ -130,8 +130,8 @@ std::vector<Vec2f> edge_of(const Opening& o, float grow) {
     return out;
 }
 
-Material as_asked(const Plan& plan, std::string_view klass, Material usual) {
-    const PromptObject* asked = plan.asked(klass);
+Material as_asked(const Plan& plan, std::string_view kind, Material usual) {
+    const PromptObject* asked = plan.asked(kind);
     if (!asked) return usual;
     PromptObject wish = *asked;
     // Just "wooden" is the room's own wood. What is built of steel is not polished, and of a glass door or window it is

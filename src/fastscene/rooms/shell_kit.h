@@ -48,7 +48,7 @@ inline int add_material(Room& room, Material m) {
 }
 
 // The usual material of a part of the shell, in the material, color and pattern that the prompt wants it in.
-Material as_asked(const Plan& plan, std::string_view klass, Material usual);
+Material as_asked(const Plan& plan, std::string_view kind, Material usual);
 
 inline constexpr float kCasing = 0.08f;  // width of the frame about doors and windows
 

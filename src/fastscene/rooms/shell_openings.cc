@@ -13,11 +13,11 @@ Rigid on_wall(const WallFace& face, Vec3f base) {
     return {Mat3f::from_columns(-face.along, {0, 1, 0}, face.inward), base};
 }
 
-int add_object(const Plan& plan, Room& room, const char* klass, const Opening& o, const WallFace& face, float depth) {
+int add_object(const Plan& plan, Room& room, const char* kind, const Opening& o, const WallFace& face, float depth) {
     RoomObject object;
-    object.klass = klass;
-    if (const PromptObject* wish = plan.asked(klass)) object.color = wish->color;
-    object.name = object.color.empty() ? klass : object.color + " " + klass;
+    object.kind = kind;
+    if (const PromptObject* wish = plan.asked(kind)) object.color = wish->color;
+    object.name = object.color.empty() ? kind : object.color + " " + kind;
     object.world_from_object = on_wall(face, face.point((o.u0 + o.u1) / 2, o.y0));
     object.size_m = {o.u1 - o.u0, o.y1 - o.y0, depth};
     object.source = "built-in";
@@ -133,11 +133,11 @@ void build_window(const Plan& plan, const Opening& o, Room& room, int trim) {
     }
 }
 
-void build_door(const Plan& plan, const Opening& o, Room& room, int trim, Random& dice) {
+void build_door(const Plan& plan, const Opening& o, Room& room, int trim, Random& rng) {
     const WallFace face = plan.wall(o.wall);
     const WallBuilder wall(face, room);
     const int object = add_object(plan, room, "door", o, face, 0.05f);
-    const Material leaf = dice.chance(0.5f) ? plan.style.trim : plan.style.wood;
+    const Material leaf = rng.chance(0.5f) ? plan.style.trim : plan.style.wood;
     const int door = add_material(room, as_asked(plan, "door", leaf)), metal = add_material(room, plan.style.metal);
     const float inset = 0.13f, middle = 0.95f;
     // Two panels stand proud of the leaf.
@@ -241,7 +241,7 @@ void build_slope(const Plan& plan, int wall, const Materials& m, Room& room) {
         z = k.z1;
 
         RoomObject object;
-        object.klass = object.name = "skylight";
+        object.kind = object.name = "skylight";
         object.source = "built-in";
         object.size_m = {k.z1 - k.z0, k.s1 - k.s0, kThick};
         const WallFace face = plan.wall(wall);  // upright like every object: its front looks into the room
@@ -262,10 +262,10 @@ void build_slope(const Plan& plan, int wall, const Materials& m, Room& room) {
 }  // namespace
 
 void build_openings(const Plan& plan, const Materials& m, Room& room) {
-    Random dice(room.seed, "door");
+    Random rng(room.seed, "door");
     for (const Opening& o : plan.openings) {
         if (o.kind == Opening::Kind::window) build_window(plan, o, room, m.trim);
-        else if (o.kind == Opening::Kind::door) build_door(plan, o, room, m.trim, dice);
+        else if (o.kind == Opening::Kind::door) build_door(plan, o, room, m.trim, rng);
         else if (!plan.joined) build_doorway(plan, o, room, m.trim);
     }
 }

@@ -21,12 +21,12 @@ void build_skirting(const Plan& plan, const WallFace& face, Room& room, int trim
 }
 
 // Parts of the shell that a prompt may ask for are objects of the room, so that they can be found in it.
-int part_object(const Plan& plan, Room& room, const char* klass, Vec3f size) {
-    const PromptObject* wish = plan.asked(klass);
+int part_object(const Plan& plan, Room& room, const char* kind, Vec3f size) {
+    const PromptObject* wish = plan.asked(kind);
     RoomObject object;
-    object.klass = klass;
+    object.kind = kind;
     object.color = wish ? wish->color : "";
-    object.name = object.color.empty() ? klass : object.color + " " + klass;
+    object.name = object.color.empty() ? kind : object.color + " " + kind;
     object.source = "built-in";
     object.size_m = size;
     object.requested = wish != nullptr;

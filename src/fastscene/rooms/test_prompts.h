@@ -10,9 +10,9 @@ namespace fastscene {
 
 inline PromptSpec read(const std::string& text) { return understand_prompt(text, false); }
 
-inline const PromptObject* object_of(const PromptSpec& spec, std::string_view klass) {
+inline const PromptObject* object_of(const PromptSpec& spec, std::string_view kind) {
     for (const PromptObject& o : spec.objects)
-        if (o.klass == klass && !o.forbidden) return &o;
+        if (o.kind == kind && !o.forbidden) return &o;
     return nullptr;
 }
 

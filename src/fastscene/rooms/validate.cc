@@ -32,7 +32,7 @@ class Checker {
     }
 
   private:
-    std::string name(std::size_t i) const { return placed_[i].piece.klass + " #" + std::to_string(i); }
+    std::string name(std::size_t i) const { return placed_[i].piece.kind + " #" + std::to_string(i); }
     void add(const char* kind, std::string text) { faults_.push_back({kind, std::move(text)}); }
 
     void inside(std::size_t i) {
@@ -68,7 +68,7 @@ class Checker {
         }
         switch (p.piece.mount) {
             case Mount::floor:
-                if (std::abs(p.position.y) > 0.02f && p.piece.klass != "curtain")
+                if (std::abs(p.position.y) > 0.02f && p.piece.kind != "curtain")
                     add("unsupported", name(i) + " does not stand on the floor");
                 break;
             case Mount::surface: add("unsupported", name(i) + " stands on nothing"); break;
@@ -112,7 +112,7 @@ class Checker {
             const Vec3f middle = face.point((o.u0 + o.u1) / 2, 0) + face.inward * (deep / 2);
             Footprint zone{flat(middle), {(o.u1 - o.u0) / 2 - 0.04f, deep / 2 - 0.01f}, yaw, 0.02f, 2.f};
             if (window) zone.y0 = free_before(o, 0.25f), zone.y1 = o.y1 - 0.02f;
-            if (window && (p.piece.klass == "curtain" || p.on >= 0 || p.sill >= 0)) continue;
+            if (window && (p.piece.kind == "curtain" || p.on >= 0 || p.sill >= 0)) continue;
             if (overlap(box, zone))
                 add(window ? "window" : "door", name(i) + (window ? " stands in a window" : " blocks a door"));
         }
@@ -156,7 +156,7 @@ namespace {
 void add_crossings(PromptSpec spec, std::uint64_t seed, std::vector<Fault>& faults) {
     const Room room = make_room(spec, {seed, nullptr, {}});
     const auto name = [&](int object) {
-        return object < 0 ? std::string("the room") : room.objects[static_cast<std::size_t>(object)].klass;
+        return object < 0 ? std::string("the room") : room.objects[static_cast<std::size_t>(object)].kind;
     };
     for (const Crossing& c : room_crossings(room))
         faults.push_back(

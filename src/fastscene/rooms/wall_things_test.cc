@@ -18,10 +18,10 @@ namespace {
 struct Hung {
     PromptSpec spec;
     FurnishedRoom room;
-    std::vector<const Placed*> all(const std::string& klass) const {
+    std::vector<const Placed*> all(const std::string& kind) const {
         std::vector<const Placed*> out;
         for (const Placed& p : room.placed)
-            if (p.piece.klass == klass) out.push_back(&p);
+            if (p.piece.kind == kind) out.push_back(&p);
         return out;
     }
 };
@@ -31,10 +31,10 @@ Hung hung_room(const std::string& text, std::uint64_t seed = 1) {
     h.room = furnish_room(h.spec, {seed, nullptr, {}});
     return h;
 }
-float brightest(const Room& room, const std::string& klass) {
+float brightest(const Room& room, const std::string& kind) {
     float most = 0;
     for (const Mesh& m : room.meshes)
-        if (m.object >= 0 && room.objects[static_cast<std::size_t>(m.object)].klass == klass)
+        if (m.object >= 0 && room.objects[static_cast<std::size_t>(m.object)].kind == kind)
             most = std::max(most, luminance(room.materials[static_cast<std::size_t>(m.material)].emission));
     return most;
 }
@@ -45,36 +45,36 @@ Room lit_room(const std::string& text) {
 }
 
 TEST(WallThings, WhatIsAskedForIsUnderstoodAndHangsWhereItBelongs) {
-    for (const auto& [text, klass, mount] : {std::tuple{"a bedroom with a wall sconce", "wall_lamp", Mount::wall},
-                                             {"a living room with a blue neon sign", "neon_sign", Mount::wall},
-                                             {"a study with a whiteboard", "whiteboard", Mount::wall},
-                                             {"a kitchen with a blackboard", "chalkboard", Mount::wall},
-                                             {"a study with a cork board", "pin_board", Mount::wall},
-                                             {"a boho bedroom with a tapestry", "tapestry", Mount::wall},
-                                             {"a boho bedroom with a macrame wall hanging", "macrame", Mount::wall},
-                                             {"a cabin living room with antlers", "antlers", Mount::wall},
-                                             {"a rustic dining room with a deer head", "deer_head", Mount::wall},
-                                             {"a kids room with a world map", "world_map", Mount::wall},
-                                             {"a loft with a dartboard", "dartboard", Mount::wall},
-                                             {"a dining room with a red flag", "flag", Mount::wall},
-                                             {"a living room with a ceiling fan", "ceiling_fan", Mount::ceiling},
-                                             {"a loft with a disco ball", "disco_ball", Mount::ceiling},
-                                             {"a kitchen with track lighting", "track_light", Mount::ceiling},
-                                             {"a dining room with edison bulbs", "bulb_pendant", Mount::ceiling},
-                                             {"a bedroom with a paper lantern", "paper_lantern", Mount::ceiling},
-                                             {"a sunroom with hanging plants", "hanging_plant", Mount::ceiling},
-                                             {"a hallway with a grandfather clock", "grandfather_clock", Mount::floor},
-                                             {"a kids room with a teepee", "play_tent", Mount::floor},
-                                             {"a living room with a bar cart", "bar_cart", Mount::floor},
-                                             {"a study with a cactus", "cactus", Mount::surface},
-                                             {"a living room with a large cactus", "cactus", Mount::floor},
-                                             {"a study with a fish bowl", "fish_bowl", Mount::surface},
-                                             {"a living room with a lantern", "lantern", Mount::surface}}) {
+    for (const auto& [text, kind, mount] : {std::tuple{"a bedroom with a wall sconce", "wall_lamp", Mount::wall},
+                                            {"a living room with a blue neon sign", "neon_sign", Mount::wall},
+                                            {"a study with a whiteboard", "whiteboard", Mount::wall},
+                                            {"a kitchen with a blackboard", "chalkboard", Mount::wall},
+                                            {"a study with a cork board", "pin_board", Mount::wall},
+                                            {"a boho bedroom with a tapestry", "tapestry", Mount::wall},
+                                            {"a boho bedroom with a macrame wall hanging", "macrame", Mount::wall},
+                                            {"a cabin living room with antlers", "antlers", Mount::wall},
+                                            {"a rustic dining room with a deer head", "deer_head", Mount::wall},
+                                            {"a kids room with a world map", "world_map", Mount::wall},
+                                            {"a loft with a dartboard", "dartboard", Mount::wall},
+                                            {"a dining room with a red flag", "flag", Mount::wall},
+                                            {"a living room with a ceiling fan", "ceiling_fan", Mount::ceiling},
+                                            {"a loft with a disco ball", "disco_ball", Mount::ceiling},
+                                            {"a kitchen with track lighting", "track_light", Mount::ceiling},
+                                            {"a dining room with edison bulbs", "bulb_pendant", Mount::ceiling},
+                                            {"a bedroom with a paper lantern", "paper_lantern", Mount::ceiling},
+                                            {"a sunroom with hanging plants", "hanging_plant", Mount::ceiling},
+                                            {"a hallway with a grandfather clock", "grandfather_clock", Mount::floor},
+                                            {"a kids room with a teepee", "play_tent", Mount::floor},
+                                            {"a living room with a bar cart", "bar_cart", Mount::floor},
+                                            {"a study with a cactus", "cactus", Mount::surface},
+                                            {"a living room with a large cactus", "cactus", Mount::floor},
+                                            {"a study with a fish bowl", "fish_bowl", Mount::surface},
+                                            {"a living room with a lantern", "lantern", Mount::surface}}) {
         const Hung h = hung_room(text);
         SCOPED_TRACE(text);
-        const PromptObject* wish = object_of(h.spec, klass);
+        const PromptObject* wish = object_of(h.spec, kind);
         ASSERT_TRUE(wish);
-        const auto there = h.all(klass);
+        const auto there = h.all(kind);
         ASSERT_GE(static_cast<int>(there.size()), wish->count);
         EXPECT_EQ(there.front()->piece.mount, mount);
         EXPECT_EQ(h.room.hidden_wishes, 0);
@@ -84,18 +84,18 @@ TEST(WallThings, WhatIsAskedForIsUnderstoodAndHangsWhereItBelongs) {
 
 // In every window, within its reveal; what is drawn up hangs from its head.
 TEST(WallThings, BlindsHangWithinTheirWindows) {
-    for (const auto& [words, klass] : {std::pair{"venetian blinds", "venetian_blind"},
-                                       {"roller shades", "roller_blind"},
-                                       {"roman blinds", "roman_blind"},
-                                       {"shutters", "shutters"},
-                                       {"shoji screens", "shoji"}})
+    for (const auto& [words, kind] : {std::pair{"venetian blinds", "venetian_blind"},
+                                      {"roller shades", "roller_blind"},
+                                      {"roman blinds", "roman_blind"},
+                                      {"shutters", "shutters"},
+                                      {"shoji screens", "shoji"}})
         for (const std::string room : {"modern living room", "rustic kitchen", "japandi bedroom", "classic study"})
             for (const std::uint64_t seed : {1u, 2u}) {
                 const Hung h = hung_room("a " + room + " with " + words, seed);
                 SCOPED_TRACE(room + " with " + words);
                 const auto windows = std::count_if(h.room.plan.openings.begin(), h.room.plan.openings.end(),
                                                    [](const Opening& o) { return o.kind == Opening::Kind::window; });
-                const auto there = h.all(klass);
+                const auto there = h.all(kind);
                 EXPECT_EQ(static_cast<long>(there.size()), windows);
                 for (const Placed* p : there) {
                     EXPECT_TRUE(hangs_in_window(h.room.plan, *p));
@@ -132,14 +132,14 @@ TEST(WallThings, SconcesHangBesideTheBed) {
 }
 
 TEST(WallThings, LampsShineAtNightAndSignsAlways) {
-    for (const auto& [words, klass] : {std::pair{"wall sconces", "wall_lamp"},
-                                       {"a ceiling fan", "ceiling_fan"},
-                                       {"track lighting", "track_light"},
-                                       {"edison bulbs", "bulb_pendant"},
-                                       {"a paper lantern", "paper_lantern"}}) {
+    for (const auto& [words, kind] : {std::pair{"wall sconces", "wall_lamp"},
+                                      {"a ceiling fan", "ceiling_fan"},
+                                      {"track lighting", "track_light"},
+                                      {"edison bulbs", "bulb_pendant"},
+                                      {"a paper lantern", "paper_lantern"}}) {
         const std::string text = std::string("a living room with ") + words;
-        EXPECT_GT(brightest(lit_room(text + " at night"), klass), 1.f) << words;
-        EXPECT_EQ(brightest(lit_room(text + " at noon"), klass), 0.f) << words;
+        EXPECT_GT(brightest(lit_room(text + " at night"), kind), 1.f) << words;
+        EXPECT_EQ(brightest(lit_room(text + " at noon"), kind), 0.f) << words;
     }
     for (const std::string time : {"at night", "at noon"}) {
         const Room room = lit_room("a living room with a pink neon sign " + time);
@@ -173,7 +173,7 @@ TEST(WallThings, WhatHangsIsSeen) {
         const Hung h = hung_room("a boho living room with three hanging plants", seed);
         EXPECT_EQ(h.all("hanging_plant").size(), 3u);
         for (const Placed* plant : h.all("hanging_plant"))
-            for (const Placed& other : h.room.placed) EXPECT_FALSE(hides(*plant, other)) << other.piece.klass;
+            for (const Placed& other : h.room.placed) EXPECT_FALSE(hides(*plant, other)) << other.piece.kind;
     }
 }
 
@@ -187,9 +187,9 @@ TEST(WallThings, LampsStandInNoBeam) {
                 const Plan& plan = h.room.plan;
                 if (!plan.beams || plan.knee > 0) continue;
                 for (const Placed& p : h.room.placed) {
-                    if (!furnishing::lights_from_above(p.piece.klass)) continue;
+                    if (!furnishing::lights_from_above(p.piece.kind)) continue;
                     const bool hangs_from_beam = p.position.y < plan.height - kBeamDepth + 1e-3f;
-                    const float half = p.piece.klass == "ceiling_lamp" ? p.piece.size_m.z / 2 : 0.05f;
+                    const float half = p.piece.kind == "ceiling_lamp" ? p.piece.size_m.z / 2 : 0.05f;
                     for (int i = 0; i < beam_count(plan) && !hangs_from_beam; ++i)
                         EXPECT_GT(std::abs(p.position.z - beam_z(plan, i)), kBeamWidth / 2 + half)
                             << h.room.plan.style.name << " " << lamp;
@@ -217,7 +217,7 @@ TEST(WallThings, RecessedLightsAreInTheCeiling) {
             EXPECT_TRUE(h.all("ceiling_lamp").empty()) << room;
             const Room shown = built(h);
             const auto object = std::find_if(shown.objects.begin(), shown.objects.end(),
-                                             [](const RoomObject& o) { return o.klass == "recessed_lights"; });
+                                             [](const RoomObject& o) { return o.kind == "recessed_lights"; });
             ASSERT_NE(object, shown.objects.end()) << room;
             EXPECT_TRUE(object->requested);
             EXPECT_GT(brightest(shown, "recessed_lights"), 0.f) << room;
@@ -225,16 +225,16 @@ TEST(WallThings, RecessedLightsAreInTheCeiling) {
     EXPECT_GT(coffers, 0);
     EXPECT_GT(beams, 0);
     for (const RoomObject& o : built(hung_room("a modern living room without recessed lights")).objects)
-        EXPECT_NE(o.klass, "recessed_lights");
+        EXPECT_NE(o.kind, "recessed_lights");
 }
 
 // Parts of the shell come in the color and material they are asked for in.
 TEST(WallThings, PartsOfTheShellAreAsAsked) {
-    const auto mean_albedo = [](const Room& room, const std::string& klass) {
+    const auto mean_albedo = [](const Room& room, const std::string& kind) {
         Vec3f sum{};
         float count = 0;
         for (const Mesh& m : room.meshes)
-            if (m.object >= 0 && room.objects[static_cast<std::size_t>(m.object)].klass == klass)
+            if (m.object >= 0 && room.objects[static_cast<std::size_t>(m.object)].kind == kind)
                 sum += room.materials[static_cast<std::size_t>(m.material)].color_a, ++count;
         return count > 0 ? sum / count : Vec3f{-1, -1, -1};
     };
@@ -245,11 +245,11 @@ TEST(WallThings, PartsOfTheShellAreAsAsked) {
         EXPECT_TRUE(black >= 0 && black < 0.05f) << room << " " << black;
     }
     // Of a column base and capital stay as the trim, of a window the glass.
-    for (const auto& [text, klass] : {std::pair{"a classic dining room with black columns", "column"},
-                                      {"a rustic kitchen with black windows", "window"}}) {
+    for (const auto& [text, kind] : {std::pair{"a classic dining room with black columns", "column"},
+                                     {"a rustic kitchen with black windows", "window"}}) {
         const Room room = lit_room(text);
         EXPECT_TRUE(std::any_of(room.meshes.begin(), room.meshes.end(), [&](const Mesh& m) {
-            return m.object >= 0 && room.objects[static_cast<std::size_t>(m.object)].klass == klass &&
+            return m.object >= 0 && room.objects[static_cast<std::size_t>(m.object)].kind == kind &&
                    luminance(room.materials[static_cast<std::size_t>(m.material)].color_a) < 0.05f;
         })) << text;
     }
@@ -260,7 +260,7 @@ TEST(WallThings, PartsOfTheShellAreAsAsked) {
         for (const std::uint64_t seed : {1u, 2u, 3u}) {
             const Room room = built(hung_room("a " + style + " hallway with a wooden door", seed));
             EXPECT_TRUE(std::any_of(room.meshes.begin(), room.meshes.end(), [&](const Mesh& m) {
-                return m.object >= 0 && room.objects[static_cast<std::size_t>(m.object)].klass == "door" &&
+                return m.object >= 0 && room.objects[static_cast<std::size_t>(m.object)].kind == "door" &&
                        room.materials[static_cast<std::size_t>(m.material)].pattern == Pattern::wood;
             })) << style;
         }
@@ -271,11 +271,11 @@ TEST(WallThings, CurtainsHangBesideSigns) {
     for (const std::uint64_t seed : {1u, 2u, 3u, 4u, 5u, 6u}) {
         const Hung h = hung_room("a classic bedroom with a neon sign and two tapestries", seed);
         for (const Placed& p : h.room.placed) {
-            if (p.piece.mount != Mount::wall || p.piece.klass == "curtain") continue;
+            if (p.piece.mount != Mount::wall || p.piece.kind == "curtain") continue;
             Footprint before = footprint_of(p);
             before.half.y += 0.1f;
             for (const Placed* curtain : h.all("curtain"))
-                EXPECT_FALSE(overlap(before, footprint_of(*curtain))) << p.piece.klass << " seed " << seed;
+                EXPECT_FALSE(overlap(before, footprint_of(*curtain))) << p.piece.kind << " seed " << seed;
         }
     }
 }
@@ -286,7 +286,7 @@ TEST(WallThings, WhoAsksForALightAboveGetsNoOther) {
         const Hung h = hung_room("a living room with " + words);
         int above = 0;
         for (const Placed& p : h.room.placed)
-            above += furnishing::lights_from_above(p.piece.klass) && p.wish.klass.empty();
+            above += furnishing::lights_from_above(p.piece.kind) && p.wish.kind.empty();
         EXPECT_EQ(above, 0) << words;
     }
 }

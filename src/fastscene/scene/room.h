@@ -101,7 +101,7 @@ struct Mesh {
 };
 
 struct RoomObject {
-    std::string klass;        // "sofa", "window", "wall" …
+    std::string kind;         // "sofa", "window", "wall" …
     std::string name;         // "brown leather sofa"
     std::string color;        // name of the requested or chosen color, "" = the style's default
     Rigid world_from_object;  // object frame: x right, y up, z towards its front, origin at the center of its base

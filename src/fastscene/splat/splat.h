@@ -1,6 +1,5 @@
 // Splat: views become 3D Gaussians (Kerbl et al. 2023), loss (1 - lambda) L1 + lambda D-SSIM, lambda = 0.2.
-// Backends: "cpu" (tiles, SIMD, threads), "vulkan" (graphics cards) and "reference" (slow, readable, double precision
-// possible).
+// Backends are registered by their files in splat_backends/.
 #pragma once
 
 #include <cstdint>
@@ -18,17 +17,24 @@
 
 namespace fastscene {
 
+namespace splat {
+struct Renderer;  // backend.h
+}
+
 inline constexpr int kAutomaticShDegree = -1;
 
-// What renders splats.
+// The backends that there are (splat/splat_backends/), and a sentence about each for --help.
+std::vector<std::string> splat_backend_names();
+const std::string& about_splat_backends();
+
+// What renders and trains splats.
 struct SplatBackend {
-    std::string name = "cpu";     // cpu, vulkan or reference
+    std::string name = "cpu";
     std::string device = "auto";  // of vulkan (gpu::choose_device)
 };
 template <class V>
 void visit_fields(SplatBackend& b, V&& v) {
-    v("backend", b.name, Choices{{"cpu", "vulkan", "reference"}},
-      "Renderer of splats: cpu (SIMD, threads), vulkan (a graphics card) or reference (slow, readable).");
+    v("backend", b.name, Choices{splat_backend_names()}, about_splat_backends());
     v("device", b.device,
       "vulkan: the graphics card, by number or part of its name as `doctor` lists them; auto: the one with the most "
       "memory.");
@@ -172,10 +178,8 @@ class SplatRenderer {
     SplatPicture picture(const Pinhole& camera, const Rigid& world_from_camera, Vec3f background = {},
                          CameraModel model = CameraModel::pinhole) const;
 
-    struct Impl;
-
   private:
-    std::unique_ptr<Impl> impl_;
+    std::unique_ptr<splat::Renderer> renderer_;
 };
 inline SplatPicture render_splats(const SplatRenderer& splats, const Pinhole& camera, const Rigid& world_from_camera,
                                   Vec3f background = {}, CameraModel model = CameraModel::pinhole) {

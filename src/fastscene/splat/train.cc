@@ -16,7 +16,7 @@
 #include "fastscene/splat/coarse.h"
 #include "fastscene/splat/depth_target.h"
 #include "fastscene/splat/relocate.h"
-#include "fastscene/splat/stepper.h"
+#include "fastscene/splat/backend.h"
 #include "fastscene/splat/train_state.h"
 
 namespace fastscene::splat {

@@ -33,7 +33,7 @@ int woven_main(Kit& k) {
 
 int accent_cloth(Kit& k) {
     Material m = tinted(k.style.fabric2, k.accent());
-    const int kind = k.dice.index(4);
+    const int kind = k.rng.index(4);
     if (kind == 1)
         m.pattern = Pattern::stripes, m.scale_m = 0.02f, m.color_b = Vec3f{0.7f, 0.67f, 0.6f}, m.color_c = m.color_a;
     if (kind == 2) m.pattern = Pattern::knit, m.scale_m = 0.012f, m.bump_m = 0.002f;

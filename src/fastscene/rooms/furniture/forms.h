@@ -8,7 +8,7 @@ namespace fastscene::furniture {
 // One of the two forms that rooms of a style have of a piece: the first a little more often.
 template <class Form>
 Form form_for(Kit& k, const TwoForms<Form>& forms) {
-    return k.dice.index(16) < 9 ? forms.first : forms.second;
+    return k.rng.index(16) < 9 ? forms.first : forms.second;
 }
 
 void feet(Kit& k, int wood, float width, float depth, float high, float lean = 0.02f);

@@ -94,9 +94,9 @@ void Kit::print(Material& m, std::optional<Vec3f> said) const {
     if (!second && said)
         second = luminance(*said) < 0.45f ? lerp(*said, Vec3f{0.8f, 0.78f, 0.72f}, 0.8f) : *said * 0.4f;
     print_on(m, request.pattern,
-             piece.klass == "rug"       ? PrintGround::rug
-             : piece.klass == "curtain" ? PrintGround::curtain
-                                        : PrintGround::cloth,
+             piece.kind == "rug"       ? PrintGround::rug
+             : piece.kind == "curtain" ? PrintGround::curtain
+                                       : PrintGround::cloth,
              second, style.palette);
     if (!said && request.pattern == "leopard") m.color_c = {0.33f, 0.17f, 0.055f};
     if (!said && request.pattern == "camouflage") m.color_c = {0.28f, 0.24f, 0.15f};
@@ -112,11 +112,11 @@ void Kit::merge(const Piece& other, Vec3f at, float turn_deg) {
         piece.meshes.push_back(std::move(m));
     }
 }
-Piece Kit::small(std::string klass) {
+Piece Kit::small(std::string kind) {
     PieceRequest r;
-    r.klass = std::move(klass);
+    r.kind = std::move(kind);
     r.style = &style;
-    r.seed = dice.next_u64();
+    r.seed = rng.next_u64();
     return make_piece(r);
 }
 
@@ -172,9 +172,9 @@ void books(Kit& k, Vec3f at, float length, float max_height, float depth) {
     const int paper = k.material(plain("paper", {0.72f, 0.68f, 0.58f}, 0.9f));
     std::array<int, 4> covers{};
     for (std::size_t i = 0; i < covers.size(); ++i) {
-        Material m = plain("book cover", k.accent() * k.dice.uniform(0.6f, 1.05f), 0.55f);
+        Material m = plain("book cover", k.accent() * k.rng.uniform(0.6f, 1.05f), 0.55f);
         m.pattern = Pattern::book;
-        m.color_b = k.dice.chance(0.5f) ? Vec3f{0.6f, 0.45f, 0.18f} : Vec3f{0.7f, 0.68f, 0.6f};
+        m.color_b = k.rng.chance(0.5f) ? Vec3f{0.6f, 0.45f, 0.18f} : Vec3f{0.7f, 0.68f, 0.6f};
         m.scale_m = 0.24f;
         m.seed = k.seed();
         covers[i] = k.material(m);
@@ -183,20 +183,20 @@ void books(Kit& k, Vec3f at, float length, float max_height, float depth) {
     Mesh pages;
     float x = 0.f;
     while (true) {
-        const float t = k.dice.uniform(0.016f, 0.045f);
+        const float t = k.rng.uniform(0.016f, 0.045f);
         if (x + t > length) break;
-        const float h = std::min(max_height, k.dice.uniform(0.17f, 0.29f)),
-                    d = std::min(depth, k.dice.uniform(0.14f, 0.2f));
+        const float h = std::min(max_height, k.rng.uniform(0.17f, 0.29f)),
+                    d = std::min(depth, k.rng.uniform(0.14f, 0.2f));
         Mesh cover = shapes::box({t, h, d}, 0.003f);
         cover.coords = cover.positions;
         for (Vec3f& c : cover.coords) c.y = (c.y + 0.5f * h) * 0.24f / h;
-        shapes::move(cover, at + Vec3f{x + 0.5f * t, 0.5f * h, depth - 0.5f * d - k.dice.uniform(0.f, 0.02f)});
-        shapes::append(stacks[static_cast<std::size_t>(k.dice.index(4))], cover);
+        shapes::move(cover, at + Vec3f{x + 0.5f * t, 0.5f * h, depth - 0.5f * d - k.rng.uniform(0.f, 0.02f)});
+        shapes::append(stacks[static_cast<std::size_t>(k.rng.index(4))], cover);
         Mesh leaf = shapes::box({t * 0.7f, 0.004f, d * 0.9f}, 0.0005f);
         shapes::move(leaf, at + Vec3f{x + 0.5f * t, h - 0.0005f, depth - 0.5f * d - 0.01f});
         shapes::append(pages, leaf);
         x += t + 0.001f;
-        if (k.dice.chance(0.06f)) x += k.dice.uniform(0.03f, 0.08f);
+        if (k.rng.chance(0.06f)) x += k.rng.uniform(0.03f, 0.08f);
     }
     for (std::size_t i = 0; i < stacks.size(); ++i)
         if (!stacks[i].triangles.empty()) k.add(std::move(stacks[i]), covers[i]);
@@ -296,14 +296,14 @@ void merge_by_material(Piece& p) {
 namespace fastscene {
 
 Piece make_piece(const PieceRequest& request) {
-    if (request.style == nullptr) throw Error("piece '{}': expected a style, found none", request.klass);
+    if (request.style == nullptr) throw Error("piece '{}': expected a style, found none", request.kind);
     if (!(request.size_factor >= 0.25f && request.size_factor <= 4.f))
-        throw Error("piece '{}': expected a size factor in [0.25, 4], found {}", request.klass, request.size_factor);
+        throw Error("piece '{}': expected a size factor in [0.25, 4], found {}", request.kind, request.size_factor);
     if (request.pack && request.model) return request.pack->piece(*request.model, request);
-    const furniture::Builder build = furniture::builder_of(request.klass);
-    if (build == nullptr) throw Error("piece: expected a known class of furniture, found '{}'", request.klass);
-    furniture::Kit kit{request, *request.style, Random(request.seed, "piece", hash_name(request.klass)), {}, false};
-    kit.piece.klass = request.klass;
+    const furniture::Builder build = furniture::builder_of(request.kind);
+    if (build == nullptr) throw Error("piece: expected a known class of furniture, found '{}'", request.kind);
+    furniture::Kit kit{request, *request.style, Random(request.seed, "piece", hash_name(request.kind)), {}, false};
+    kit.piece.kind = request.kind;
     build(kit);
     furniture::settle(kit);
     furniture::merge_by_material(kit.piece);

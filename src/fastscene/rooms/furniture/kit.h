@@ -15,11 +15,11 @@ namespace fastscene::furniture {
 using shapes::Limb;
 using shapes::Soft;
 
-// What a builder may use: its request, its style, its dice and the piece under construction.
+// What a builder may use: its request, its style, its rng and the piece under construction.
 struct Kit {
     const PieceRequest& request;
     const Style& style;
-    Random dice;
+    Random rng;
     Piece piece;
     bool sized = false;  // the builder has heeded the wished size itself
 
@@ -32,7 +32,7 @@ struct Kit {
     int main(Material m, bool printed = true);
     // The pattern that was asked for, on this ground; `said`: the color that was said of it.
     void print(Material& m, std::optional<Vec3f> said) const;
-    std::uint32_t seed() { return dice.next_u32(); }
+    std::uint32_t seed() { return rng.next_u32(); }
 
     Mesh& add(Mesh mesh, int material_index, Vec3f at = {}) {
         shapes::move(mesh, at);
@@ -43,7 +43,7 @@ struct Kit {
     // A hard box by its center's x, z and its lower edge; the grain is shifted so that no two boards are alike.
     void board(int material_index, Vec3f base_center, Vec3f size, float bevel = 0.004f) {
         Mesh m = shapes::box(size, bevel);
-        shapes::lay_grain(m, {dice.uniform(0, 3), dice.uniform(0, 3), dice.uniform(0, 3)});
+        shapes::lay_grain(m, {rng.uniform(0, 3), rng.uniform(0, 3), rng.uniform(0, 3)});
         add(std::move(m), material_index, base_center + Vec3f{0, 0.5f * size.y, 0});
     }
     void soft(int material_index, Vec3f base_center, Vec3f size, Soft how) {
@@ -58,10 +58,10 @@ struct Kit {
     }
     // Small things of the style on a top.
     Vec3f accent() {
-        return style.palette[static_cast<std::size_t>(dice.index(static_cast<int>(style.palette.size())))];
+        return style.palette[static_cast<std::size_t>(rng.index(static_cast<int>(style.palette.size())))];
     }
     void merge(const Piece& other, Vec3f at, float turn_deg = 0.f);
-    Piece small(std::string klass);
+    Piece small(std::string kind);
     // Wished extents in place of the usual ones.
     Vec3f wanted(Vec3f usual) {
         sized = true;

@@ -13,7 +13,7 @@
 #include "fastscene/scene/view.h"
 #include "fastscene/splat/engine.h"
 #include "fastscene/splat/splat.h"
-#include "fastscene/splat/stepper.h"
+#include "fastscene/splat/backend.h"
 #include "fastscene/splat/vulkan/tables.h"
 
 namespace fastscene::splat::vulkan {

@@ -18,11 +18,11 @@ void build_aquarium(Kit& k) {
     k.board(wood, {0, 1.23f, 0}, {1.0f, 0.06f, 0.42f}, 0.006f);
     k.board(light, {0, 1.21f, 0}, {0.8f, 0.012f, 0.1f}, 0.002f);
     for (int i = 0; i < 14; ++i)
-        k.add(blade({k.dice.uniform(-0.4f, 0.4f), 0.78f, k.dice.uniform(-0.12f, 0.12f)},
-                    around(k.dice.uniform(0, kTau)), 0.08f, 0.02f, k.dice.uniform(2.f, 4.f), 0.3f, 1.1f),
+        k.add(blade({k.rng.uniform(-0.4f, 0.4f), 0.78f, k.rng.uniform(-0.12f, 0.12f)}, around(k.rng.uniform(0, kTau)),
+                    0.08f, 0.02f, k.rng.uniform(2.f, 4.f), 0.3f, 1.1f),
               green);
     for (int i = 0; i < 6; ++i)
-        k.add(shapes::ball({k.dice.uniform(-0.36f, 0.36f), k.dice.uniform(0.86f, 1.12f), k.dice.uniform(-0.1f, 0.12f)},
+        k.add(shapes::ball({k.rng.uniform(-0.36f, 0.36f), k.rng.uniform(0.86f, 1.12f), k.rng.uniform(-0.1f, 0.12f)},
                            {0.035f, 0.016f, 0.008f}, 12),
               k.material(plain("fish", i % 2 ? Vec3f{0.7f, 0.25f, 0.04f} : k.accent(), 0.3f)));
     k.piece.against_wall = true;

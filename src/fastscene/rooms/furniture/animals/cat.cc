@@ -38,7 +38,7 @@ void cat_asleep(Kit& k) {
     }();
     static constexpr std::array<Vec3f, 4> kCoats{
         {{0.42f, 0.21f, 0.08f}, {0.07f, 0.065f, 0.06f}, {0.5f, 0.48f, 0.44f}, {0.26f, 0.22f, 0.18f}}};
-    const int fur = k.main(coat_of(kCoats[static_cast<std::size_t>(k.dice.index(4))]));
+    const int fur = k.main(coat_of(kCoats[static_cast<std::size_t>(k.rng.index(4))]));
     const int lid = k.material(plain("eyelid", k.piece.materials[static_cast<std::size_t>(fur)].color_a * 0.15f, 0.8f)),
               nose = k.material(plain("nose", {0.3f, 0.12f, 0.1f}, 0.4f));
     k.add(body, fur);
@@ -62,7 +62,7 @@ void cat_asleep(Kit& k) {
 void build_cat(Kit& k) {
     if (k.request.pattern == kAsleep) return cat_asleep(k);
     const Vec3f coats[] = {{0.35f, 0.18f, 0.07f}, {0.06f, 0.055f, 0.05f}, {0.5f, 0.48f, 0.44f}};
-    Material m = plain("fur", coats[k.dice.index(3)], 0.95f);
+    Material m = plain("fur", coats[k.rng.index(3)], 0.95f);
     m.pattern = Pattern::carpet;
     m.color_b = m.color_a * 0.6f;
     const int fur = k.main(m), eye = k.material(plain("eye", {0.3f, 0.4f, 0.08f}, 0.1f));

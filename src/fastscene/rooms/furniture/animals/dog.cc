@@ -45,7 +45,7 @@ void build_dog(Kit& k) {
     }();
     static constexpr std::array<Vec3f, 4> kCoats{
         {{0.5f, 0.3f, 0.12f}, {0.2f, 0.1f, 0.045f}, {0.62f, 0.52f, 0.38f}, {0.075f, 0.065f, 0.06f}}};
-    const Vec3f tone = kCoats[static_cast<std::size_t>(k.dice.index(4))];
+    const Vec3f tone = kCoats[static_cast<std::size_t>(k.rng.index(4))];
     const int fur = k.main(coat_of(tone));
     const Vec3f shown = k.piece.materials[static_cast<std::size_t>(fur)].color_a;
     const int ear = k.material(coat_of(shown * 0.6f)), nose = k.material(plain("nose", {0.02f, 0.018f, 0.017f}, 0.25f)),

@@ -44,7 +44,7 @@ void build_fish_bowl(Kit& k) {
     k.add(shapes::lathe(bed, 24, true), gravel);
     for (int i = 0; i < 9; ++i)
         k.add(blade({0.25f * r + 0.05f * r * std::cos(2.4f * static_cast<float>(i)), floor + 0.15f * r, -0.2f * r},
-                    around(2.4f * static_cast<float>(i)), 0.22f * r, 0.07f * r, k.dice.uniform(2.2f, 4.2f), 0.4f, 1.1f),
+                    around(2.4f * static_cast<float>(i)), 0.22f * r, 0.07f * r, k.rng.uniform(2.2f, 4.2f), 0.4f, 1.1f),
               weed);
     for (const auto& [at, yaw] :
          {std::pair{Vec3f{-0.28f * r, 0.95f * r, 0.25f * r}, 25.f}, {Vec3f{0.2f * r, 0.66f * r, 0.3f * r}, 200.f}}) {

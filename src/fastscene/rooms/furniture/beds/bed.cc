@@ -151,7 +151,7 @@ void bed_of(Kit& k, float width, Posts over) {
     k.add(blanket(mattress, 0.26f, -0.42f, 0.5f * length + 0.24f, 0.006f, 0.03f, k.seed(), 0.012f), duvet);
     // The folded edge of the duvet, then a throw across the foot.
     k.soft(linen, {0, 0.545f, -0.36f}, {width + 0.06f, 0.05f, 0.3f}, {0.02f, 0.01f, 0.004f, 18});
-    k.add(blanket(mattress, 0.3f, 0.38f, 0.38f + k.dice.uniform(0.35f, 0.48f), 0.06f, 0.016f, k.seed(), 0.012f),
+    k.add(blanket(mattress, 0.3f, 0.38f, 0.38f + k.rng.uniform(0.35f, 0.48f), 0.06f, 0.016f, k.seed(), 0.012f),
           throw_cloth);
     if (over == no_posts) headboard(k, form, width, length, wood, head);
     else four_posts(k, over, width, length, duvet);
@@ -162,12 +162,12 @@ void bed_of(Kit& k, float width, Posts over) {
             const float x = row == 1 ? 0.f : (static_cast<float>(i) - 0.5f) * 0.5f * width;
             put_pillow(
                 k, j == 0 ? linen : duvet,
-                {x + k.dice.uniform(-0.02f, 0.02f), 0.54f, -0.5f * length + 0.26f + 0.16f * static_cast<float>(j)},
+                {x + k.rng.uniform(-0.02f, 0.02f), 0.54f, -0.5f * length + 0.26f + 0.16f * static_cast<float>(j)},
                 {0.68f - 0.06f * static_cast<float>(j), 0.46f, 0.2f}, 32.f + 8.f * static_cast<float>(j),
-                k.dice.uniform(-4, 4));
+                k.rng.uniform(-4, 4));
         }
-    put_pillow(k, throw_cloth, {k.dice.uniform(-0.1f, 0.1f), 0.55f, -0.5f * length + 0.56f}, {0.45f, 0.38f, 0.15f},
-               38.f, k.dice.uniform(-10, 10));
+    put_pillow(k, throw_cloth, {k.rng.uniform(-0.1f, 0.1f), 0.55f, -0.5f * length + 0.56f}, {0.45f, 0.38f, 0.15f}, 38.f,
+               k.rng.uniform(-10, 10));
     // Between the pillows and the throw.
     k.top(0.58f, 0, 0.06f, 0.4f * width, 0.3f);
     k.piece.clearance_front_m = 0.5f;

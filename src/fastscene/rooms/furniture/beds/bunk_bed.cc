@@ -52,7 +52,7 @@ BunkForm bunk_form(Kit& k) {
 
 Bunk::Bunk(Kit& kit) : k(kit), form(bunk_form(kit)) {
     Material wood = form == BunkForm::pipes ? k.style.metal : k.style.of(k.style.made_of.bunk);
-    if (k.style.lacquered_play && form != BunkForm::pipes && k.dice.chance(0.45f)) wood = *material_named("lacquer");
+    if (k.style.lacquered_play && form != BunkForm::pipes && k.rng.chance(0.45f)) wood = *material_named("lacquer");
     frame = k.main(std::move(wood), false);  // what was said to be striped is the bedding
     linen = k.material(tinted(k.style.fabric, {0.74f, 0.72f, 0.68f}));
 }
@@ -165,8 +165,8 @@ void Bunk::made_bed(float base, int duvet_cloth) {
         cover.coords[i] = {cover.positions[i].x, cover.positions[i].z, cover.positions[i].y};
     k.add(std::move(cover), duvet_cloth);
     k.soft(linen, {x0 + 0.06f, top + 0.002f, 0}, {0.27f, 0.075f, wide + 0.012f}, {0.034f, 0.012f, 0.004f, 18});
-    put_pillow(k, duvet_cloth, {-0.5f * inside + 0.4f, top + 0.02f, k.dice.uniform(-0.03f, 0.03f)},
-               {0.62f, 0.42f, 0.16f}, 64.f, 90.f + k.dice.uniform(-6, 6));
+    put_pillow(k, duvet_cloth, {-0.5f * inside + 0.4f, top + 0.02f, k.rng.uniform(-0.03f, 0.03f)},
+               {0.62f, 0.42f, 0.16f}, 64.f, 90.f + k.rng.uniform(-6, 6));
     k.top(top + 0.07f, 0.28f, 0, 0.5f, 0.26f);
 }
 
@@ -235,12 +235,12 @@ void Bunk::stairs(float base) {
 // Cloth for the nth bed: no two alike.
 int Bunk::duvet(int nth) {
     const std::size_t count = k.style.palette.size(),
-                      first = static_cast<std::size_t>(k.dice.index(static_cast<int>(count)));
+                      first = static_cast<std::size_t>(k.rng.index(static_cast<int>(count)));
     const auto asked = color_named(k.request.holder_color);
     const Vec3f color = k.style.palette[(first + 2 * static_cast<std::size_t>(nth)) % count];
     Material m = tinted(k.style.fabric, asked ? *asked : lerp(color, {0.72f, 0.69f, 0.64f}, 0.3f));
     m.name = "duvet", m.pattern = Pattern::fabric;
-    const bool striped = (nth + k.dice.index(2)) % 2 == 0;
+    const bool striped = (nth + k.rng.index(2)) % 2 == 0;
     k.print(m, asked);
     if (striped && !asked && !is_print(k.request.pattern))
         m.pattern = Pattern::stripes, m.scale_m = 0.07f, m.color_b = {0.72f, 0.7f, 0.65f}, m.color_c = m.color_a;

@@ -98,8 +98,8 @@ void build_daybed(Kit& k) {
         const float s = i % 3 == 0 ? 0.52f : 0.46f;
         put_pillow(
             k, cushions[static_cast<std::size_t>(i)],
-            {inside * (0.2f * static_cast<float>(i) - 0.3f) + k.dice.uniform(-0.02f, 0.02f), top + 0.005f, back + 0.2f},
-            {s, s, 0.17f}, 19.f, k.dice.uniform(-7, 7));
+            {inside * (0.2f * static_cast<float>(i) - 0.3f) + k.rng.uniform(-0.02f, 0.02f), top + 0.005f, back + 0.2f},
+            {s, s, 0.17f}, 19.f, k.rng.uniform(-7, 7));
     }
     for (const float s : {-1.f, 1.f}) {
         const std::array<Vec2f, 8> p{Vec2f{0.02f, 0}, {0.07f, 0.006f},  {0.092f, 0.035f}, {0.097f, 0.1f},

@@ -51,10 +51,10 @@ void build_floor_bed(Kit& k) {
     k.soft(linen, {0, top + 0.034f, -0.31f}, {width + 0.06f, 0.065f, 0.32f}, {0.028f, 0.012f, 0.004f, 18});
     for (const float s : {-1.f, 1.f}) {
         put_pillow(k, linen, {s * 0.34f, top + 0.01f, -0.5f * length + 0.32f}, {0.66f, 0.44f, 0.18f}, 66.f,
-                   k.dice.uniform(-6, 6));
+                   k.rng.uniform(-6, 6));
         put_pillow(k, s < 0 ? duvet : second,
-                   {s * 0.33f + k.dice.uniform(-0.04f, 0.04f), top + 0.07f, -0.5f * length + 0.42f},
-                   {0.58f, 0.4f, 0.15f}, 60.f, k.dice.uniform(-9, 9));
+                   {s * 0.33f + k.rng.uniform(-0.04f, 0.04f), top + 0.07f, -0.5f * length + 0.42f},
+                   {0.58f, 0.4f, 0.15f}, 60.f, k.rng.uniform(-9, 9));
     }
     k.add(blanket({width, top, length}, thick - 0.04f, 0.4f, 0.78f, 0.075f, 0.014f, k.seed(), 0.008f), second);
     k.top(top + 0.06f, 0, 0.1f, 0.36f * width, 0.22f);

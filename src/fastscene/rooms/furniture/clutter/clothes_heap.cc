@@ -13,9 +13,9 @@ namespace {
 void garment(Kit& k, Vec3f at, float rx, float rz, float high, Vec3f color, float turn) {
     Material m = tinted(k.style.fabric, color);
     m.name = "garment";
-    m.pattern = k.dice.chance(0.3f) ? Pattern::knit : Pattern::fabric;
+    m.pattern = k.rng.chance(0.3f) ? Pattern::knit : Pattern::fabric;
     if (m.pattern == Pattern::knit) m.scale_m = 0.008f, m.color_b = color * 0.7f;
-    if (k.dice.chance(0.25f))
+    if (k.rng.chance(0.25f))
         m.pattern = Pattern::stripes, m.scale_m = 0.02f, m.color_b = lerp(color, {0.75f, 0.73f, 0.68f}, 0.8f);
     const std::uint32_t seed = k.seed();
     const float c = std::cos(turn), s = std::sin(turn);
@@ -42,15 +42,15 @@ void build_clothes_heap(Kit& k) {
                                      {0.3f, 0.05f, 0.05f},
                                      {0.24f, 0.25f, 0.27f}};  // denim, white, black, red, gray
     const auto color = [&] {
-        return k.dice.chance(0.35f) ? k.accent() : usual[static_cast<std::size_t>(k.dice.index(5))];
+        return k.rng.chance(0.35f) ? k.accent() : usual[static_cast<std::size_t>(k.rng.index(5))];
     };
     const Vec3f first = k.request.color                ? *k.request.color
                         : k.request.color_name.empty() ? color()
                                                        : color_named(k.request.color_name).value_or(color());
-    garment(k, {0, 0, 0}, 0.3f, 0.2f, 0.12f, first, k.dice.uniform(0.f, kTau));
-    garment(k, {0.12f, 0.025f, 0.09f}, 0.19f, 0.14f, 0.1f, color(), k.dice.uniform(0.f, kTau));
-    garment(k, {-0.3f, 0, 0.16f}, 0.2f, 0.11f, 0.06f, color(), k.dice.uniform(0.f, kTau));
-    if (k.dice.chance(0.7f)) garment(k, {0.1f, 0, -0.28f}, 0.13f, 0.08f, 0.05f, color(), k.dice.uniform(0.f, kTau));
+    garment(k, {0, 0, 0}, 0.3f, 0.2f, 0.12f, first, k.rng.uniform(0.f, kTau));
+    garment(k, {0.12f, 0.025f, 0.09f}, 0.19f, 0.14f, 0.1f, color(), k.rng.uniform(0.f, kTau));
+    garment(k, {-0.3f, 0, 0.16f}, 0.2f, 0.11f, 0.06f, color(), k.rng.uniform(0.f, kTau));
+    if (k.rng.chance(0.7f)) garment(k, {0.1f, 0, -0.28f}, 0.13f, 0.08f, 0.05f, color(), k.rng.uniform(0.f, kTau));
     for (Mesh& m : k.piece.meshes)
         for (Vec3f& p : m.positions) p.y = std::max(p.y, 0.f);
 }

@@ -28,7 +28,7 @@ void build_cobweb(Kit& k) {
     for (int ring = 1; ring <= 9; ++ring) {
         const float far = 0.1f + 0.1f * static_cast<float>(ring);
         for (std::size_t i = 0; i + 1 < ends.size(); ++i) {
-            if (k.dice.chance(0.12f)) continue;  // torn
+            if (k.rng.chance(0.12f)) continue;  // torn
             const Vec3f a = ends[i] * far, b = ends[i + 1] * far, sag = (a + b) * 0.5f * 0.86f;
             const std::array<Vec3f, 4> path{a, lerp(a, sag, 0.75f), lerp(b, sag, 0.75f), b};
             shapes::append(arcs, shapes::tube(path, 0.0018f, 4));
@@ -50,10 +50,10 @@ void build_cobweb(Kit& k) {
           k.material(film));
     // A few that hang down, with dust on them.
     for (int i = 0; i < 5; ++i) {
-        const Vec3f from = ends[static_cast<std::size_t>(k.dice.index(static_cast<int>(ends.size())))] *
-                           k.dice.uniform(0.5f, 0.95f);
+        const Vec3f from = ends[static_cast<std::size_t>(k.rng.index(static_cast<int>(ends.size())))] *
+                           k.rng.uniform(0.5f, 0.95f);
         const std::array<Vec3f, 3> path{from, from + Vec3f{0.01f, -0.09f, 0.006f},
-                                        from + Vec3f{0.004f, -k.dice.uniform(0.14f, 0.24f), 0.012f}};
+                                        from + Vec3f{0.004f, -k.rng.uniform(0.14f, 0.24f), 0.012f}};
         shapes::append(arcs, shapes::tube(path, 0.0018f, 4));
     }
     k.add(std::move(arcs), silk);

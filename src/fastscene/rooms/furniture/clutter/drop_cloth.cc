@@ -32,9 +32,9 @@ void build_drop_cloth(Kit& k) {
           sheet);
     for (int i = 0; i < (film ? 3 : 9); ++i) {
         const int splash = k.material(plain("paint splash", i % 3 == 0 ? k.accent() : Vec3f{0.74f, 0.73f, 0.7f}, 0.4f));
-        const float r = k.dice.uniform(0.012f, 0.045f);
-        k.add(shapes::ball({k.dice.uniform(-0.4f, 0.4f) * s.x, 0.0045f, k.dice.uniform(-0.4f, 0.4f) * s.z},
-                           {r, 0.004f, r * k.dice.uniform(0.6f, 1.f)}, 14),
+        const float r = k.rng.uniform(0.012f, 0.045f);
+        k.add(shapes::ball({k.rng.uniform(-0.4f, 0.4f) * s.x, 0.0045f, k.rng.uniform(-0.4f, 0.4f) * s.z},
+                           {r, 0.004f, r * k.rng.uniform(0.6f, 1.f)}, 14),
               splash);
     }
 }

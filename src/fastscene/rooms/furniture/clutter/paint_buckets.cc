@@ -21,9 +21,9 @@ void paint_tin(Kit& k, Vec3f at, float r, float h, Vec3f color, bool open, int t
     k.add(shapes::lathe(band, 32), label, at);
     if (open) {
         k.add(shapes::prism(shapes::circle(r - 0.005f, 32), 0.8f * h, 0.81f * h, 0.001f), paint, at);
-        const float a = k.dice.uniform(0.f, kTau);
+        const float a = k.rng.uniform(0.f, kTau);
         for (int i = 0; i < 3; ++i) {
-            const float b = a + 0.28f * static_cast<float>(i - 1), far = h * k.dice.uniform(0.25f, 0.6f);
+            const float b = a + 0.28f * static_cast<float>(i - 1), far = h * k.rng.uniform(0.25f, 0.6f);
             k.rod(paint, at + Vec3f{(r + 0.003f) * std::cos(b), h - 0.004f, (r + 0.003f) * std::sin(b)},
                   at + Vec3f{(r + 0.003f) * std::cos(b), h - far, (r + 0.003f) * std::sin(b)}, 0.006f, 0.009f, 8);
         }
@@ -32,7 +32,7 @@ void paint_tin(Kit& k, Vec3f at, float r, float h, Vec3f color, bool open, int t
     }
     // The handle has fallen to one side.
     std::vector<Vec3f> wire;
-    const float turn = k.dice.uniform(0.f, kTau);
+    const float turn = k.rng.uniform(0.f, kTau);
     for (int i = 0; i <= 14; ++i) {
         const float b = kPi * static_cast<float>(i) / 14.f, out = (r + 0.012f) * std::sin(b);
         const Vec3f p{(r + 0.006f) * std::cos(b), 0.78f * h - 0.35f * h * std::sin(b),

@@ -28,18 +28,18 @@ void build_rubble(Kit& k) {
                       z};
               }),
           dust);
-    const int chunks = 16 + k.dice.index(6);
+    const int chunks = 16 + k.rng.index(6);
     for (int i = 0; i < chunks; ++i) {
-        const bool red = k.dice.chance(0.35f);
-        const float size = k.dice.uniform(0.035f, 0.1f), far = std::sqrt(k.dice.uniform()) * 0.42f,
-                    a = k.dice.uniform(0.f, kTau);
+        const bool red = k.rng.chance(0.35f);
+        const float size = k.rng.uniform(0.035f, 0.1f), far = std::sqrt(k.rng.uniform()) * 0.42f,
+                    a = k.rng.uniform(0.f, kTau);
         Mesh m = shapes::box(red ? Vec3f{size, 0.5f * size, 0.6f * size}
-                                 : Vec3f{size * k.dice.uniform(0.8f, 1.6f), size * k.dice.uniform(0.25f, 0.5f), size},
+                                 : Vec3f{size * k.rng.uniform(0.8f, 1.6f), size * k.rng.uniform(0.25f, 0.5f), size},
                              0.12f * size);
         const std::uint32_t chip = k.seed();
         for (Vec3f& p : m.positions) p = p * (1.f + 0.22f * shapes::wobble(p * (2.f / size), chip));
-        shapes::turn(m, {1, 0, 0}, k.dice.uniform(-25, 25));
-        shapes::turn(m, {0, 1, 0}, k.dice.uniform(0.f, 360.f));
+        shapes::turn(m, {1, 0, 0}, k.rng.uniform(-25, 25));
+        shapes::turn(m, {0, 1, 0}, k.rng.uniform(0.f, 360.f));
         const shapes::Box box = shapes::bounds(m);
         const float bed = 0.045f * std::max(0.f, 1.f - far / 0.5f);
         k.add(std::move(m), red ? brick : plaster,

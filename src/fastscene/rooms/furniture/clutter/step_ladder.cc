@@ -24,11 +24,10 @@ void build_step_ladder(Kit& k) {
     for (int i = 1; i <= 5; ++i) {
         const float y = 0.27f * static_cast<float>(i);
         k.board(rail, {0, y, at(y, front) - 0.005f}, {2 * half + 0.05f, 0.022f, 0.1f}, 0.003f);
-        if (k.dice.chance(0.7f))
-            k.add(
-                shapes::ball({k.dice.uniform(-0.13f, 0.13f), y + 0.022f, at(y, front) + k.dice.uniform(-0.02f, 0.02f)},
-                             {0.03f, 0.0025f, 0.02f}, 12),
-                paint);
+        if (k.rng.chance(0.7f))
+            k.add(shapes::ball({k.rng.uniform(-0.13f, 0.13f), y + 0.022f, at(y, front) + k.rng.uniform(-0.02f, 0.02f)},
+                               {0.03f, 0.0025f, 0.02f}, 12),
+                  paint);
     }
     for (const float y : {0.4f, 1.05f})
         k.rod(rail, {-half + 0.02f, y, at(y, back)}, {half - 0.02f, y, at(y, back)}, 0.012f, -1, 10);

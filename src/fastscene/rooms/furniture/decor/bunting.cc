@@ -40,7 +40,7 @@ void build_bunting(Kit& k) {
     k.add(shapes::tube(path, 0.004f, 6), cord);
     for (int i = 0; i < flags; ++i) {
         const float t = (static_cast<float>(i) + 0.5f) / static_cast<float>(flags), half = 0.5f * wide / s.x,
-                    flutter = k.dice.uniform(-0.008f, 0.008f);
+                    flutter = k.rng.uniform(-0.008f, 0.008f);
         const Vec3f a = on_bows(t - half, kBows, s.x, s.y, sag), b = on_bows(t + half, kBows, s.x, s.y, sag),
                     tip = (a + b) * 0.5f - Vec3f{0, high, 0};
         k.add(shapes::slab(6, 6, 0.002f,

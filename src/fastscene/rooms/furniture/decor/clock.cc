@@ -20,7 +20,7 @@ void build_clock(Kit& k) {
     for (int i = 0; i < 2; ++i) {
         Mesh m = shapes::box({0.008f, i == 0 ? 0.1f : 0.14f, 0.002f}, 0.0005f);
         shapes::move(m, {0, i == 0 ? 0.04f : 0.06f, 0.023f + 0.002f * static_cast<float>(i)});
-        k.add(shapes::turn(m, {0, 0, 1}, k.dice.uniform(0, 360)), dark, {0, 0.2f, 0});
+        k.add(shapes::turn(m, {0, 0, 1}, k.rng.uniform(0, 360)), dark, {0, 0.2f, 0});
     }
     k.piece.mount = Mount::wall;
     k.piece.hang_height_m = 1.7f;

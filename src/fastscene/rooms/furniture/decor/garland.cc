@@ -31,12 +31,12 @@ void build_garland(Kit& k) {
         const Vec3f along = normalize(path[i + 1] - path[i]);
         const int many = std::max(3, static_cast<int>(length(path[i + 1] - path[i]) / 0.0082f));
         for (int j = 0; j < many; ++j) {
-            const Vec3f at = lerp(path[i], path[i + 1], k.dice.uniform());
+            const Vec3f at = lerp(path[i], path[i + 1], k.rng.uniform());
             // A leaf is made lying along +x and put where it grows: out and along the cord.
-            const float spin = k.dice.uniform(-1.75f, 1.75f), size = k.dice.uniform(0.05f, 0.085f);
+            const float spin = k.rng.uniform(-1.75f, 1.75f), size = k.rng.uniform(0.05f, 0.085f);
             const Vec3f side = std::abs(along.y) < 0.9f ? normalize(cross(along, Vec3f{0, 0, 1})) : Vec3f{1, 0, 0};
             const Vec3f out = normalize(side * std::sin(spin) + Vec3f{0, 0, 1} * std::cos(spin) +
-                                        along * k.dice.uniform(0.4f, 1.1f));
+                                        along * k.rng.uniform(0.4f, 1.1f));
             const Vec3f wide = normalize(cross(out, std::abs(out.z) < 0.9f ? Vec3f{0, 0, 1} : Vec3f{0, 1, 0})),
                         up = cross(wide, out);
             Mesh m = blade({0, 0, 0}, {1, 0, 0}, size, 0.3f * size, 0.1f, 0.25f, 0.8f);
@@ -50,10 +50,10 @@ void build_garland(Kit& k) {
         }
         if (i % 2 == 0)
             for (int j = 0; j < 2; ++j)
-                shapes::append(
-                    berries, shapes::ball(path[i] + Vec3f{k.dice.uniform(-0.02f, 0.02f), k.dice.uniform(-0.025f, 0.02f),
-                                                          0.025f + k.dice.uniform(0.f, 0.015f)},
-                                          {0.009f, 0.009f, 0.009f}, 6));
+                shapes::append(berries,
+                               shapes::ball(path[i] + Vec3f{k.rng.uniform(-0.02f, 0.02f), k.rng.uniform(-0.025f, 0.02f),
+                                                            0.025f + k.rng.uniform(0.f, 0.015f)},
+                                            {0.009f, 0.009f, 0.009f}, 6));
     }
     k.add(std::move(leaves[0]), leaf);
     k.add(std::move(leaves[1]), pale);

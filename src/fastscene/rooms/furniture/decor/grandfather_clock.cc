@@ -70,8 +70,8 @@ void build_grandfather_clock(Kit& k) {
     for (int i = 0; i < 12; ++i)
         hand(0.72f * dial, 0.88f * dial, i % 3 == 0 ? 0.011f : 0.006f, 30.f * static_cast<float>(i), fz + 0.0068f,
              dark);
-    hand(-0.02f, 0.5f * dial, 0.011f, k.dice.uniform(0, 360), fz + 0.0095f, dark);
-    hand(-0.025f, 0.76f * dial, 0.008f, k.dice.uniform(0, 360), fz + 0.0125f, dark);
+    hand(-0.02f, 0.5f * dial, 0.011f, k.rng.uniform(0, 360), fz + 0.0095f, dark);
+    hand(-0.025f, 0.76f * dial, 0.008f, k.rng.uniform(0, 360), fz + 0.0125f, dark);
     if (formal)
         for (const float sx : {-1.f, 1.f}) {
             k.rod(wood, {sx * (0.5f * hw - 0.012f), hood + 0.03f, hz - 0.014f},

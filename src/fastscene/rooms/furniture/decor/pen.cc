@@ -17,13 +17,13 @@ void build_pen(Kit& k) {
     for (int i = 0; i < 8; ++i) {
         const float a = 0.8f * static_cast<float>(i);
         const Vec3f foot{-0.05f + 0.025f * std::cos(a), 0.01f, -0.03f + 0.025f * std::sin(a)},
-            tip{-0.05f + 0.06f * std::cos(a), k.dice.uniform(0.17f, 0.24f), -0.03f + 0.05f * std::sin(a)};
+            tip{-0.05f + 0.06f * std::cos(a), k.rng.uniform(0.17f, 0.24f), -0.03f + 0.05f * std::sin(a)};
         const int paint = k.material(plain("paint", k.accent(), 0.4f));
         k.rod(i % 2 ? wood : paint, foot, tip, 0.004f);
         k.add(shapes::ball(tip, {0.008f, 0.018f, 0.008f}, 8), paint);
     }
     for (int i = 0; i < 3; ++i) {
-        const float z = 0.045f + 0.022f * static_cast<float>(i), x = k.dice.uniform(-0.01f, 0.03f);
+        const float z = 0.045f + 0.022f * static_cast<float>(i), x = k.rng.uniform(-0.01f, 0.03f);
         k.rod(k.material(plain("paint", k.accent(), 0.4f)), {x - 0.07f, 0.009f, z}, {x + 0.06f, 0.009f, z + 0.01f},
               0.009f, 0.007f);
     }

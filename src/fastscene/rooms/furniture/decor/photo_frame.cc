@@ -4,14 +4,14 @@
 namespace fastscene::furniture {
 
 void build_photo_frame(Kit& k) {
-    const int frame = k.main(k.dice.chance(0.5f) ? k.style.metal : k.style.wood);
+    const int frame = k.main(k.rng.chance(0.5f) ? k.style.metal : k.style.wood);
     Material m = plain("photograph", {0.5f, 0.47f, 0.42f}, 0.25f);
     m.pattern = Pattern::art;
     m.color_a = k.accent(), m.color_b = k.accent(), m.color_c = {0.7f, 0.67f, 0.6f};
     m.scale_m = 0.15f;
     m.seed = k.seed();
     const int photo = k.material(m);
-    const float w = k.dice.uniform(0.12f, 0.2f), h = w * k.dice.uniform(0.8f, 1.35f);
+    const float w = k.rng.uniform(0.12f, 0.2f), h = w * k.rng.uniform(0.8f, 1.35f);
     Mesh back = shapes::box({w, h, 0.014f}, 0.004f), face = shapes::box({w - 0.035f, h - 0.035f, 0.003f}, 0.0005f);
     shapes::move(back, {0, 0.5f * h, 0});
     shapes::move(face, {0, 0.5f * h, 0.008f});

@@ -7,7 +7,7 @@
 namespace fastscene::furniture {
 
 void build_sculpture(Kit& k) {
-    const int kind = k.dice.index(3);
+    const int kind = k.rng.index(3);
     Material stone = *material_named("marble");
     if (kind != 0)
         stone = kind == 1 ? k.style.metal : plain("plaster", lerp(k.accent(), {0.74f, 0.72f, 0.68f}, 0.7f), 0.7f);

@@ -12,7 +12,7 @@ namespace fastscene::furniture {
 void build_typewriter(Kit& k) {
     static constexpr std::array<Vec3f, 4> kEnamels{
         {{0.018f, 0.018f, 0.019f}, {0.05f, 0.11f, 0.09f}, {0.28f, 0.36f, 0.32f}, {0.3f, 0.045f, 0.04f}}};
-    const int body = k.main(plain("enamel", kEnamels[static_cast<std::size_t>(k.dice.index(4))], 0.25f)),
+    const int body = k.main(plain("enamel", kEnamels[static_cast<std::size_t>(k.rng.index(4))], 0.25f)),
               dark = k.material(plain("cast iron", {0.025f, 0.024f, 0.023f}, 0.45f)),
               bright = k.material(plain("key ring", {0.5f, 0.5f, 0.49f}, 0.25f)),
               ivory = k.material(plain("key", {0.62f, 0.58f, 0.48f}, 0.4f)),

@@ -7,7 +7,7 @@ void build_laptop(Kit& k) {
     const int alu = k.main(plain("aluminium", {0.5f, 0.51f, 0.52f}, 0.35f)),
               dark = k.material(plain("dark plastic", {0.04f, 0.04f, 0.043f}, 0.4f));
     k.board(alu, {}, {0.32f, 0.014f, 0.22f}, 0.004f);
-    if (k.dice.chance(0.4f)) return k.board(alu, {0, 0.014f, 0}, {0.32f, 0.008f, 0.22f}, 0.003f), on_surface(k);
+    if (k.rng.chance(0.4f)) return k.board(alu, {0, 0.014f, 0}, {0.32f, 0.008f, 0.22f}, 0.003f), on_surface(k);
     k.board(dark, {0, 0.0135f, -0.02f}, {0.28f, 0.002f, 0.1f}, 0.0005f);
     Mesh lid = shapes::box({0.32f, 0.21f, 0.007f}, 0.003f), face = shapes::box({0.3f, 0.19f, 0.002f}, 0.0005f);
     Material scr = plain("laptop screen", {0.1f, 0.16f, 0.24f}, 0.2f);

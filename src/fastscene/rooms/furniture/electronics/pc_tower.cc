@@ -16,7 +16,7 @@ void build_pc_tower(Kit& k) {
         for (const float sz : {-1.f, 1.f}) k.board(body, {sx * 0.08f, 0, sz * 0.16f}, {0.03f, 0.013f, 0.05f}, 0.002f);
     k.board(grille, {0, 0.035f, 0.5f * d}, {w - 0.03f, h - 0.06f, 0.006f}, 0.002f);
     static constexpr std::array<Vec3f, 3> kGlow{Vec3f{0.3f, 1.3f, 3.2f}, {2.6f, 0.25f, 2.2f}, {0.25f, 2.4f, 1.5f}};
-    const auto first = static_cast<std::size_t>(k.dice.index(3));
+    const auto first = static_cast<std::size_t>(k.rng.index(3));
     for (std::size_t i = 0; i < 3; ++i) {
         Material light = glow("computer fan", kGlow[(first + i / 2) % 3]);
         light.pattern = Pattern::screen;  // glows at any hour

@@ -16,8 +16,8 @@ void build_hung_pans(Kit& k) {
     for (int i = 0; i < 5; ++i) {
         const float x = (static_cast<float>(i) - 2.f) * 0.19f,
                     r = std::array{0.082f, 0.07f, 0.09f, 0.062f, 0.078f}[static_cast<std::size_t>(i)] *
-                        k.dice.uniform(0.94f, 1.05f),
-                    deep = i % 2 == 0 ? 0.042f : 0.075f, down = rail - 0.035f, long_ = 0.16f + 0.05f * k.dice.uniform();
+                        k.rng.uniform(0.94f, 1.05f),
+                    deep = i % 2 == 0 ? 0.042f : 0.075f, down = rail - 0.035f, long_ = 0.16f + 0.05f * k.rng.uniform();
         k.rod(iron, {x, rail, off + 0.008f}, {x, down, off + 0.008f}, 0.004f, -1, 6);
         // Its open side to the wall: one sees the polished bottom.
         const Vec3f middle{x, down - long_ - r, 0};

@@ -8,7 +8,7 @@
 namespace fastscene::furniture {
 
 void build_kettle(Kit& k) {
-    const int body = k.main(k.dice.chance(0.5f) ? steel() : plain("enamel", k.accent(), 0.2f)),
+    const int body = k.main(k.rng.chance(0.5f) ? steel() : plain("enamel", k.accent(), 0.2f)),
               dark = k.material(plain("black plastic", {0.035f, 0.035f, 0.037f}, 0.4f));
     const std::array<Vec2f, 7> p{Vec2f{0.08f, 0}, {0.092f, 0.015f}, {0.09f, 0.07f}, {0.068f, 0.15f},
                                  {0.05f, 0.175f}, {0.014f, 0.185f}, {0.f, 0.2f}};

@@ -6,7 +6,7 @@
 namespace fastscene::furniture {
 
 void build_pot(Kit& k) {
-    const int body = k.main(k.dice.chance(0.5f) ? steel() : plain("enamel", k.accent(), 0.25f));
+    const int body = k.main(k.rng.chance(0.5f) ? steel() : plain("enamel", k.accent(), 0.25f));
     const std::array<Vec2f, 3> p{Vec2f{0.1f, 0}, {0.108f, 0.01f}, {0.108f, 0.12f}};
     k.add(shapes::vessel(p, 0.004f, 28), body);
     const std::array<Vec2f, 4> lid{Vec2f{0.108f, 0.12f}, {0.1f, 0.128f}, {0.03f, 0.14f}, {0.f, 0.142f}};

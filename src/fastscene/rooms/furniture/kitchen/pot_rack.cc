@@ -24,9 +24,9 @@ void build_pot_rack(Kit& k) {
         for (int i = 0; i < 4; ++i) {
             const float x = (static_cast<float>(i) - 1.5f) * 0.225f + 0.02f * sz,
                         r = std::array{0.082f, 0.07f, 0.092f, 0.064f}[static_cast<std::size_t>(sz > 0 ? i : 3 - i)] *
-                            k.dice.uniform(0.94f, 1.05f),
+                            k.rng.uniform(0.94f, 1.05f),
                         deep = i % 2 == 0 ? 0.045f : 0.08f;
-            const float handle = 0.13f + 0.05f * k.dice.uniform(), middle = rail - 0.05f - handle - r;
+            const float handle = 0.13f + 0.05f * k.rng.uniform(), middle = rail - 0.05f - handle - r;
             k.rod(iron, {x, rail - 0.004f, sz * hz}, {x, rail - 0.05f, sz * hz}, 0.004f, -1, 6);
             k.rod(metal, {x, rail - 0.045f, sz * hz}, {x, middle + 0.95f * r, sz * hz}, 0.008f, 0.01f, 8);
             // Its polished bottom to the outside.

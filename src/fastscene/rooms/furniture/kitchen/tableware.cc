@@ -30,7 +30,7 @@ void plate_at(Kit& k, int mat, Vec3f at, float r) {
 }  // namespace
 
 int glazed(Kit& k) {
-    return k.main(plain("glazed ceramic", lerp(k.accent(), {0.75f, 0.72f, 0.66f}, k.dice.uniform(0.f, 0.6f)), 0.25f));
+    return k.main(plain("glazed ceramic", lerp(k.accent(), {0.75f, 0.72f, 0.66f}, k.rng.uniform(0.f, 0.6f)), 0.25f));
 }
 
 void bottle_at(Kit& k, int mat, Vec3f at, float r, float h) {
@@ -43,7 +43,7 @@ void bottle_at(Kit& k, int mat, Vec3f at, float r, float h) {
 
 void build_cup(Kit& k) {
     const int mat = glazed(k);
-    if (k.dice.chance(0.5f)) plate_at(k, mat, {}, 0.07f);
+    if (k.rng.chance(0.5f)) plate_at(k, mat, {}, 0.07f);
     cup_at(k, mat, {0, 0.008f, 0});
     on_surface(k);
 }
@@ -58,7 +58,7 @@ void build_tray(Kit& k) {
         k.board(wood, {0, 0.01f, s * (0.5f * d - 0.006f)}, {w, 0.025f, 0.012f}, 0.004f);
         k.board(wood, {s * (0.5f * w - 0.006f), 0.01f, 0}, {0.012f, 0.04f, d - 0.024f}, 0.004f);
     }
-    if (k.dice.chance(0.5f)) {
+    if (k.rng.chance(0.5f)) {
         const std::array<Vec2f, 7> pot{Vec2f{0.045f, 0}, {0.065f, 0.02f},  {0.072f, 0.06f}, {0.055f, 0.1f},
                                        {0.03f, 0.115f},  {0.012f, 0.125f}, {0.012f, 0.14f}};
         k.add(shapes::lathe(shapes::curve(pot, 3), 24, true), china, {-0.07f, 0.012f, 0});
@@ -94,14 +94,14 @@ void build_place_setting(Kit& k) {
 }
 
 void build_bottles(Kit& k) {
-    const int count = 2 + k.dice.index(3);
+    const int count = 2 + k.rng.index(3);
     for (int i = 0; i < count; ++i) {
-        Material m = k.dice.chance(0.5f) ? glass() : plain("stoneware", k.accent(), 0.35f);
+        Material m = k.rng.chance(0.5f) ? glass() : plain("stoneware", k.accent(), 0.35f);
         if (m.transmission > 0)
             m.color_a = m.color_b = lerp(k.accent(), {0.3f, 0.4f, 0.3f}, 0.5f), m.transmission = 0.5f;
         const int mat = i == 0 ? k.main(m) : k.material(m);
-        bottle_at(k, mat, {0.085f * static_cast<float>(i), 0, k.dice.uniform(-0.03f, 0.03f)},
-                  k.dice.uniform(0.028f, 0.038f), k.dice.uniform(0.18f, 0.31f));
+        bottle_at(k, mat, {0.085f * static_cast<float>(i), 0, k.rng.uniform(-0.03f, 0.03f)},
+                  k.rng.uniform(0.028f, 0.038f), k.rng.uniform(0.18f, 0.31f));
     }
     on_surface(k);
 }

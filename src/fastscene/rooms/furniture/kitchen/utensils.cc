@@ -15,7 +15,7 @@ void build_utensils(Kit& k) {
     k.add(shapes::vessel(p, 0.005f, 20), jar);
     for (int i = 0; i < 5; ++i) {
         const float a = 1.3f * static_cast<float>(i);
-        const Vec3f tip{0.07f * std::cos(a), k.dice.uniform(0.24f, 0.3f), 0.05f * std::sin(a)};
+        const Vec3f tip{0.07f * std::cos(a), k.rng.uniform(0.24f, 0.3f), 0.05f * std::sin(a)};
         k.rod(i % 2 ? metal : wood, {0.02f * std::cos(a), 0.01f, 0.02f * std::sin(a)}, tip, 0.005f);
         k.add(shapes::ball(tip, {0.02f, 0.03f, 0.008f}, 10), i % 2 ? metal : wood);
     }

@@ -41,7 +41,7 @@ void single_candle(Kit& k) {
     k.sized = true;
     const int wax = k.main(plain("wax", {0.75f, 0.7f, 0.6f}, 0.6f));
     k.add(shapes::prism(shapes::circle(0.028f, 24), 0.f, 0.006f), k.material(k.style.metal));
-    const float high = k.dice.uniform(0.07f, 0.12f);
+    const float high = k.rng.uniform(0.07f, 0.12f);
     k.rod(wax, {0, 0.005f, 0}, {0, high, 0}, 0.022f, -1, 20);
     Wick(k).burn({0, high - 0.001f, 0}, 0.034f);
     k.piece.mount = Mount::surface;
@@ -75,7 +75,7 @@ void build_candelabrum(Kit& k) {
         const std::array<Vec2f, 6> cup{Vec2f{0.006f, -0.012f}, {0.014f, -0.004f}, {0.03f, 0.004f},
                                        {0.031f, 0.008f},       {0.015f, 0.01f},   {0.013f, 0.024f}};
         k.add(shapes::lathe(cup, 20), metal, at);
-        const float high = k.dice.uniform(0.09f, 0.115f);
+        const float high = k.rng.uniform(0.09f, 0.115f);
         k.rod(wax, at + Vec3f{0, 0.012f, 0}, at + Vec3f{0, high, 0}, 0.0105f, 0.0095f, 14);
         wick.burn(at + Vec3f{0, high - 0.001f, 0}, 0.03f);
     };

@@ -36,8 +36,8 @@ void build_disco_ball(Kit& k) {
             const Vec3f up = dot(north, Vec3f{0, 1, 0}) < 0 ? -north : north;
             const float wide = 0.46f * std::min(tile, kTau * r * std::cos(lat) / static_cast<float>(count)),
                         high = 0.46f * tile;
-            const Vec3f lean = normalize(n + east * k.dice.uniform(-0.025f, 0.025f) +
-                                         up * k.dice.uniform(-0.025f, 0.025f));
+            const Vec3f lean = normalize(n + east * k.rng.uniform(-0.025f, 0.025f) +
+                                         up * k.rng.uniform(-0.025f, 0.025f));
             const auto first = static_cast<std::uint32_t>(tiles.positions.size());
             for (const Vec2f c : {Vec2f{-1, -1}, {1, -1}, {1, 1}, {-1, 1}}) {
                 const Vec3f p = n * r + east * (c.x * wide) + up * (c.y * high);

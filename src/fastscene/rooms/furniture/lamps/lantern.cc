@@ -39,7 +39,7 @@ void build_lantern(Kit& k) {
     shapes::turn(loop, {1, 0, 0}, 90);
     k.add(std::move(loop), metal, {0, high - 0.05f * high / 0.36f, 0});
     PieceRequest flame_of;
-    flame_of.klass = "candle", flame_of.style = &k.style, flame_of.seed = k.dice.next_u64(),
+    flame_of.kind = "candle", flame_of.style = &k.style, flame_of.seed = k.rng.next_u64(),
     flame_of.size_m = {0.06f, 0, 0};
     k.merge(make_piece(flame_of), {0, 0.028f, 0});
     k.piece.mount = Mount::surface;

@@ -8,7 +8,7 @@
 namespace fastscene::furniture {
 
 void build_table_lamp(Kit& k) {
-    const int kind = k.dice.index(3);
+    const int kind = k.rng.index(3);
     const int body = k.main(kind == 0 ? k.style.metal : plain("glazed ceramic", k.accent(), 0.2f));
     if (kind == 0) {
         foot_disc(k, body, 0.075f);

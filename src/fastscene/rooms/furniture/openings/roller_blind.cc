@@ -19,9 +19,9 @@ void build_roller_blind(Kit& k) {
                   cord = k.material(plain("blind cord", {0.42f, 0.33f, 0.2f}, 0.9f));
         Mesh all;
         for (float y = low + 0.012f; y < s.y - 0.012f; y += 0.0105f)
-            shapes::append(all, shapes::rod({-0.5f * w + k.dice.uniform(0.f, 0.004f), y, z},
-                                            {0.5f * w - k.dice.uniform(0.f, 0.004f), y, z},
-                                            0.0042f + 0.0006f * k.dice.uniform(), 0.0042f, 6));
+            shapes::append(all, shapes::rod({-0.5f * w + k.rng.uniform(0.f, 0.004f), y, z},
+                                            {0.5f * w - k.rng.uniform(0.f, 0.004f), y, z},
+                                            0.0042f + 0.0006f * k.rng.uniform(), 0.0042f, 6));
         // What is rolled up hangs as a roll below.
         shapes::append(all, shapes::rod({-0.5f * w, low, z}, {0.5f * w, low, z}, r, r, 18));
         shapes::append(all, shapes::rod({-0.5f * w, s.y - 0.02f, z}, {0.5f * w, s.y - 0.02f, z}, 0.018f, 0.018f, 12));

@@ -32,7 +32,7 @@ void build_shutters(Kit& k) {
             Mesh all;
             for (int i = 0; i < count; ++i) {
                 Mesh one = shapes::box({inner - 0.004f, 0.0085f, 0.058f}, 0.0035f);
-                shapes::lay_grain(one, {k.dice.uniform(0, 3), k.dice.uniform(0, 3), 0});
+                shapes::lay_grain(one, {k.rng.uniform(0, 3), k.rng.uniform(0, 3), 0});
                 shapes::turn(one, {1, 0, 0}, tilt);
                 shapes::append(all, shapes::move(one, {x, from + step * (static_cast<float>(i) + 0.5f), mid}));
             }

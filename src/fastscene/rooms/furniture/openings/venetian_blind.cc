@@ -37,7 +37,7 @@ void build_venetian_blind(Kit& k) {
     shapes::turn(one, {1, 0, 0}, tilt);
     for (float y = low + rail + stack + 0.5f * pitch; y < top - 0.012f; y += pitch) {
         Mesh next = one;
-        for (Vec3f& c : next.coords) c = c + Vec3f{k.dice.uniform(0, 3), k.dice.uniform(0, 3), 0};
+        for (Vec3f& c : next.coords) c = c + Vec3f{k.rng.uniform(0, 3), k.rng.uniform(0, 3), 0};
         shapes::append(slats, shapes::move(next, {0, y, mid}));
     }
     k.add(std::move(slats), slat);

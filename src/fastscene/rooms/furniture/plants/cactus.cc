@@ -77,7 +77,7 @@ void build_cactus(Kit& k) {
     k.add(shapes::prism(shapes::circle(0.88f * r, 24), 0.6f * pot_high, 0.87f * pot_high), soil);
     const float y = 0.85f * pot_high, rise = high - y;
     Mesh spines;
-    const int kind = tall ? 0 : k.dice.index(3);
+    const int kind = tall ? 0 : k.rng.index(3);
     if (kind == 0) {
         const float c = tall ? 0.082f : 0.38f * r;
         ribbed(k, green, spines, {0, y, 0}, {0, high, 0}, c, 11, true);

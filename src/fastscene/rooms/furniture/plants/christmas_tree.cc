@@ -53,10 +53,9 @@ void build_christmas_tree(Kit& k) {
         const int around = 9 + static_cast<int>(14.f * (1.f - t));
         for (int i = 0; i < around; ++i) {
             const float a = kTau *
-                            (static_cast<float>(i) + 0.5f * static_cast<float>(tier % 2) +
-                             k.dice.uniform(-0.2f, 0.2f)) /
+                            (static_cast<float>(i) + 0.5f * static_cast<float>(tier % 2) + k.rng.uniform(-0.2f, 0.2f)) /
                             static_cast<float>(around),
-                        reach = r * k.dice.uniform(0.86f, 1.08f), drop = 0.34f * reach + k.dice.uniform(0.f, 0.03f),
+                        reach = r * k.rng.uniform(0.86f, 1.08f), drop = 0.34f * reach + k.rng.uniform(0.f, 0.03f),
                         c = std::cos(a), s = std::sin(a);
             const Vec3f tip{reach * c, y - drop, reach * s}, root{0.06f * reach * c, y + 0.05f, 0.06f * reach * s},
                 out = normalize(tip - root);
@@ -86,9 +85,9 @@ void build_christmas_tree(Kit& k) {
         // Evenly over the cone: more where it is wide.
         const float t = 1.f - std::sqrt((static_cast<float>(i) + 0.5f) / kThings), a = 2.39996f * static_cast<float>(i),
                     y = bare + (0.9f * high - bare) * t - 0.04f,
-                    r = wide * (1.f - 0.93f * t) * k.dice.uniform(0.84f, 0.97f);
+                    r = wide * (1.f - 0.93f * t) * k.rng.uniform(0.84f, 0.97f);
         const Vec3f at{r * std::cos(a), y - 0.2f * r, r * std::sin(a)};
-        const float size = i % 3 == 0 ? 0.024f + 0.012f * k.dice.uniform() : 0.013f;
+        const float size = i % 3 == 0 ? 0.024f + 0.012f * k.rng.uniform() : 0.013f;
         k.add(shapes::ball(at, {size, size, size}, i % 3 == 0 ? 12 : 6),
               i % 3 == 0 ? baubles[static_cast<std::size_t>(i / 3) % 3] : light);
     }
@@ -101,8 +100,8 @@ void build_christmas_tree(Kit& k) {
     static constexpr std::array<Vec3f, 4> kPaper{
         Vec3f{0.45f, 0.03f, 0.04f}, {0.05f, 0.2f, 0.1f}, {0.62f, 0.58f, 0.5f}, {0.12f, 0.16f, 0.36f}};
     for (int i = 0; i < 4; ++i) {
-        const float a = 0.7f + 1.5f * static_cast<float>(i) + k.dice.uniform(-0.2f, 0.2f), far = 0.62f * wide;
-        const Vec3f size{k.dice.uniform(0.16f, 0.26f), k.dice.uniform(0.08f, 0.18f), k.dice.uniform(0.13f, 0.2f)},
+        const float a = 0.7f + 1.5f * static_cast<float>(i) + k.rng.uniform(-0.2f, 0.2f), far = 0.62f * wide;
+        const Vec3f size{k.rng.uniform(0.16f, 0.26f), k.rng.uniform(0.08f, 0.18f), k.rng.uniform(0.13f, 0.2f)},
             at{far * std::sin(a), 0, far * std::cos(a)};
         const int paper = k.material(plain("wrapping paper", kPaper[static_cast<std::size_t>(i)], 0.35f)),
                   ribbon = k.material(plain("ribbon", i % 2 ? kBaubles[0] : kBaubles[1], 0.3f));

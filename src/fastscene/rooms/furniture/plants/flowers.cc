@@ -21,15 +21,14 @@ void flowers(Kit& k, int bloom, float mouth_y, std::string_view kind, float size
     constexpr int kBlooms = 13;
     for (int i = 0; i < kBlooms; ++i) {
         const float t = (static_cast<float>(i) + 0.5f) / kBlooms, a = 2.39996f * static_cast<float>(i),
-                    far = 0.088f * size * std::sqrt(t) * k.dice.uniform(0.85f, 1.15f);
-        const Vec3f head = around(a) * far +
-                           Vec3f{0, mouth_y + size * (0.22f - 0.1f * t + 0.03f * k.dice.uniform()), 0};
+                    far = 0.088f * size * std::sqrt(t) * k.rng.uniform(0.85f, 1.15f);
+        const Vec3f head = around(a) * far + Vec3f{0, mouth_y + size * (0.22f - 0.1f * t + 0.03f * k.rng.uniform()), 0};
         k.rod(stem, {0.2f * head.x, 0.5f * mouth_y, 0.2f * head.z}, head, 0.0028f, -1, 5);
         k.add(blade({0.4f * head.x, mouth_y, 0.4f * head.z}, around(a + 0.9f), 0.1f * size, 0.026f * size, 1.1f, 0.7f,
                     0.8f),
               leaf);
         const Vec3f up = normalize(head - Vec3f{0, mouth_y - 0.12f * size, 0});
-        const float r = size * k.dice.uniform(0.026f, 0.034f);
+        const float r = size * k.rng.uniform(0.026f, 0.034f);
         if (kind == "tulip") {  // a closed cup
             const std::array<Vec2f, 5> cup{Vec2f{0.25f * r, 0},
                                            {0.85f * r, 0.5f * r},
@@ -70,12 +69,12 @@ Vec3f color_of_flower(Kit& k, std::string_view kind) {
     if (kind == "daisy" || kind == "lily") return *color_named("white");
     if (kind == "peony") return *color_named("pink");
     if (kind == "hydrangea") return *color_named("light blue");
-    return *color_named(kGarden[static_cast<std::size_t>(k.dice.index(5))]);
+    return *color_named(kGarden[static_cast<std::size_t>(k.rng.index(5))]);
 }
 
 void vase_of(Kit& k, float size, bool stems) {
     const int body = k.main(plain("glazed vase", k.accent(), 0.25f));
-    const int kind = k.dice.index(3);
+    const int kind = k.rng.index(3);
     const std::array<std::array<Vec2f, 7>, 3> profiles{{{Vec2f{0.05f, 0},
                                                          {0.08f, 0.04f},
                                                          {0.1f, 0.12f},
@@ -103,15 +102,15 @@ void vase_of(Kit& k, float size, bool stems) {
     k.piece.mount = Mount::surface;
     if (!stems) return;
     // Dried stems, or fresh flowers where people like them.
-    const bool fresh = k.style.fresh_flowers && k.dice.chance(0.45f);
+    const bool fresh = k.style.fresh_flowers && k.rng.chance(0.45f);
     if (fresh)
         return flowers(k, k.material(plain("petals", color_of_flower(k, ""), 0.6f)), p.back().y,
-                       k.dice.chance(0.4f) ? "tulip" : "", 0.95f * size);
+                       k.rng.chance(0.4f) ? "tulip" : "", 0.95f * size);
     const int stalk = k.material(plain("dried stem", {0.3f, 0.22f, 0.12f}, 0.9f)),
               plume = k.material(plain("pampas", lerp(k.accent(), {0.6f, 0.5f, 0.36f}, 0.65f), 0.95f));
     for (int i = 0; i < 7; ++i) {
-        const float a = 2.39996f * static_cast<float>(i), lean = k.dice.uniform(0.05f, 0.16f) * size,
-                    h = k.dice.uniform(0.55f, 0.75f) * size;
+        const float a = 2.39996f * static_cast<float>(i), lean = k.rng.uniform(0.05f, 0.16f) * size,
+                    h = k.rng.uniform(0.55f, 0.75f) * size;
         const Vec3f tip = around(a) * lean + Vec3f{0, h, 0};
         k.rod(stalk, {0, 0.1f * size, 0}, tip, 0.002f, -1, 5);
         Mesh m = shapes::ball({0, 0, 0}, {0.016f * size, 0.075f * size, 0.016f * size}, 10);
@@ -125,8 +124,8 @@ void vase_of(Kit& k, float size, bool stems) {
 void build_bouquet(Kit& k) {
     const std::string_view kind = k.request.pattern;
     const int bloom = k.main(plain("petals", color_of_flower(k, kind), 0.6f));
-    Material pot = k.dice.chance(0.5f) ? plain("glazed vase", {0.7f, 0.68f, 0.63f}, 0.2f)
-                                       : plain("glazed vase", k.accent(), 0.25f);
+    Material pot = k.rng.chance(0.5f) ? plain("glazed vase", {0.7f, 0.68f, 0.63f}, 0.2f)
+                                      : plain("glazed vase", k.accent(), 0.25f);
     if (const auto asked = material_named(k.request.holder_material)) pot = *asked;
     if (const auto asked = color_named(k.request.holder_color)) pot = tinted(pot, *asked);
     const std::array<Vec2f, 6> p{Vec2f{0.045f, 0}, {0.06f, 0.03f},  {0.066f, 0.09f},

@@ -7,7 +7,7 @@
 namespace fastscene::furniture {
 
 Material foliage(Kit& k, Vec3f tone, float scale) {
-    Material m = plain("leaf", tone * k.dice.uniform(0.85f, 1.15f), 0.45f);
+    Material m = plain("leaf", tone * k.rng.uniform(0.85f, 1.15f), 0.45f);
     m.pattern = Pattern::leaf;
     m.color_b = tone * 1.5f + Vec3f{0.02f, 0.03f, 0.f};
     m.scale_m = scale;

@@ -15,14 +15,14 @@ void build_hanging_plant(Kit& k) {
     const float size = k.request.size_factor,
                 drop = (k.request.size_m.y > 0.5f ? 0.62f * k.request.size_m.y : 0.82f * size);
     k.sized = true;
-    const bool trailing = k.request.pattern == "trailing" || (k.request.pattern != "fern" && k.dice.chance(0.7f));
+    const bool trailing = k.request.pattern == "trailing" || (k.request.pattern != "fern" && k.rng.chance(0.7f));
     const int green = k.main(foliage(k, trailing ? Vec3f{0.08f, 0.19f, 0.055f} : Vec3f{0.1f, 0.23f, 0.07f}, 0.05f)),
               stem = k.material(plain("stem", {0.09f, 0.15f, 0.05f}, 0.8f)),
               soil = k.material(plain("soil", {0.06f, 0.042f, 0.03f}, 0.95f)),
               cord = k.material(plain("cotton cord", {0.66f, 0.6f, 0.47f}, 0.95f)), metal = k.material(k.style.metal);
-    Material clay = plain("plant pot", k.dice.chance(0.5f) ? Vec3f{0.7f, 0.68f, 0.63f} : Vec3f{0.46f, 0.21f, 0.12f},
+    Material clay = plain("plant pot", k.rng.chance(0.5f) ? Vec3f{0.7f, 0.68f, 0.63f} : Vec3f{0.46f, 0.21f, 0.12f},
                           0.6f);
-    if (k.style.plants > 0.8f && k.dice.chance(0.4f)) clay = *material_named("wicker");
+    if (k.style.plants > 0.8f && k.rng.chance(0.4f)) clay = *material_named("wicker");
     const float r = 0.115f * size, high = 0.15f * size, base = -drop - high, rim = -drop;
     const std::array<Vec2f, 6> p{Vec2f{0.5f * r, 0}, {0.62f * r, 0.006f},      {0.88f * r, 0.3f * high},
                                  {r, 0.65f * high},  {0.99f * r, 0.9f * high}, {0.96f * r, high}};
@@ -63,11 +63,11 @@ void build_hanging_plant(Kit& k) {
     Mesh stems;
     const int vines = 11;
     for (int i = 0; i < vines; ++i) {
-        const float a = 2.39996f * static_cast<float>(i), length = size * k.dice.uniform(0.22f, 0.62f),
-                    swing = k.dice.uniform(0.6f, 1.f);
+        const float a = 2.39996f * static_cast<float>(i), length = size * k.rng.uniform(0.22f, 0.62f),
+                    swing = k.rng.uniform(0.6f, 1.f);
         const Vec3f out = around(a), side{-out.z, 0, out.x};
         // Over the rim, then straight down, a little wavy.
-        const float phase = k.dice.uniform(0, kTau);
+        const float phase = k.rng.uniform(0, kTau);
         const auto vine = [&](float t) {
             const float over = std::min(1.f, t / 0.18f), down = std::max(0.f, t - 0.12f) / 0.88f;
             return out * (r * (0.45f + (0.62f + 0.12f * swing) * over) + 0.012f * std::sin(6.f * t + phase)) +
@@ -80,16 +80,16 @@ void build_hanging_plant(Kit& k) {
         const int leaves = 4 + static_cast<int>(length / 0.036f);
         for (int j = 0; j < leaves; ++j) {
             const float t = (static_cast<float>(j) + 0.4f) / static_cast<float>(leaves),
-                        la = a + (j % 2 ? 1.1f : -1.1f) + k.dice.uniform(-0.5f, 0.5f),
-                        l = size * k.dice.uniform(0.04f, 0.062f) * (1.15f - 0.45f * t);
-            k.add(blade(vine(t), around(la), l, 0.8f * l, k.dice.uniform(-0.1f, 0.35f), 0.9f, 0.62f), green);
+                        la = a + (j % 2 ? 1.1f : -1.1f) + k.rng.uniform(-0.5f, 0.5f),
+                        l = size * k.rng.uniform(0.04f, 0.062f) * (1.15f - 0.45f * t);
+            k.add(blade(vine(t), around(la), l, 0.8f * l, k.rng.uniform(-0.1f, 0.35f), 0.9f, 0.62f), green);
         }
     }
     // A tuft where they come from.
     for (int i = 0; i < 16; ++i) {
         const float a = 2.39996f * static_cast<float>(i) + 0.3f;
-        k.add(blade(around(a) * (0.2f * r) + Vec3f{0, rim - 0.015f, 0}, around(a), size * k.dice.uniform(0.07f, 0.11f),
-                    0.055f * size, k.dice.uniform(0.6f, 1.6f), 0.8f, 0.62f),
+        k.add(blade(around(a) * (0.2f * r) + Vec3f{0, rim - 0.015f, 0}, around(a), size * k.rng.uniform(0.07f, 0.11f),
+                    0.055f * size, k.rng.uniform(0.6f, 1.6f), 0.8f, 0.62f),
               green);
     }
     k.add(std::move(stems), stem);

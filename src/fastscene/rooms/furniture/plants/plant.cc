@@ -18,7 +18,7 @@ void palm_crown(Kit& k, float y, float size, int green, int bark) {
     Mesh ribs;
     for (int f = 0; f < 11; ++f) {
         const float a = 2.39996f * static_cast<float>(f), t = static_cast<float>(f) / 10.f,
-                    length = size * k.dice.uniform(0.52f, 0.66f) * (1.f - 0.22f * t), lift = 0.55f + 1.1f * t,
+                    length = size * k.rng.uniform(0.52f, 0.66f) * (1.f - 0.22f * t), lift = 0.55f + 1.1f * t,
                     droop = 1.05f + 0.1f * t;
         const Vec3f out = around(a), side = cross(Vec3f{0, 1, 0}, out);
         const auto rib = [&](float v) {
@@ -38,7 +38,7 @@ void palm_crown(Kit& k, float y, float size, int green, int bark) {
 }
 
 void plant_of(Kit& k, int kind, float size) {
-    Material clay = plain("plant pot", k.dice.chance(0.4f) ? Vec3f{0.7f, 0.68f, 0.63f} : k.accent(), 0.6f);
+    Material clay = plain("plant pot", k.rng.chance(0.4f) ? Vec3f{0.7f, 0.68f, 0.63f} : k.accent(), 0.6f);
     if (k.style.plants > 0.8f && size > 0.6f) clay = *material_named("wicker");
     const int green = k.main(foliage(k,
                                      kind == 1   ? Vec3f{0.09f, 0.19f, 0.06f}
@@ -69,9 +69,9 @@ void plant_of(Kit& k, int kind, float size) {
                         to = from + around(a) * (0.3f * size) + Vec3f{0, rise * 1.3f * size, 0};
             k.rod(bark, from, to, 0.009f * size, 0.004f * size, 6);
             for (int i = 0; i < 12; ++i) {
-                const float t = 0.3f + 0.06f * static_cast<float>(i), la = a + k.dice.uniform(-1.6f, 1.6f);
-                k.add(blade(lerp(from, to, t), around(la), size * k.dice.uniform(0.13f, 0.2f), size * 0.085f,
-                            k.dice.uniform(0.1f, 0.9f), 0.8f, 0.8f),
+                const float t = 0.3f + 0.06f * static_cast<float>(i), la = a + k.rng.uniform(-1.6f, 1.6f);
+                k.add(blade(lerp(from, to, t), around(la), size * k.rng.uniform(0.13f, 0.2f), size * 0.085f,
+                            k.rng.uniform(0.1f, 0.9f), 0.8f, 0.8f),
                       green);
             }
         }
@@ -79,7 +79,7 @@ void plant_of(Kit& k, int kind, float size) {
         for (int i = 0; i < 16; ++i) {
             const float a = 2.39996f * static_cast<float>(i), r = 0.02f + 0.0065f * static_cast<float>(i);
             k.add(blade(around(a) * (r * size) + Vec3f{0, y - 0.02f, 0}, around(a), size * 0.16f, size * 0.065f,
-                        k.dice.uniform(3.2f, 5.6f), 0.2f, 1.4f),
+                        k.rng.uniform(3.2f, 5.6f), 0.2f, 1.4f),
                   green);
         }
     }
@@ -87,12 +87,12 @@ void plant_of(Kit& k, int kind, float size) {
 
 }  // namespace
 
-void build_plant(Kit& k) { plant_of(k, k.request.pattern == "palm" ? palm : k.dice.index(3), 1.05f); }
+void build_plant(Kit& k) { plant_of(k, k.request.pattern == "palm" ? palm : k.rng.index(3), 1.05f); }
 
 void build_plant_tree(Kit& k) { plant_of(k, k.request.pattern == "palm" ? palm : leafy_tree, 1.4f); }
 
 void build_plant_small(Kit& k) {
-    plant_of(k, k.dice.index(2) * 2, 0.3f);
+    plant_of(k, k.rng.index(2) * 2, 0.3f);
     k.piece.mount = Mount::surface;
 }
 

@@ -38,7 +38,7 @@ void shell_chair(Kit& k) {
 void build_armchair(Kit& k) {
     if (is_woven(k)) return rattan_chair(k);
     switch (form_for(k, k.style.forms.armchair)) {
-        case ArmchairForm::padded: return couch(k, 0.92f, 1, k.dice.index(2));
+        case ArmchairForm::padded: return couch(k, 0.92f, 1, k.rng.index(2));
         case ArmchairForm::wing: return wing_chair(k);
         case ArmchairForm::tub: return channel_seat(k, 0.8f, 17);
         case ArmchairForm::sling: return sling_chair(k);

@@ -55,8 +55,8 @@ void swept_chaise(Kit& k) {
     // A roll for the neck, a cushion.
     const Vec3f neck = path(0.93f);
     bolster(k, cloth, neck + Vec3f{0.105f, 0.1f, -0.24f}, 0.48f, 0.07f);
-    put_pillow(k, second, path(0.66f) + Vec3f{0.17f, 0.075f, k.dice.uniform(-0.06f, 0.06f)}, {0.42f, 0.34f, 0.14f},
-               40.f, 90.f + k.dice.uniform(-8, 8));
+    put_pillow(k, second, path(0.66f) + Vec3f{0.17f, 0.075f, k.rng.uniform(-0.06f, 0.06f)}, {0.42f, 0.34f, 0.14f}, 40.f,
+               90.f + k.rng.uniform(-8, 8));
     k.top(0.44f, 0.4f, 0, 0.34f, 0.26f);
 }
 

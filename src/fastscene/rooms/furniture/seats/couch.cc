@@ -64,11 +64,11 @@ void couch(Kit& k, float width, int seats, int pillows) {
     }
     for (int i = 0; i < pillows; ++i) {
         const int mat = accent_cloth(k);
-        const float s = k.dice.uniform(0.4f, 0.47f), sx = i % 2 == 0 ? -1.f : 1.f;
+        const float s = k.rng.uniform(0.4f, 0.47f), sx = i % 2 == 0 ? -1.f : 1.f;
         put_pillow(k, mat,
                    {sx * (0.5f * inside - 0.24f - 0.22f * static_cast<float>(i / 2)), seat_y + 0.005f,
                     z0 + back_t + 0.27f + 0.05f * static_cast<float>(i / 2)},
-                   {s, s, 0.16f}, 20, -sx * 18.f + k.dice.uniform(-8, 8));
+                   {s, s, 0.16f}, 20, -sx * 18.f + k.rng.uniform(-8, 8));
     }
     if (rolled)
         k.rod(cloth, {-0.5f * inside, back_y - 0.05f, z0 + 0.09f}, {0.5f * inside, back_y - 0.05f, z0 + 0.09f}, 0.075f,

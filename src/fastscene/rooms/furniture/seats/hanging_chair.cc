@@ -54,8 +54,8 @@ void build_hanging_chair(Kit& k) {
     shapes::smooth_normals(round);
     k.add(std::move(round), cloth, middle + Vec3f{0, -0.44f, 0.01f});
     put_pillow(k, cloth, middle + Vec3f{0, -0.34f, -0.19f}, {0.6f, 0.66f, 0.19f}, 5.f);
-    put_pillow(k, second, middle + Vec3f{k.dice.uniform(-0.05f, 0.05f), -0.29f, -0.01f}, {0.42f, 0.3f, 0.14f}, 24.f,
-               k.dice.uniform(-8, 8));
+    put_pillow(k, second, middle + Vec3f{k.rng.uniform(-0.05f, 0.05f), -0.29f, -0.01f}, {0.42f, 0.3f, 0.14f}, 24.f,
+               k.rng.uniform(-8, 8));
     // The stand: a ring on the floor, a mast that bends over the basket.
     const float r = 0.5f;
     k.add(shapes::ring(r, 0.045f, 48), metal, {0, 0.0225f, 0});

@@ -10,7 +10,7 @@ namespace fastscene::furniture {
 // Shells of bent wood with buttoned cushions, on a star of metal.
 void build_lounge_chair(Kit& k) {
     const int hide = k.main(k.request.material.empty() ? k.style.of(k.style.made_of.lounge_chair) : k.style.leather);
-    if (k.request.color_name.empty() && !k.request.color && k.request.material.empty() && k.dice.chance(0.6f)) {
+    if (k.request.color_name.empty() && !k.request.color && k.request.material.empty() && k.rng.chance(0.6f)) {
         Material& m = k.piece.materials[static_cast<std::size_t>(hide)];
         m.color_a = m.color_c = {0.04f, 0.038f, 0.036f}, m.color_b = {0.025f, 0.024f, 0.023f};
     }

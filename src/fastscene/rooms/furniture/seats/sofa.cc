@@ -50,10 +50,10 @@ void build_sofa(Kit& k) {
     k.sized = true;
     if (k.request.pattern == "corner") {
         const float wide = std::max(w, 2.f) + (k.request.size_m.x > 0 ? 0.f : 0.3f);
-        couch(k, wide, 3, 2 + k.dice.index(3));
+        couch(k, wide, 3, 2 + k.rng.index(3));
         return corner_of(k, wide, 3);
     }
-    sofa_of(k, std::max(w, 1.2f), w > 1.9f ? 3 : 2, 2 + k.dice.index(3));
+    sofa_of(k, std::max(w, 1.2f), w > 1.9f ? 3 : 2, 2 + k.rng.index(3));
 }
 
 void build_loveseat(Kit& k) { sofa_of(k, 1.55f, 2, 2); }

@@ -57,7 +57,7 @@ void frame_sofa(Kit& k, float width, int seats) {
 
 // Back and arms of one height, rolled outward and buttoned.
 void chesterfield(Kit& k, float width, int seats) {
-    const bool hide = k.style.sofa != SofaType::rolled || k.dice.chance(0.5f);
+    const bool hide = k.style.sofa != SofaType::rolled || k.rng.chance(0.5f);
     const int cloth = k.main(hide ? k.style.leather : k.style.fabric), foot = k.material(k.style.wood2);
     const float depth = 0.92f, seat = 0.42f, top = 0.72f, arm = 0.18f, z0 = -0.5f * depth, inside = width - 2 * arm;
     feet(k, foot, width, depth, 0.1f, 0.f);

@@ -65,24 +65,24 @@ void fill_shelf(Kit& k, float x0, float x1, float y, float room_y, float z_back,
     float x = x0 + 0.015f;
     while (x < x1 - 0.12f) {
         const float left = x1 - x - 0.01f;
-        const int what = k.dice.index(10);
+        const int what = k.rng.index(10);
         if (kind != Shelves::books && !(kind == Shelves::toys && what < 4)) {
             const auto& others = kOthers[static_cast<std::size_t>(kind) - 1];
-            const Piece p = k.small(others[static_cast<std::size_t>(k.dice.index(6))]);
+            const Piece p = k.small(others[static_cast<std::size_t>(k.rng.index(6))]);
             const bool fits = p.size_m.x < left && p.size_m.y < room_y - 0.02f && p.size_m.z < depth + 0.02f;
             if (fits) k.merge(p, {x + 0.5f * p.size_m.x, y, z_back + 0.5f * depth});
-            x += fits ? p.size_m.x + k.dice.uniform(0.03f, 0.12f) : 0.06f;
+            x += fits ? p.size_m.x + k.rng.uniform(0.03f, 0.12f) : 0.06f;
             continue;
         }
         if (what < 6) {
-            const float w = std::min(left, k.dice.uniform(0.18f, 0.4f));
+            const float w = std::min(left, k.rng.uniform(0.18f, 0.4f));
             books(k, {x, y, z_back + 0.01f}, w, room_y - 0.03f, std::min(0.2f, depth - 0.03f));
             x += w + 0.02f;
         } else {
             Piece p = k.small(what == 6 ? "vase_small" : what == 7 ? "book_stack" : what == 8 ? "bowl" : "plant_small");
             if (p.size_m.x < left && p.size_m.y < room_y - 0.02f && p.size_m.z < depth + 0.02f)
                 k.merge(p, {x + 0.5f * p.size_m.x, y, z_back + 0.5f * depth});
-            x += std::min(left, p.size_m.x + k.dice.uniform(0.02f, 0.1f));
+            x += std::min(left, p.size_m.x + k.rng.uniform(0.02f, 0.1f));
         }
     }
 }

@@ -4,8 +4,8 @@
 namespace fastscene::furniture {
 
 void build_storage_box(Kit& k) {
-    Material m = k.dice.chance(0.5f) ? *material_named("wicker")
-                                     : tinted(k.style.fabric2, lerp(k.accent(), {0.6f, 0.57f, 0.5f}, 0.5f));
+    Material m = k.rng.chance(0.5f) ? *material_named("wicker")
+                                    : tinted(k.style.fabric2, lerp(k.accent(), {0.6f, 0.57f, 0.5f}, 0.5f));
     const int mat = k.main(m);
     const Vec3f s = k.wanted({0.32f, 0.2f, 0.24f});
     k.board(mat, {}, {s.x, 0.8f * s.y, s.z}, 0.012f);

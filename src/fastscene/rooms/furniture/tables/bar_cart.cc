@@ -51,7 +51,7 @@ void build_bar_cart(Kit& k) {
     const int label = k.material(plain("label", {0.68f, 0.64f, 0.54f}, 0.7f)),
               cap = k.material(plain("cap", {0.05f, 0.045f, 0.04f}, 0.4f));
     const auto bottle = [&](float x, float y, float z, std::size_t kind) {
-        const float h = k.dice.uniform(0.24f, 0.31f), r = k.dice.uniform(0.033f, 0.042f);
+        const float h = k.rng.uniform(0.24f, 0.31f), r = k.rng.uniform(0.033f, 0.042f);
         const std::array<Vec2f, 6> p{
             Vec2f{r, 0},          {r, 0.58f * h}, {0.9f * r, 0.65f * h}, {0.36f * r, 0.76f * h}, {0.34f * r, 0.93f * h},
             {0.3f * r, 0.93f * h}};

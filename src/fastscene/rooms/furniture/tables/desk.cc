@@ -10,7 +10,7 @@
 namespace fastscene::furniture {
 namespace {
 
-void put_small(Kit& k, std::string klass, Vec3f at, float turn = 0.f) { k.merge(k.small(std::move(klass)), at, turn); }
+void put_small(Kit& k, std::string kind, Vec3f at, float turn = 0.f) { k.merge(k.small(std::move(kind)), at, turn); }
 
 }  // namespace
 

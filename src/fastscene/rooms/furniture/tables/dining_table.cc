@@ -19,7 +19,7 @@ void trestle_table(Kit& k, Vec3f s) {
     for (const float sx : {-1.f, 1.f}) {
         for (const float sz : {-1.f, 1.f}) {
             Mesh leg = shapes::box({0.06f, std::hypot(y, 2 * z), 0.05f}, 0.006f);
-            shapes::lay_grain(leg, {k.dice.uniform(0, 3), 0, 0});
+            shapes::lay_grain(leg, {k.rng.uniform(0, 3), 0, 0});
             shapes::turn(leg, {1, 0, 0}, sz * std::atan2(2 * z, y) * 57.29578f);
             k.add(std::move(leg), frame, {sx * (x + 0.026f * sz), 0.5f * y, 0});
         }

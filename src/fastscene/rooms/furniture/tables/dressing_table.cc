@@ -43,7 +43,7 @@ void build_dressing_table(Kit& k) {
     // Bottles and a jar beside it.
     for (int i = 0; i < 4; ++i) {
         const float x = (i % 2 ? 1.f : -1.f) * (0.3f + 0.07f * static_cast<float>(i / 2)),
-                    h = k.dice.uniform(0.06f, 0.14f), r = k.dice.uniform(0.016f, 0.026f);
+                    h = k.rng.uniform(0.06f, 0.14f), r = k.rng.uniform(0.016f, 0.026f);
         const std::array<Vec2f, 5> bottle{
             Vec2f{r, 0}, {r, 0.7f * h}, {0.4f * r, 0.8f * h}, {0.4f * r, h}, {0.2f * r, h}};
         k.add(shapes::lathe(bottle, 20, false),

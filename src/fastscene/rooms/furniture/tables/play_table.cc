@@ -12,7 +12,7 @@ void build_play_table(Kit& k) {
     const int top = k.main(light ? *material_named("lacquer") : k.style.wood2),
               leg = k.material(light ? *material_named("birch") : k.style.wood2);
     const float high = 0.48f, half = 0.33f;
-    const bool round = k.dice.chance(0.5f);
+    const bool round = k.rng.chance(0.5f);
     k.add(shapes::prism(round ? shapes::circle(0.38f) : shapes::rounded_rectangle(0.78f, 0.6f, 0.08f), high - 0.026f,
                         high, 0.008f),
           top);
@@ -21,7 +21,7 @@ void build_play_table(Kit& k) {
         for (const float sz : {-1.f, 1.f})
             k.rod(leg, {sx * (lx + 0.03f), 0, sz * (lz + 0.03f)}, {sx * lx, high - 0.02f, sz * lz}, 0.017f, 0.023f, 12);
     for (const float sx : {-1.f, 1.f}) {
-        const Vec3f at{sx * (half + 0.25f), 0, k.dice.uniform(-0.06f, 0.06f)};
+        const Vec3f at{sx * (half + 0.25f), 0, k.rng.uniform(-0.06f, 0.06f)};
         const int seat = k.material(plain("stool", k.accent(), 0.4f));
         k.add(shapes::prism(shapes::circle(0.145f, 32), 0.265f, 0.29f, 0.008f), seat, at);
         for (int i = 0; i < 3; ++i) {
@@ -34,13 +34,13 @@ void build_play_table(Kit& k) {
     const int paper = k.material(plain("paper", {0.76f, 0.75f, 0.72f}, 0.9f));
     for (const float s : {-1.f, 1.f}) {
         Mesh sheet = shapes::box({0.2f, 0.002f, 0.15f}, 0.0006f);
-        shapes::turn(sheet, {0, 1, 0}, k.dice.uniform(-20, 20));
+        shapes::turn(sheet, {0, 1, 0}, k.rng.uniform(-20, 20));
         k.add(std::move(sheet), paper, {0.13f * s, high + 0.001f, 0.07f});
     }
     k.add(shapes::prism(shapes::circle(0.03f, 24), high + 0.002f, high + 0.0032f, 0.0004f),
           k.material(plain("crayon", {0.75f, 0.5f, 0.06f}, 0.7f)), {0.13f, 0, 0.07f});
     for (int i = 0; i < 4; ++i) {
-        const float a = k.dice.uniform(0.f, kTau);
+        const float a = k.rng.uniform(0.f, kTau);
         const Vec3f at{-0.1f + 0.06f * static_cast<float>(i), high + 0.005f,
                        -0.03f + 0.02f * static_cast<float>(i % 2)},
             along{0.045f * std::cos(a), 0, 0.045f * std::sin(a)};
@@ -50,7 +50,7 @@ void build_play_table(Kit& k) {
     float y = high;
     for (int i = 0; i < 4; ++i) {
         const Vec3f size{0.075f - 0.008f * static_cast<float>(i), 0.045f, 0.06f - 0.006f * static_cast<float>(i)};
-        k.board(k.material(plain("toy block", k.accent(), 0.4f)), {0.02f + k.dice.uniform(-0.008f, 0.008f), y, -0.16f},
+        k.board(k.material(plain("toy block", k.accent(), 0.4f)), {0.02f + k.rng.uniform(-0.008f, 0.008f), y, -0.16f},
                 size, 0.005f);
         y += size.y;
     }

@@ -20,7 +20,7 @@ void build_christmas_stocking(Kit& k) {
     const bool said = k.request.color || !k.request.color_name.empty();
     k.board(wood, {0, 0.5f, 0.012f}, {0.9f, 0.05f, 0.024f}, 0.005f);
     for (int i = 0; i < 3; ++i) {
-        const float x = 0.28f * (static_cast<float>(i) - 1.f), lean = k.dice.uniform(-5.f, 5.f);
+        const float x = 0.28f * (static_cast<float>(i) - 1.f), lean = k.rng.uniform(-5.f, 5.f);
         k.rod(metal, {x, 0.52f, 0.02f}, {x, 0.515f, 0.05f}, 0.005f, -1, 8);
         // Leg, heel and foot in one skin, pressed flat.
         const std::array<Limb, 4> limbs{{{{0, 0.33f, 0}, {0, 0.15f, 0}, 0.066f, 0.06f},

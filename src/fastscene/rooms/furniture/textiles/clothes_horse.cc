@@ -21,11 +21,11 @@ void build_clothes_horse(Kit& k) {
     for (std::size_t i = 0; i < 4; ++i) {
         // A towel, a shirt, a cloth: folded over the bar, one side longer.
         const Vec3f bar = bars[i < 2 ? i : i + 1 - (i % 2)];
-        const float width = k.dice.uniform(0.3f, 0.46f),
-                    x = (i % 2 == 0 ? -1.f : 1.f) * k.dice.uniform(0.02f, 0.06f) + (i < 2 ? 0.f : 0.02f),
-                    down = (i < 2 ? 0.42f : 0.24f) * k.dice.uniform(0.8f, 1.f),
+        const float width = k.rng.uniform(0.3f, 0.46f),
+                    x = (i % 2 == 0 ? -1.f : 1.f) * k.rng.uniform(0.02f, 0.06f) + (i < 2 ? 0.f : 0.02f),
+                    down = (i < 2 ? 0.42f : 0.24f) * k.rng.uniform(0.8f, 1.f),
                     side = x + (i < 2 ? 0.f : (i == 2 ? -0.24f : 0.24f));
-        Material m = tinted(k.style.fabric, lerp(k.accent(), {0.7f, 0.68f, 0.64f}, k.dice.uniform(0.2f, 0.7f)));
+        Material m = tinted(k.style.fabric, lerp(k.accent(), {0.7f, 0.68f, 0.64f}, k.rng.uniform(0.2f, 0.7f)));
         const std::uint32_t seed = k.seed();
         k.add(shapes::slab(14, 20, 0.005f,
                            [=](float u, float v) {

@@ -24,7 +24,7 @@ void build_flag(Kit& k) {
     };
     const int middle = one_color ? main : dyed({0.72f, 0.71f, 0.67f}),
               last = one_color ? main : dyed(k.style.palette[2 % k.style.palette.size()]);
-    const float p = k.dice.uniform(0, kTau), staff = s.y - 0.012f;
+    const float p = k.rng.uniform(0, kTau), staff = s.y - 0.012f;
     const auto wave = [&](float x, float y) {
         return 0.03f + (0.016f * std::sin(15.f * x / s.x + p + 1.1f * y) +
                         0.007f * std::sin(31.f * x / s.x + 2 * p - 2.f * y)) *

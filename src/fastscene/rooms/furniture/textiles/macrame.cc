@@ -70,9 +70,9 @@ void build_macrame(Kit& k) {
                     side = std::min(at + 0.5f, static_cast<float>(kPairs) - 0.5f - at), x = x_of(at);
         const float from = knot_y(
                         static_cast<int>(std::min(static_cast<float>(kRows - 1), std::max(0.f, 2.f * side - 1.f)))),
-                    to = (0.34f * s.y) * std::abs(x) / half + k.dice.uniform(0.f, 0.018f);
+                    to = (0.34f * s.y) * std::abs(x) / half + k.rng.uniform(0.f, 0.018f);
         if (to > from - 0.06f) continue;
-        const float sway = k.dice.uniform(-0.006f, 0.006f);
+        const float sway = k.rng.uniform(-0.006f, 0.006f);
         shapes::append(all, shapes::tube(std::array{Vec3f{x, from, 0.026f}, Vec3f{x + sway, 0.5f * (from + to), 0.022f},
                                                     Vec3f{x + 0.4f * sway, to + 0.03f, 0.02f}, Vec3f{x, to, 0.02f}},
                                          0.0058f, 6));

@@ -23,7 +23,7 @@ void hide_rug(Kit& k) {
     if (color && !cow) m.color_a = *color, m.color_b = *color * 0.6f;
     if (cow) {
         m.pattern = Pattern::camouflage, m.scale_m = 0.75f, m.seed = k.seed();
-        m.color_b = color.value_or(k.dice.chance(0.5f) ? Vec3f{0.19f, 0.085f, 0.04f} : Vec3f{0.035f, 0.03f, 0.027f}),
+        m.color_b = color.value_or(k.rng.chance(0.5f) ? Vec3f{0.19f, 0.085f, 0.04f} : Vec3f{0.035f, 0.03f, 0.027f}),
         m.color_c = m.color_a;
     }
     const int fur = k.piece.main_material = k.material(m);
@@ -79,7 +79,7 @@ void build_rug(Kit& k) {
     m.seed = kWoven[static_cast<std::size_t>(first + static_cast<int>(k.seed() % static_cast<std::uint32_t>(range)))];
     // Round as asked, or where nothing else is, in some rooms that like it.
     const bool round = k.request.pattern == "round" ||
-                       (!k.request.size_m.x && k.style.round_rugs && k.dice.chance(0.4f));
+                       (!k.request.size_m.x && k.style.round_rugs && k.rng.chance(0.4f));
     const float d = std::min(s.x, s.z) * (k.request.size_m.x ? 1.f : 1.15f);
     m.scale_m = m.pattern == Pattern::rug ? 0.5f * (round ? d : s.x) : m.scale_m;
     // Who asks for wool or a fluffy rug means deep pile of one color.

@@ -35,7 +35,7 @@ void build_tapestry(Kit& k) {
     const float half = 0.5f * s.x, hem = 0.1f, top = s.y - 0.3f * (half + 0.05f) - 0.01f, fringe = 0.1f;
     const int wood = k.material(k.style.wood);
     hanging_rod(k, wood, half + 0.04f, top, 0.022f, 0.011f);
-    const float phase = k.dice.uniform(0, kTau);
+    const float phase = k.rng.uniform(0, kTau);
     const auto cloth_at = [&](float x, float y, float out) {
         return Vec3f{x, y,
                      0.016f + out + 0.0045f * std::sin(9.f * x / s.x * 2.2f + phase) * std::min(1.f, (top - y) / 0.4f)};
@@ -52,7 +52,7 @@ void build_tapestry(Kit& k) {
     Material ground = k.style.rug;
     if (woven) {
         ground.pattern = Pattern::rug;
-        ground.seed = std::array<std::uint32_t, 4>{4, 6, 7, 11}[static_cast<std::size_t>(k.dice.index(4))];
+        ground.seed = std::array<std::uint32_t, 4>{4, 6, 7, 11}[static_cast<std::size_t>(k.rng.index(4))];
         ground.scale_m = half;
     } else {
         ground = k.style.fabric;
@@ -98,7 +98,7 @@ void build_tapestry(Kit& k) {
         // Hills, the nearer the darker.
         for (int i = 0; i < 4; ++i) {
             const float high = fringe + (top - fringe) * (0.46f - 0.115f * static_cast<float>(i)),
-                        p = k.dice.uniform(0, kTau), swing = 0.05f * s.y;
+                        p = k.rng.uniform(0, kTau), swing = 0.05f * s.y;
             const int hill = i == 0
                                  ? rust
                                  : yarn(lerp(k.style.palette[static_cast<std::size_t>(i + 1) % k.style.palette.size()],
@@ -122,8 +122,8 @@ void build_tapestry(Kit& k) {
                                     fringe + 0.004f, 0.f);
         shapes::append(threads,
                        shapes::rod(from,
-                                   from + Vec3f{k.dice.uniform(-0.004f, 0.004f), -(hem - k.dice.uniform(0.f, 0.012f)),
-                                                k.dice.uniform(-0.002f, 0.003f)},
+                                   from + Vec3f{k.rng.uniform(-0.004f, 0.004f), -(hem - k.rng.uniform(0.f, 0.012f)),
+                                                k.rng.uniform(-0.002f, 0.003f)},
                                    0.0032f, 0.0046f, 6));
     }
     k.add(std::move(threads),

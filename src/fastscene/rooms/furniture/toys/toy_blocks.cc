@@ -11,7 +11,7 @@ void build_toy_blocks(Kit& k) {
                                : k.material(plain("toy block", k.accent(), 0.5f));
         const int row = i < 3 ? 0 : i < 5 ? 1 : 2;
         Mesh m = shapes::box({0.07f, 0.07f, 0.07f}, 0.006f);
-        shapes::turn(m, {0, 1, 0}, k.dice.uniform(-20, 20));
+        shapes::turn(m, {0, 1, 0}, k.rng.uniform(-20, 20));
         k.add(std::move(m), mat,
               {0.085f * (static_cast<float>(row == 0   ? i
                                             : row == 1 ? i - 3

@@ -29,11 +29,11 @@ class Chalk {
     void words(float x0, float x1, float y, float high) {
         float x = x0;
         while (x < x1 - 2 * high) {
-            const float end = std::min(x1, x + high * k_.dice.uniform(2.f, 6.f));
+            const float end = std::min(x1, x + high * k_.rng.uniform(2.f, 6.f));
             Stroke word;
-            for (bool up = false; x < end; x += high * k_.dice.uniform(0.2f, 0.34f), up = !up) {
-                const float tall = up ? (k_.dice.chance(0.22f) ? 1.f : 0.6f) : (k_.dice.chance(0.1f) ? -0.35f : 0.f);
-                word.push_back({x, y + high * (tall + k_.dice.uniform(-0.06f, 0.06f))});
+            for (bool up = false; x < end; x += high * k_.rng.uniform(0.2f, 0.34f), up = !up) {
+                const float tall = up ? (k_.rng.chance(0.22f) ? 1.f : 0.6f) : (k_.rng.chance(0.1f) ? -0.35f : 0.f);
+                word.push_back({x, y + high * (tall + k_.rng.uniform(-0.06f, 0.06f))});
             }
             if (word.size() > 1) line(shapes::curve(word, 3));
             x += high * 0.75f;

@@ -12,8 +12,8 @@ void build_chalkboard(Kit& k) {
     const bool kitchen = k.style.shelves == Shelves::kitchen;
     const Vec3f s = k.wanted(kitchen ? Vec3f{0.7f, 0.95f, 0.05f} : Vec3f{1.35f, 0.9f, 0.05f});
     Material slate = plain("slate board",
-                           k.style.mouldings == Mouldings::rich || k.dice.chance(0.4f) ? Vec3f{0.035f, 0.06f, 0.045f}
-                                                                                       : Vec3f{0.04f, 0.041f, 0.043f},
+                           k.style.mouldings == Mouldings::rich || k.rng.chance(0.4f) ? Vec3f{0.035f, 0.06f, 0.045f}
+                                                                                      : Vec3f{0.04f, 0.041f, 0.043f},
                            0.85f);
     slate.pattern = Pattern::plaster;
     slate.scale_m = 0.5f;

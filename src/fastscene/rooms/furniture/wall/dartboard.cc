@@ -38,9 +38,9 @@ void build_dartboard(Kit& k) {
         k.add(std::move(shapes::turn(m, {1, 0, 0}, 90)), wire, {0, 0, z});
     }
     for (int i = 0; i < 3; ++i) {
-        const float a = k.dice.uniform(0, kTau), d = k.dice.uniform(0.02f, 0.11f);
+        const float a = k.rng.uniform(0, kTau), d = k.rng.uniform(0.02f, 0.11f);
         const Vec3f at{d * std::cos(a), d * std::sin(a), z},
-            back = at + Vec3f{k.dice.uniform(-0.012f, 0.012f), 0.012f, 0.085f}, out = normalize(back - at);
+            back = at + Vec3f{k.rng.uniform(-0.012f, 0.012f), 0.012f, 0.085f}, out = normalize(back - at);
         k.rod(wire, at, at + out * 0.03f, 0.0012f, -1, 6);
         k.rod(wire, at + out * 0.025f, at + out * 0.07f, 0.0036f, -1, 10);
         k.rod(black, at + out * 0.07f, back + out * 0.02f, 0.002f, -1, 8);

@@ -27,15 +27,15 @@ void build_fireplace(Kit& k) {
               {0.24f, 0.08f + (i == 2 ? 0.08f : 0.f), 0.03f + 0.07f * static_cast<float>(i % 2)}, 0.04f, 0.036f, 12);
     // Tongues that lick to one side and end in a point, the highest in the middle; embers between the logs.
     for (int i = 0; i < 11; ++i) {
-        const float x = -0.2f + 0.04f * static_cast<float>(i), h = k.dice.uniform(0.13f, 0.3f) * (1.f - 9.f * x * x),
-                    lean = k.dice.uniform(-0.3f, 0.3f);
+        const float x = -0.2f + 0.04f * static_cast<float>(i), h = k.rng.uniform(0.13f, 0.3f) * (1.f - 9.f * x * x),
+                    lean = k.rng.uniform(-0.3f, 0.3f);
         const std::array<Vec2f, 6> p{Vec2f{0, 0},        {0.026f, 0.12f * h}, {0.03f, 0.3f * h},
                                      {0.017f, 0.6f * h}, {0.006f, 0.85f * h}, {0, h}};
         Mesh tongue = shapes::lathe(shapes::curve(p, 2), 10, true);
         for (Vec3f& q : tongue.positions)
             q.x += lean * h * (q.y / h) * (q.y / h) + 0.012f * std::sin(22.f * q.y + static_cast<float>(i)) * q.y / h;
         shapes::smooth_normals(tongue);
-        k.add(std::move(tongue), i % 3 == 1 ? embers : fire, {x, 0.11f, 0.05f + k.dice.uniform(-0.05f, 0.05f)});
+        k.add(std::move(tongue), i % 3 == 1 ? embers : fire, {x, 0.11f, 0.05f + k.rng.uniform(-0.05f, 0.05f)});
     }
     k.board(embers, {0, 0.05f, 0.05f}, {0.4f, 0.03f, 0.12f}, 0.01f);
     k.top(1.075f, 0, 0.02f, 0.7f, 0.16f);

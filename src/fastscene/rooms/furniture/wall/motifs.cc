@@ -290,7 +290,7 @@ void draw_motif(Kit& k, std::string_view name, Vec3f at, float width, float heig
     k.board(ground, at - Vec3f{0, 0.5f * height, 0}, {width, height, kSheet}, 0.0005f);
     // Two inks that the style has and that the paper shows.
     const auto shows = [&](Vec3f c) { return std::abs(luminance(c) - luminance(motif.ground)) > 0.08f; };
-    const auto first = static_cast<std::size_t>(k.dice.index(6));
+    const auto first = static_cast<std::size_t>(k.rng.index(6));
     std::array<Vec3f, 2> inks{Vec3f{0.45f, 0.06f, 0.04f}, Vec3f{0.5f, 0.32f, 0.1f}};
     std::size_t found = 0;
     for (std::size_t i = 0; i < 6 && found < 2; ++i)

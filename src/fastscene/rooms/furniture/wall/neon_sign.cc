@@ -133,10 +133,10 @@ void build_neon_sign(Kit& k) {
     static constexpr std::array<Vec3f, 4> kGases{
         Vec3f{0.8f, 0.1f, 0.34f}, {0.1f, 0.52f, 0.8f}, {0.8f, 0.34f, 0.06f}, {0.42f, 0.12f, 0.8f}};
     const std::string_view asked = k.request.pattern;
-    const char* figure = kFigures[static_cast<std::size_t>(k.dice.index(static_cast<int>(kFigures.size())))];
+    const char* figure = kFigures[static_cast<std::size_t>(k.rng.index(static_cast<int>(kFigures.size())))];
     const bool known = is_one_of(asked,
                                  {"heart", "hello", "bolt", "love", "moon", "dream", "star", "open", "cactus", "bar"});
-    const int gas = k.main(plain("neon", kGases[static_cast<std::size_t>(k.dice.index(4))], 0.3f)),
+    const int gas = k.main(plain("neon", kGases[static_cast<std::size_t>(k.rng.index(4))], 0.3f)),
               clip = k.material(plain("clear clip", {0.6f, 0.6f, 0.6f}, 0.2f)),
               wire = k.material(plain("white wire", {0.66f, 0.65f, 0.63f}, 0.5f));
     Material& m = k.piece.materials[static_cast<std::size_t>(gas)];

@@ -8,9 +8,9 @@
 namespace fastscene::furniture {
 
 void build_picture(Kit& k) {
-    const bool wide = k.dice.chance(0.4f);
+    const bool wide = k.rng.chance(0.4f);
     const Vec3f s = k.wanted(wide ? Vec3f{0.9f, 0.62f, 0.025f} : Vec3f{0.55f, 0.75f, 0.025f});
-    const int pick = k.dice.index(3);
+    const int pick = k.rng.index(3);
     const int frame = k.material(pick == 0   ? k.style.metal
                                  : pick == 1 ? k.style.wood
                                              : k.style.wood2),
@@ -19,7 +19,7 @@ void build_picture(Kit& k) {
     const float w = s.x - 2 * f - 2 * pass, h = s.y - 2 * f - 2 * pass;
     Material m = plain("art", k.style.palette[0], 0.6f);
     m.pattern = Pattern::art;
-    const auto i = static_cast<std::size_t>(k.dice.index(6));
+    const auto i = static_cast<std::size_t>(k.rng.index(6));
     m.color_a = k.style.palette[i % 6];
     m.color_b = k.style.palette[(i + 1) % 6];
     m.color_c = k.style.palette[(i + 2) % 6];

@@ -12,14 +12,14 @@ void build_picture_ledge(Kit& k) {
     float x = -0.5f * s.x + 0.06f;
     while (true) {
         PieceRequest r;
-        r.klass = "picture";
+        r.kind = "picture";
         r.style = &k.style;
-        r.seed = k.dice.next_u64();
-        const float w = k.dice.uniform(0.22f, 0.42f);
+        r.seed = k.rng.next_u64();
+        const float w = k.rng.uniform(0.22f, 0.42f);
         if (x + w > 0.5f * s.x - 0.04f) break;
-        r.size_m = {w, w * k.dice.uniform(0.9f, 1.4f), 0};
-        k.merge(make_piece(r), {x + 0.5f * w, 0.02f, 0.012f + k.dice.uniform(0.f, 0.012f)});
-        x += w + k.dice.uniform(0.02f, 0.08f);
+        r.size_m = {w, w * k.rng.uniform(0.9f, 1.4f), 0};
+        k.merge(make_piece(r), {x + 0.5f * w, 0.02f, 0.012f + k.rng.uniform(0.f, 0.012f)});
+        x += w + k.rng.uniform(0.02f, 0.08f);
     }
     k.piece.mount = Mount::wall;
     k.piece.hang_height_m = 1.2f;

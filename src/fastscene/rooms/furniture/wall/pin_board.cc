@@ -34,23 +34,23 @@ void build_pin_board(Kit& k) {
                   0.25f));
     const int columns = std::max(2, static_cast<int>(s.x / 0.165f)), rows = std::max(1, static_cast<int>(s.y / 0.19f));
     for (int i = 0; i < columns * rows; ++i) {
-        if (k.dice.chance(0.12f)) continue;
+        if (k.rng.chance(0.12f)) continue;
         const float cx = s.x * ((static_cast<float>(i % columns) + 0.5f) / static_cast<float>(columns) - 0.5f) * 0.9f +
-                         k.dice.uniform(-0.018f, 0.018f),
+                         k.rng.uniform(-0.018f, 0.018f),
                     cy = 0.06f + (s.y - 0.12f) * (static_cast<float>(i / columns) + 0.5f) / static_cast<float>(rows) +
-                         k.dice.uniform(-0.02f, 0.02f);
-        const int kind = k.dice.index(4);
+                         k.rng.uniform(-0.02f, 0.02f);
+        const int kind = k.rng.index(4);
         const float pw = kind == 0   ? 0.125f
                          : kind == 1 ? 0.1f
-                                     : k.dice.uniform(0.12f, 0.17f),
+                                     : k.rng.uniform(0.12f, 0.17f),
                     ph = kind == 0   ? 0.17f
                          : kind == 1 ? 0.1f
                                      : pw * 0.72f,
-                    turn = k.dice.uniform(-7.f, 7.f);
+                    turn = k.rng.uniform(-7.f, 7.f);
         const float z = 0.0145f + 0.0007f * static_cast<float>(i % 3);
         const std::size_t first = k.piece.meshes.size();
         // Photographs have a white rim; the rest is written on.
-        const int sheet = papers[kind == 3 || kind == 0 ? 0 : 1 + static_cast<std::size_t>(k.dice.index(4))];
+        const int sheet = papers[kind == 3 || kind == 0 ? 0 : 1 + static_cast<std::size_t>(k.rng.index(4))];
         k.board(sheet, {0, -0.5f * ph, 0}, {pw, ph, 0.0008f}, 0.0002f);
         if (kind == 3) {
             Material photo = plain("photo", k.accent(), 0.35f);
@@ -71,7 +71,7 @@ void build_pin_board(Kit& k) {
         }
         for (std::size_t j = first; j < k.piece.meshes.size(); ++j)
             shapes::move(shapes::turn(k.piece.meshes[j], {0, 0, 1}, turn), {cx, cy, z});
-        const int pin = pins[static_cast<std::size_t>(k.dice.index(3))];
+        const int pin = pins[static_cast<std::size_t>(k.rng.index(3))];
         k.add(shapes::ball({cx, cy + 0.42f * ph, z + 0.006f}, {0.0065f, 0.0065f, 0.006f}, 10), pin);
     }
     k.piece.mount = Mount::wall;

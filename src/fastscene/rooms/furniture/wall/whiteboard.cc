@@ -26,7 +26,7 @@ void build_whiteboard(Kit& k) {
         pen.line({{-0.9f * w, 0.82f * h}, {-0.3f * w, 0.815f * h}});
         for (int i = 0; i < 4; ++i) {
             const float y = h * (0.68f - 0.1f * static_cast<float>(i));
-            pen.words(-0.82f * w, k.dice.uniform(-0.35f, -0.12f) * w, y, 0.034f * u);
+            pen.words(-0.82f * w, k.rng.uniform(-0.35f, -0.12f) * w, y, 0.034f * u);
             pen.box({-0.9f * w, y}, {-0.9f * w + 0.03f * u, y + 0.03f * u});
         }
     }

@@ -1,51 +1,14 @@
-#include "fastscene/splat/stepper.h"
-
+// The reference implementation (reference.h), in double precision.
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
-#include "fastscene/base/error.h"
+#include "fastscene/splat/host_stepper.h"
 #include "fastscene/splat/reference.h"
 
-namespace fastscene::splat {
+namespace fastscene::splat_backends {
 namespace {
 
-// Steps that are done when step() returns, on the caller's cloud.
-class HostStepper : public Stepper {
-  public:
-    std::string device() const override { return "processor"; }
-    void load(const Cloud&) override {}
-    void set_views(std::vector<const View*> views, DepthOf depth_of) override {
-        views_ = std::move(views), depth_of_ = std::move(depth_of);
-    }
-    void step(Cloud& cloud, std::size_t view, const StepPlan& plan) override {
-        const View& v = *views_[view];
-        losses_.push_back(step_now(cloud, v, depth_of_ ? &depth_of_(v) : nullptr, plan));
-    }
-    bool relocate(float, const Relocation&, std::uint64_t, int) override { return false; }
-    std::vector<LossSums> losses() override { return std::exchange(losses_, {}); }
-    void store(Cloud&) override {}
-
-  private:
-    virtual LossSums step_now(Cloud& cloud, const View& view, const ImageF* depth, const StepPlan& plan) = 0;
-    std::vector<const View*> views_;
-    DepthOf depth_of_;
-    std::vector<LossSums> losses_;
-};
-
-class CpuStepper : public HostStepper {
-    LossSums step_now(Cloud& cloud, const View& view, const ImageF* depth, const StepPlan& plan) override {
-        engine_.render(cloud, view.camera, view.world_from_camera, plan.background, depth != nullptr, view.model);
-        LossSums sums = engine_.differentiate(view, plan.lambda_dssim, plan.judge);
-        if (depth) sums.loss += engine_.differentiate_depth(view, *depth, plan.depth_strength);
-        if (plan.alpha_strength > 0) sums.loss += engine_.differentiate_transmittance(view, plan.alpha_strength);
-        engine_.set_outside(plan.outside_m);
-        engine_.step(cloud, plan.rates);
-        return sums;
-    }
-
-    Engine engine_{choose_kernel()};
-};
+using namespace splat;
 
 // Adam as published, in double precision except for what is stored.
 struct AdamSlot {
@@ -117,13 +80,39 @@ class ReferenceStepper : public HostStepper {
     }
 };
 
+struct ReferenceRenderer : Renderer {
+    explicit ReferenceRenderer(const Splats& s) : splats(s) {}
+    SplatPicture picture(const Pinhole& camera, const Rigid& world_from_camera, Vec3f background,
+                         CameraModel model) override {
+        const auto picture = render_reference(
+            gaussians_of<double>(splats),
+            lens_over<double>(lens_of(camera, world_from_camera, model, splats.antialias)), camera.width, camera.height,
+            Vec3d{background.x, background.y, background.z}, rest_of<double>(splats));
+        SplatPicture out = empty_picture(camera);
+        for (std::size_t i = 0; i < picture.pixels.size(); ++i) {
+            const auto& p = picture.pixels[i];
+            const double alpha = 1 - p.transmittance;
+            out.color.pixels[i] = {static_cast<float>(p.color.x), static_cast<float>(p.color.y),
+                                   static_cast<float>(p.color.z)};
+            out.alpha.pixels[i] = static_cast<float>(alpha);
+            out.depth_z.pixels[i] = alpha > 0 ? static_cast<float>(picture.depth_sum[i] / alpha) : 0.f;
+        }
+        return out;
+    }
+    const Splats& splats;
+};
+
 }  // namespace
 
-std::unique_ptr<Stepper> make_stepper(const SplatBackend& backend) {
-    if (backend.name == "cpu") return std::make_unique<CpuStepper>();
-    if (backend.name == "reference") return std::make_unique<ReferenceStepper>();
-    if (backend.name == "vulkan") return make_vulkan_stepper(backend.device);
-    throw UsageError("splat: unknown backend \"{}\"; expected cpu, vulkan or reference", backend.name);
+SplatBackendEntry reference() {
+    return {.name = "reference",
+            .about = "slow and readable, the measure of the others",
+            .make_stepper = [](const std::string&) -> std::unique_ptr<Stepper> {
+                return std::make_unique<ReferenceStepper>();
+            },
+            .make_renderer = [](const Splats& splats, const std::string&) -> std::unique_ptr<Renderer> {
+                return std::make_unique<ReferenceRenderer>(splats);
+            }};
 }
 
-}  // namespace fastscene::splat
+}  // namespace fastscene::splat_backends

@@ -1,11 +1,12 @@
-// Training steps on a graphics card.
-#include "fastscene/splat/stepper.h"
-
+// Graphics cards (vulkan/engine.h).
 #include "fastscene/base/random.h"
+#include "fastscene/splat/backend.h"
 #include "fastscene/splat/vulkan/engine.h"
 
-namespace fastscene::splat {
+namespace fastscene::splat_backends {
 namespace {
+
+using namespace splat;
 
 class VulkanStepper : public Stepper {
   public:
@@ -28,10 +29,28 @@ class VulkanStepper : public Stepper {
     vulkan::VulkanEngine engine_;
 };
 
+struct VulkanRenderer : Renderer {
+    VulkanRenderer(const Splats& splats, const std::string& device) : engine(device, "--device") {
+        engine.load(Cloud(splats, false));
+    }
+    SplatPicture picture(const Pinhole& camera, const Rigid& world_from_camera, Vec3f background,
+                         CameraModel model) override {
+        return engine.render(camera, world_from_camera, background, model);
+    }
+    vulkan::VulkanEngine engine;
+};
+
 }  // namespace
 
-std::unique_ptr<Stepper> make_vulkan_stepper(const std::string& device) {
-    return std::make_unique<VulkanStepper>(device);
+SplatBackendEntry vulkan() {
+    return {.name = "vulkan",
+            .about = "a graphics card",
+            .make_stepper = [](const std::string& device) -> std::unique_ptr<Stepper> {
+                return std::make_unique<VulkanStepper>(device);
+            },
+            .make_renderer = [](const Splats& splats, const std::string& device) -> std::unique_ptr<Renderer> {
+                return std::make_unique<VulkanRenderer>(splats, device);
+            }};
 }
 
-}  // namespace fastscene::splat
+}  // namespace fastscene::splat_backends

@@ -1,5 +1,5 @@
-// Training steps, the common interface of the backends: "cpu" is Engine, "reference" the slow reference implementation,
-// "vulkan" a graphics card. A backend may keep the splats to itself and run behind: store() brings them back.
+// What a backend of splats is: steps of training, and pictures. A backend may keep the splats to itself and run behind:
+// store() brings them back.
 #pragma once
 
 #include <array>
@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "fastscene/base/registry.h"
 #include "fastscene/scene/view.h"
 #include "fastscene/splat/engine.h"
 #include "fastscene/splat/relocate.h"
@@ -43,8 +44,31 @@ struct Stepper {
     // Waits for all steps, and brings `cloud` up to date.
     virtual void store(Cloud& cloud) = 0;
 };
+// Renders pictures of the same splats (SplatRenderer).
+struct Renderer {
+    virtual ~Renderer() = default;
+    virtual SplatPicture picture(const Pinhole& camera, const Rigid& world_from_camera, Vec3f background,
+                                 CameraModel model) = 0;
+};
+// Black and empty, of the camera's size.
+SplatPicture empty_picture(const Pinhole& camera);
+
 // Throws UsageError for an unknown backend or device.
 std::unique_ptr<Stepper> make_stepper(const SplatBackend& backend);
-std::unique_ptr<Stepper> make_vulkan_stepper(const std::string& device);
 
 }  // namespace fastscene::splat
+
+namespace fastscene {
+
+// A way to render and train splats, in a source file of its own under splat/splat_backends/. Flags, --help, errors and
+// the contract tests take their lists from the registry.
+struct SplatBackendEntry {
+    std::string name = {};   // as its source file
+    std::string about = {};  // half a sentence, for --help
+    // `device`: SplatBackend::device. Throw UsageError for a device that there is not; the splats must live as long as
+    // their renderer.
+    std::unique_ptr<splat::Stepper> (*make_stepper)(const std::string& device) = nullptr;
+    std::unique_ptr<splat::Renderer> (*make_renderer)(const Splats& splats, const std::string& device) = nullptr;
+};
+
+}  // namespace fastscene
