@@ -37,7 +37,16 @@ std::string name_of(VkResult r) {
     }
 }
 
-// The process's connection to the drivers.
+bool has_instance_extension(std::string_view name) {
+    std::uint32_t count = 0;
+    vkEnumerateInstanceExtensionProperties(nullptr, &count, nullptr);
+    std::vector<VkExtensionProperties> all(count);
+    vkEnumerateInstanceExtensionProperties(nullptr, &count, all.data());
+    return std::any_of(all.begin(), all.end(), [&](const auto& e) { return name == e.extensionName; });
+}
+
+// The process's connection to the drivers. Layers on top of other interfaces, such as MoltenVK, have to be asked for
+// (VK_KHR_portability_enumeration).
 struct Instance {
     VkInstance handle = VK_NULL_HANDLE;
     VkDebugUtilsMessengerEXT messenger = VK_NULL_HANDLE;
@@ -56,7 +65,6 @@ struct Instance {
         app.pApplicationName = "fastscene", app.apiVersion = VK_API_VERSION_1_2;
         auto info = tagged<VkInstanceCreateInfo>(VK_STRUCTURE_TYPE_INSTANCE_CREATE_INFO);
         info.pApplicationInfo = &app;
-        const char* extension = VK_EXT_DEBUG_UTILS_EXTENSION_NAME;
         auto debug = tagged<VkDebugUtilsMessengerCreateInfoEXT>(
             VK_STRUCTURE_TYPE_DEBUG_UTILS_MESSENGER_CREATE_INFO_EXT);
         debug.messageSeverity = VK_DEBUG_UTILS_MESSAGE_SEVERITY_WARNING_BIT_EXT |
@@ -64,10 +72,17 @@ struct Instance {
         debug.messageType = VK_DEBUG_UTILS_MESSAGE_TYPE_VALIDATION_BIT_EXT |
                             VK_DEBUG_UTILS_MESSAGE_TYPE_PERFORMANCE_BIT_EXT;
         debug.pfnUserCallback = &Instance::told, debug.pUserData = this;
+        std::vector<const char*> extensions;
         if (validate) {
             info.enabledLayerCount = 1, info.ppEnabledLayerNames = &kValidationLayer;
-            info.enabledExtensionCount = 1, info.ppEnabledExtensionNames = &extension;
+            extensions.push_back(VK_EXT_DEBUG_UTILS_EXTENSION_NAME);
         }
+        if (has_instance_extension(VK_KHR_PORTABILITY_ENUMERATION_EXTENSION_NAME)) {
+            extensions.push_back(VK_KHR_PORTABILITY_ENUMERATION_EXTENSION_NAME);
+            info.flags |= VK_INSTANCE_CREATE_ENUMERATE_PORTABILITY_BIT_KHR;
+        }
+        info.enabledExtensionCount = static_cast<std::uint32_t>(extensions.size());
+        info.ppEnabledExtensionNames = extensions.data();
         if (const VkResult r = vkCreateInstance(&info, nullptr, &handle); r != VK_SUCCESS) {
             handle = VK_NULL_HANDLE;
             why_not = r == VK_ERROR_LAYER_NOT_PRESENT ? fmt::format("no layer {}", kValidationLayer) : name_of(r);
@@ -202,6 +217,7 @@ std::vector<DeviceInfo> list_devices() {
 DeviceInfo choose_device(const std::string& wanted, const std::string& flag) {
     const std::vector<DeviceInfo> all = list_devices();
     const DeviceInfo* found = nullptr;
+    if (wanted == "list") throw UsageError("{} list: found {}", flag, listing(all));
     if (wanted == "auto") {
         for (const DeviceInfo& d : all)
             if (d.is_card && d.missing.empty() && (!found || d.memory > found->memory)) found = &d;
@@ -277,6 +293,8 @@ Device::Device(const DeviceInfo& info) : info_(info), handles_(std::make_unique<
     std::vector<const char*> extensions{VK_EXT_SUBGROUP_SIZE_CONTROL_EXTENSION_NAME};
     h.has_budget = has_extension(h.physical, VK_EXT_MEMORY_BUDGET_EXTENSION_NAME);
     if (h.has_budget) extensions.push_back(VK_EXT_MEMORY_BUDGET_EXTENSION_NAME);
+    // Must be enabled where it is offered.
+    if (has_extension(h.physical, "VK_KHR_portability_subset")) extensions.push_back("VK_KHR_portability_subset");
     auto create = tagged<VkDeviceCreateInfo>(VK_STRUCTURE_TYPE_DEVICE_CREATE_INFO);
     create.pNext = &f.base;
     create.queueCreateInfoCount = 1, create.pQueueCreateInfos = &queue;

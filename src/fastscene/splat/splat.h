@@ -36,8 +36,8 @@ template <class V>
 void visit_fields(SplatBackend& b, V&& v) {
     v("backend", b.name, Choices{splat_backend_names()}, about_splat_backends());
     v("device", b.device,
-      "vulkan: the graphics card, by number or part of its name as `doctor` lists them; auto: the one with the most "
-      "memory.");
+      "vulkan: the graphics card, by number or part of its name; auto: the one with the most memory; list: names "
+      "them.");
 }
 
 struct SplatParams {

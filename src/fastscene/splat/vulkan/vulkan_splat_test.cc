@@ -4,6 +4,7 @@
 
 #include <cstdlib>
 #include <cstring>
+#include <filesystem>
 
 #include "bench/textured_room.h"
 #include "fastscene/splat/relocate.h"
@@ -311,6 +312,29 @@ TEST_F(VulkanSplat, TrainingIsAsGoodAsOnTheProcessor) {
     EXPECT_NEAR(card.evals.back().psnr, cpu.evals.back().psnr, 0.1f);
     EXPECT_NEAR(card.evals.back().ssim, cpu.evals.back().ssim, 0.01f);
     EXPECT_EQ(fit_splats(set.train, params, fastscene::Run{}).splats, card.splats);
+}
+
+// Stopped at a checkpoint, with the count still growing, and continued: the same bytes as without a stop.
+TEST_F(VulkanSplat, ACheckpointContinuesBitForBit) {
+    const bench::RoomSet set = bench::room_set(64, 1, 800, 0, 4);
+    SplatParams params;
+    params.count = 1500, params.steps = 260, params.sh_degree = 1;
+    params.backend = {"vulkan", gpu::has_card() ? "auto" : "llvmpipe"};
+    const FittedSplats straight = fit_splats(set.train, params, fastscene::Run{});
+    EXPECT_GT(straight.splats.size(), 800u);
+    params.checkpoint = (std::filesystem::temp_directory_path() / "fastscene_vulkan_checkpoint").string();
+    std::filesystem::remove(params.checkpoint);
+    params.until = 130;
+    fit_splats(set.train, params, fastscene::Run{});
+    params.until = 0;
+    const FittedSplats continued = fit_splats(set.train, params, fastscene::Run{});
+    std::filesystem::remove(params.checkpoint);
+    EXPECT_EQ(continued.splats, straight.splats);
+    ASSERT_EQ(continued.curve.size(), straight.curve.size());
+    for (std::size_t i = 0; i < straight.curve.size(); ++i) {
+        EXPECT_EQ(continued.curve[i].step, straight.curve[i].step);
+        EXPECT_EQ(continued.curve[i].loss, straight.curve[i].loss);
+    }
 }
 
 TEST_F(VulkanSplat, UnknownDevicesAreNamed) {
