@@ -32,7 +32,8 @@ int jobs_that_fit(const BatchParams& params);
 std::vector<BatchRecord> run_batch(const std::vector<BatchScene>& scenes, const std::filesystem::path& folder,
                                    const BatchParams& params, const Run& run);
 
-// How far a batch is: done, failed, total (-1: unknown), scenes_an_hour, failures.
+// How far a batch is: done, failed, total (-1: unknown), seconds_a_scene, failures. Throws UsageError if `folder` is
+// none.
 Json batch_status(const std::filesystem::path& folder);
 
 }  // namespace fastscene

@@ -1,5 +1,7 @@
 #include "fastscene/batch/index_page.h"
 
+#include <algorithm>
+
 #include "fastscene/base/file.h"
 
 namespace fastscene {
@@ -30,7 +32,7 @@ function figure(s) {
     link.href = encodeURIComponent(s.name) + '/viewer.html';
     const i = document.createElement('img');
     i.loading = 'lazy'; i.alt = s.prompt; i.src = encodeURIComponent(s.name) + '/preview.jpg';
-    i.onerror = () => { i.onerror = null; i.src = encodeURIComponent(s.name) + '/panorama/color.png'; };
+    i.onerror = () => { i.onerror = null; i.src = link.href = encodeURIComponent(s.name) + '/panorama/color.png'; };
     link.append(i);
   } else {
     const d = document.createElement('div');
@@ -62,8 +64,10 @@ search('');
 }  // namespace
 
 void save_index(const std::vector<BatchRecord>& records, const std::filesystem::path& folder) {
+    std::vector<BatchRecord> sorted = records;  // as in the list; they end in any order
+    std::sort(sorted.begin(), sorted.end(), [](const auto& a, const auto& b) { return a.name < b.name; });
     Json scenes = Json::array();
-    for (const BatchRecord& r : records)
+    for (const BatchRecord& r : sorted)
         scenes.push_back(
             {{"name", r.name}, {"prompt", r.prompt}, {"done", r.done}, {"seconds", r.seconds}, {"error", r.error}});
     std::string data = scenes.dump(-1, ' ', false, Json::error_handler_t::replace), safe;
