@@ -5,9 +5,6 @@
 #include "fastscene/pipeline/share.h"
 
 namespace fastscene::cli {
-namespace {
-
-// Flags of the stages up to `last_stage`.
 void add_param_flags(CLI::App& app, const std::shared_ptr<RequestFlags>& flags, const std::string& last_stage) {
     SceneParams defaults = params_of_quality(flags->quality);
     bool wanted = true;
@@ -37,6 +34,8 @@ void apply_param_flags(SceneParams& params, const Given& given) {
     // An explicit number of Gaussians overrides the density.
     if (given.count("--splat-count") && !given.count("--splat-per-m2")) params.splat.per_m2 = 0;
 }
+
+namespace {
 
 // Prints the scene's folder to stdout.
 void make_and_print(const SceneRequest& request, const RunFolder& folder, const Run& run, const Session& session) {

@@ -21,6 +21,11 @@ struct RequestFlags {
     std::shared_ptr<Given> given = std::make_shared<Given>();
 };
 
+// Flags of the stages up to `last_stage`, and --quality.
+void add_param_flags(CLI::App& app, const std::shared_ptr<RequestFlags>& flags, const std::string& last_stage);
+// Overwrites the settings that flags were given for.
+void apply_param_flags(SceneParams& params, const Given& given);
+
 // For commands that start a run from a prompt or picture: make, panorama.
 Verb add_starting_verb(CLI::App& app, const std::string& name, const std::string& sentence,
                        const std::string& last_stage);

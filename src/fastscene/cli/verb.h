@@ -45,6 +45,7 @@ Verb add_views(CLI::App& app);
 Verb add_splat(CLI::App& app);
 Verb add_metrics(CLI::App& app);
 Verb add_evaluate(CLI::App& app);
+Verb add_batch(CLI::App& app);
 Verb add_render(CLI::App& app);
 Verb add_convert(CLI::App& app);
 Verb add_view(CLI::App& app);

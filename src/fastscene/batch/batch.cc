@@ -1,0 +1,197 @@
+#include "fastscene/batch/batch.h"
+
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <exception>
+#include <mutex>
+#include <optional>
+#include <thread>
+
+#include "fastscene/base/file.h"
+#include "fastscene/base/hash.h"
+#include "fastscene/base/memory.h"
+#include "fastscene/base/parallel.h"
+#include "fastscene/base/program.h"
+#include "fastscene/batch/index_page.h"
+#include "fastscene/pipeline/build_info.h"
+#include "fastscene/pipeline/run_folder.h"
+
+namespace fastscene {
+namespace fs = std::filesystem;
+namespace {
+
+// Peak memory of a scene in GiB by quality, rounded up from docs/benchmarks.md; "high" from its counts of splats.
+constexpr std::pair<const char*, double> kSceneGib[] = {{"draft", 1.2}, {"standard", 2.2}, {"high", 7}};
+constexpr double kMemoryShare = 0.85;      // of the free memory that scenes may take
+constexpr double kIndexEverySeconds = 20;  // the page is written again at most so often
+
+double scene_gib(const std::string& quality) {
+    for (const auto& [name, gib] : kSceneGib)
+        if (quality == name) return gib;
+    return kSceneGib[1].second;
+}
+
+double seconds() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
+
+std::string quality_of(const BatchScene& scene, const BatchParams& params) {
+    return scene.quality.empty() ? params.quality : scene.quality;
+}
+
+std::string key_of(const BatchScene& scene, const BatchParams& params) {
+    Hash hash;
+    hash.add(scene.prompt).add(scene.seed).add(quality_of(scene, params)).add(params.stage).add(program_version());
+    for (const auto* flags : {&params.flags, &scene.flags})
+        for (const std::string& flag : *flags) hash.add(flag);
+    return hash.hex();
+}
+
+std::vector<std::string> arguments_of(const BatchScene& scene, const fs::path& folder, const BatchParams& params,
+                                      int threads) {
+    std::vector<std::string> out{params.stage, scene.prompt,
+                                 "--seed",     std::to_string(scene.seed),
+                                 "--quality",  quality_of(scene, params),
+                                 "-o",         (folder / scene.name).string(),
+                                 "--threads",  std::to_string(threads),
+                                 "--progress", "none"};
+    out.insert(out.end(), params.flags.begin(), params.flags.end());
+    out.insert(out.end(), scene.flags.begin(), scene.flags.end());
+    return out;
+}
+
+// The program's last line that tells of an error.
+std::string error_in(const fs::path& log) {
+    const std::string text = fs::exists(log) ? read_file(log) : "";
+    std::string last, error;
+    for (std::size_t at = 0; at < text.size();) {
+        const std::size_t end = std::min(text.find('\n', at), text.size());
+        if (end > at) last = text.substr(at, end - at);
+        if (last.starts_with("fastscene: ")) error = last.substr(11);
+        at = end + 1;
+    }
+    return error.empty() ? last : error;
+}
+
+// The scenes of a batch in work.
+class Engine {
+  public:
+    Engine(const std::vector<BatchScene>& scenes, fs::path folder, const BatchParams& params, const Run& run)
+        : folder_(std::move(folder)), params_(params), run_(run), journal_(folder_) {
+        for (const BatchScene& scene : scenes) {
+            const BatchRecord* known = journal_.find(scene.name);
+            if (known && known->done && known->key == key_of(scene, params)) ++done_before_;
+            else waiting_.push_back(&scene);
+        }
+    }
+
+    std::vector<BatchRecord> go() {
+        const int jobs = std::min<int>(params_.jobs > 0 ? params_.jobs : jobs_that_fit(params_),
+                                       std::max<int>(1, static_cast<int>(waiting_.size())));
+        const int threads = std::max(1, (params_.threads > 0 ? params_.threads : thread_count()) / jobs);
+        run_.note(fmt::format("batch: {} scenes, {} of them done before; {} at a time, {} threads each",
+                              waiting_.size() + done_before_, done_before_, jobs, threads));
+        progress_.emplace(run_, "batch", static_cast<std::int64_t>(waiting_.size()));
+        {
+            std::vector<std::jthread> workers;
+            for (int i = 0; i < jobs; ++i) workers.emplace_back([this, threads] { work(threads); });
+        }
+        save_index(journal_.records(), folder_);
+        if (failure_) std::rethrow_exception(failure_);
+        run_.check_stop();
+        return journal_.records();
+    }
+
+  private:
+    void work(int threads) try {
+        for (std::size_t i = next_++; i < waiting_.size() && !run_.stop.stop_requested() && !failure_; i = next_++)
+            note(make(*waiting_[i], threads));
+    } catch (const Stopped&) {
+    } catch (...) {
+        const std::lock_guard lock(mutex_);
+        if (!failure_) failure_ = std::current_exception();
+    }
+
+    BatchRecord make(const BatchScene& scene, int threads) {
+        BatchRecord record{scene.name, scene.prompt, key_of(scene, params_), false, 0, 0, {}};
+        const fs::path log = folder_ / (scene.name + ".log");
+        const double start = seconds();
+        while (!record.done && record.tries < params_.tries) {
+            ++record.tries;
+            std::error_code none;
+            fs::remove(log, none);
+            const int code = run_program(params_.program, arguments_of(scene, folder_, params_, threads),
+                                         {log, {}, run_.stop});
+            record.done = code == 0;
+            record.error = record.done ? "" : error_in(log);
+            if (code != 2) continue;
+            break;  // the request itself is wrong: a second try would fail alike
+        }
+        record.seconds = seconds() - start;
+        return record;
+    }
+
+    void note(const BatchRecord& record) {
+        const std::lock_guard lock(mutex_);
+        journal_.add(record);
+        if (!record.done) run_.warn(fmt::format("{}: {}", record.name, record.error));
+        progress_->advance();
+        if (seconds() - indexed_s_ < kIndexEverySeconds) return;
+        indexed_s_ = seconds();
+        save_index(journal_.records(), folder_);
+    }
+
+    fs::path folder_;
+    const BatchParams& params_;
+    const Run& run_;
+    BatchJournal journal_;
+    std::vector<const BatchScene*> waiting_;
+    std::size_t done_before_ = 0;
+    std::optional<Progress> progress_;
+    std::atomic<std::size_t> next_{0};
+    std::mutex mutex_;  // of the journal
+    std::exception_ptr failure_;
+    double indexed_s_ = 0;
+};
+
+}  // namespace
+
+int jobs_that_fit(const BatchParams& params) {
+    const int cores = params.threads > 0 ? params.threads : thread_count();
+    const std::int64_t free = available_memory();
+    if (free <= 0) return cores;
+    const double fit = kMemoryShare * static_cast<double>(free) / (scene_gib(params.quality) * (1 << 30));
+    return std::clamp(static_cast<int>(fit), 1, cores);
+}
+
+std::vector<BatchRecord> run_batch(const std::vector<BatchScene>& scenes, const fs::path& folder,
+                                   const BatchParams& params, const Run& run) {
+    make_directories(folder);
+    const FolderLock lock(folder);
+    write_json(folder / "batch.json", {{"scenes", scenes.size()},
+                                       {"quality", params.quality},
+                                       {"command", params.stage},
+                                       {"flags", params.flags},
+                                       {"version", program_version()}});
+    return Engine(scenes, folder, params, run).go();
+}
+
+Json batch_status(const fs::path& folder) {
+    if (!fs::exists(folder / "batch.json"))
+        throw UsageError("{}: expected the folder of a batch, found no batch.json", folder.string());
+    const BatchJournal journal(folder);
+    int done = 0;
+    double spent = 0;
+    Json failures = Json::array();
+    for (const BatchRecord& r : journal.records()) {
+        done += r.done, spent += r.seconds;
+        if (!r.done) failures.push_back({{"name", r.name}, {"error", r.error}});
+    }
+    const int total = read_json(folder / "batch.json").value("scenes", -1);
+    return {{"done", done},
+            {"failed", failures.size()},
+            {"total", total},
+            {"seconds_a_scene", journal.records().empty() ? 0 : spent / static_cast<double>(journal.records().size())},
+            {"failures", failures}};
+}
+
+}  // namespace fastscene

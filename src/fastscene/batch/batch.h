@@ -1,0 +1,39 @@
+// Batch: many scenes, each made by a process of its own. A scene that fails does so alone; a batch that was stopped
+// goes on with what is left.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "fastscene/base/json.h"
+#include "fastscene/base/run.h"
+#include "fastscene/batch/journal.h"
+#include "fastscene/batch/scene_list.h"
+
+namespace fastscene {
+
+struct BatchParams {
+    std::filesystem::path program;  // fastscene itself
+    std::string stage = "make";     // the command that makes a scene: "make", or "panorama" for pictures alone
+    std::string quality = "standard";
+    std::vector<std::string> flags;  // of that command, for all scenes
+    int jobs = 0;                    // scenes at a time; 0: as many as cores and memory allow
+    int threads = 0;                 // of all scenes together; 0: all cores
+    int tries = 2;                   // before a scene is given up
+};
+
+// Scenes at a time that cores and free memory allow.
+int jobs_that_fit(const BatchParams& params);
+
+// Makes the scenes in folders of their names below `folder`, each with a log file beside it (NAME.log). Those that
+// folder/batch.jsonl lists as done are left alone. Writes folder/index.html. Throws Error if another batch works on the
+// folder; Stopped when asked to stop, after the scenes in work have ended.
+std::vector<BatchRecord> run_batch(const std::vector<BatchScene>& scenes, const std::filesystem::path& folder,
+                                   const BatchParams& params, const Run& run);
+
+// How far a batch is: done, failed, total (-1: unknown), seconds_a_scene, failures. Throws UsageError if `folder` is
+// none.
+Json batch_status(const std::filesystem::path& folder);
+
+}  // namespace fastscene
