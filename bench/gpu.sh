@@ -3,7 +3,7 @@
 # with cards are often bare:
 #
 #   bench/gpu.sh pack FILE.tar.xz     on a machine with a build (build/release): programs, and the libraries they need
-#   bench/gpu.sh run FILE.tar.xz [OUT]   on the machine with the card: at most 8 minutes; a table, and OUT/gpu.json
+#   bench/gpu.sh run FILE.tar.xz [OUT]   on the machine with the card: at most 8 minutes; figures go to OUT, too
 #
 # `run` needs a Vulkan driver (of NVIDIA's: with libGLX_nvidia), bash and xz. Networks are measured where python3 has
 # PyTorch with CUDA, whose libtorch they are built with: bench/gpu_networks.sh says what that needs.
@@ -21,8 +21,11 @@ pack() {
       xargs -I{} cp -Lu {} "$folder/lib/"
   done
   # The loader of drivers, and what NVIDIA's driver asks for.
-  for library in libvulkan.so.1 libGLdispatch.so.0 libGLX.so.0 libEGL.so.1 libOpenGL.so.0 libGL.so.1 libX11.so.6 libXext.so.6 libxcb.so.1 libXau.so.6 libXdmcp.so.6 libbsd.so.0 libmd.so.0; do
-    [ -e "/lib/x86_64-linux-gnu/$library" ] && cp -Lu "/lib/x86_64-linux-gnu/$library" "$folder/lib/"
+  local library
+  for library in vulkan.so.1 GLdispatch.so.0 GLX.so.0 EGL.so.1 OpenGL.so.0 GL.so.1 X11.so.6 Xext.so.6 xcb.so.1 Xau.so.6 \
+    Xdmcp.so.6 bsd.so.0 md.so.0; do
+    library=/lib/x86_64-linux-gnu/lib$library
+    [ -e "$library" ] && cp -Lu "$library" "$folder/lib/"
   done
   # Networks are built there, with the libtorch that is there.
   mkdir "$folder/networks"
@@ -55,7 +58,7 @@ run() {
   go 120 bench_scene "$prompt" --quality standard | tee "$out/scene_processor.json"
   echo "== networks"
   if python3 -c 'import importlib.util as u, sys; sys.exit(u.find_spec("torch") is None)' 2> /dev/null; then
-    FASTSCENE_DEPENDENCIES=$folder/networks/dependencies FASTSCENE_BENCH_S=130 OUT=$out \
+    FASTSCENE_DEPENDENCIES=$folder/networks/dependencies FASTSCENE_BENCH_S=${FASTSCENE_BENCH_S:-130} OUT=$out \
       timeout 170 bash "$folder/networks/bench/gpu_networks.sh" "$folder/networks-build"
   else
     echo "no python3 with torch here: networks are not measured"
