@@ -3,8 +3,11 @@
 #include "fastscene/cli/checks.h"
 #include "fastscene/cli/flags.h"
 #include "fastscene/cli/verb.h"
+#include "fastscene/export/collision.h"
+#include "fastscene/export/labels.h"
 #include "fastscene/export/room_glb.h"
 #include "fastscene/pipeline/room_of_run.h"
+#include "fastscene/trace/standable.h"
 
 namespace fastscene::cli {
 namespace {
@@ -27,6 +30,17 @@ const std::vector<ExportKind>& export_kinds() {
          [](const TracedRoom& room, const BakeParams& params, const Run& run) {
              return room_glb_bytes(room.room(), params, run);
          }},
+        {"collision", ".glb",
+         [](const TracedRoom& room, const BakeParams&, const Run&) {
+             return collision_glb_bytes(room.room(), standable_floor(room).floor_y);
+         }},
+        {"labels", ".json",
+         [](const TracedRoom& room, const BakeParams&, const Run&) { return labels_json(room).dump(2) + "\n"; }},
+        {"walkable", ".json",
+         [](const TracedRoom& room, const BakeParams&, const Run&) {
+             return walkable_floor_json(room).dump(2) + "\n";
+         }},
+        {"plan", ".svg", [](const TracedRoom& room, const BakeParams&, const Run&) { return plan_svg(room); }},
     };
     return all;
 }
@@ -57,12 +71,16 @@ Verb add_export(CLI::App& app) {
     auto flags = std::make_shared<ExportFlags>();
     CLI::App* verb = app.add_subcommand("export", "Writes the room of a scene from a prompt for engines and tools.");
     verb->add_option("scene", flags->scene, "Folder of a run from a prompt.")->type_name("DIR")->required();
-    verb->add_option("file", flags->out, "The file to write: .glb.")->type_name("FILE")->required();
-    verb->add_option("--what", flags->what, "What to write; without it, by the file's ending.")
+    verb->add_option("file", flags->out, "The file to write: .glb, .json or .svg.")->type_name("FILE")->required();
+    verb->add_option(
+            "--what", flags->what,
+            "What to write; without it, the first of these with the file's ending: the room, labels or the plan.")
         ->type_name(fmt::format("{}", fmt::join(export_names(), "|")))
         ->check(one_of(export_names()));
     add_fields(*verb, "", BakeParams{}, flags->given, "Textures");
-    verb->footer("Example:\n  fastscene export out/bedroom bedroom.glb");
+    verb->footer(
+        "Example:\n  fastscene export out/bedroom bedroom.glb\n  fastscene export out/bedroom collision.glb --what "
+        "collision");
     return {verb, [flags](const Session& session) {
                 const ExportKind& kind = export_kind_of(*flags);
                 BakeParams params;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstring>
 
+#include "fastscene/base/shortest.h"
 #include "fastscene/io/glb_container.h"
 
 namespace fastscene {
@@ -19,6 +20,8 @@ void put(std::string& out, T value) {
 }
 
 }  // namespace
+
+Json json_list(Vec3f v) { return Json{shortest(v.x), shortest(v.y), shortest(v.z)}; }
 
 int Gltf::add(const std::string& array, Json entry) {
     Json& list = json_[array];
@@ -99,8 +102,9 @@ std::string Gltf::bytes(Json scene) const {
 void set_pose(Json& node, const Rigid& pose) {
     const auto [w, x, y, z] = quaternion_of(pose.rotation);
     const float norm = 1.f / std::sqrt(w * w + x * x + y * y + z * z);
-    if (pose.translation != Vec3f{}) node["translation"] = {pose.translation.x, pose.translation.y, pose.translation.z};
-    if (pose.rotation != Mat3f{}) node["rotation"] = {x * norm, y * norm, z * norm, w * norm};
+    if (pose.translation != Vec3f{}) node["translation"] = json_list(pose.translation);
+    if (pose.rotation != Mat3f{})
+        node["rotation"] = {shortest(x * norm), shortest(y * norm), shortest(z * norm), shortest(w * norm)};
 }
 
 }  // namespace fastscene

@@ -14,6 +14,8 @@ namespace fastscene {
 // x left, y up, z forward (docs/conventions.md): a half turn, so nothing is mirrored.
 inline constexpr Mat3f kGltfAxes{{-1, 0, 0}, {0, -1, 0}, {0, 0, 1}};
 
+Json json_list(Vec3f v);  // [x, y, z]
+
 class Gltf {
   public:
     int add_positions(const std::vector<Vec3f>& values);  // with the bounds that the format requires

@@ -1,12 +1,13 @@
 #include "fastscene/export/room_glb.h"
 
-#include <array>
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <optional>
 
 #include "fastscene/export/gltf.h"
 #include "fastscene/export/identities.h"
+#include "fastscene/export/shell.h"
 #include "fastscene/io/image_io.h"
 #include "fastscene/trace/response.h"
 
@@ -21,8 +22,6 @@ constexpr float kCameraFov_deg = 60;     // vertical: as an engine's usual camer
 constexpr float kSamePlace_m = 2e-4f, kSameUv = 1e-5f;
 constexpr const char* kLightsExtension = "KHR_lights_punctual";
 
-Json list(Vec3f v) { return Json{v.x, v.y, v.z}; }
-
 // Triangles with one material.
 struct Part {
     int material = 0;
@@ -31,25 +30,6 @@ struct Part {
     std::vector<std::uint32_t> triangles;
 };
 using Parts = std::vector<Part>;
-
-enum class Shell { floor, ceiling, walls };
-constexpr std::array kShellNames{"floor", "ceiling", "walls"};
-
-// By the direction that most of a surface faces.
-Shell shell_of(const Mesh& mesh) {
-    Vec3f sum{};
-    float area = 0;
-    for (std::size_t t = 0; t + 2 < mesh.triangles.size(); t += 3) {
-        const Vec3f a = mesh.positions[mesh.triangles[t]], b = mesh.positions[mesh.triangles[t + 1]],
-                    c = mesh.positions[mesh.triangles[t + 2]];
-        const float size = length(cross(b - a, c - a));
-        const Vec3f n = mesh.normals[mesh.triangles[t]];
-        sum += n * size;
-        area += size;
-    }
-    constexpr float kLevel = 0.7f;
-    return sum.y < -kLevel * area ? Shell::floor : sum.y > kLevel * area ? Shell::ceiling : Shell::walls;
-}
 
 // Appends a mesh to the part with its material.
 void append(Parts& parts, int material, const Mesh& mesh, const BakedMesh& baked, const Rigid& node_from_world) {
@@ -107,7 +87,7 @@ class Writer {
                             {"extras",
                              {{"room", room_.type},
                               {"style", room_.style},
-                              {"sky", {{"zenith", list(sky.zenith)}, {"horizon", list(sky.horizon)}}}}}});
+                              {"sky", {{"zenith", json_list(sky.zenith)}, {"horizon", json_list(sky.horizon)}}}}}});
     }
 
   private:
@@ -116,7 +96,7 @@ class Writer {
         const Rigid gltf_from_world{kGltfAxes, {}};
         for (std::size_t m = 0; m < room_.meshes.size(); ++m)
             if (const Mesh& mesh = room_.meshes[m]; mesh.object < 0)
-                append(shell[shell_of(mesh)], same_[at(mesh.material)], mesh, baked_.meshes[m], gltf_from_world);
+                append(shell[shell_of(room_, mesh)], same_[at(mesh.material)], mesh, baked_.meshes[m], gltf_from_world);
         for (const auto& [kind, parts] : shell) {
             if (parts.empty()) continue;
             const char* name = kShellNames[static_cast<std::size_t>(kind)];
@@ -143,7 +123,7 @@ class Writer {
                           {"color", object.color},
                           {"requested", object.requested},
                           {"source", object.source},
-                          {"size_m", list(object.size_m)}};
+                          {"size_m", json_list(object.size_m)}};
         return gltf_.add("nodes", std::move(node));
     }
 
@@ -196,7 +176,7 @@ class Writer {
             out["extensions"]["KHR_materials_ior"]["ior"] = (1 + r) / (1 - r);
         }
         if (const float most = max_component(m.emission); most > 0) {
-            out["emissiveFactor"] = list(m.emission / most);
+            out["emissiveFactor"] = json_list(m.emission / most);
             gltf_.use("KHR_materials_emissive_strength");
             out["extensions"]["KHR_materials_emissive_strength"]["emissiveStrength"] = most;
         }
@@ -236,8 +216,9 @@ class Writer {
         if (!(most > 0) || !(weight > 0)) return std::nullopt;
         Json node = light_node(
             name + " light",
-            add_light({{"type", "point"}, {"name", name}, {"color", list(intensity / most)}, {"intensity", most}}));
-        node["translation"] = list(center / weight);
+            add_light(
+                {{"type", "point"}, {"name", name}, {"color", json_list(intensity / most)}, {"intensity", most}}));
+        node["translation"] = json_list(center / weight);
         return gltf_.add("nodes", std::move(node));
     }
 
@@ -246,7 +227,7 @@ class Writer {
         if (!(most > 0)) return;
         Json node = light_node("sun", add_light({{"type", "directional"},
                                                  {"name", "sun"},
-                                                 {"color", list(room_.sky.sun_irradiance / most)},
+                                                 {"color", json_list(room_.sky.sun_irradiance / most)},
                                                  {"intensity", most}}));
         // It shines along the node's -z.
         const Vec3f back = normalize(kGltfAxes * room_.sky.sun_dir);
