@@ -1,4 +1,5 @@
 #include "fastscene/base/file.h"
+#include "fastscene/base/registry.h"
 #include "fastscene/base/writable.h"
 #include "fastscene/cli/checks.h"
 #include "fastscene/cli/flags.h"
@@ -58,11 +59,11 @@ const ExportKind& export_kind_of(const ExportFlags& flags) {
     for (const ExportKind& kind : export_kinds()) {
         if (flags.what.empty() ? ending == kind.ending : flags.what == kind.name) {
             if (ending == kind.ending) return kind;
-            throw UsageError("{}: expected a name that ends in {} for --what {}", flags.out, kind.ending, flags.what);
+            throw UsageError("{}: expected a name that ends in {} for --what {}", flags.out, kind.ending, kind.name);
         }
         if (std::find(endings.begin(), endings.end(), kind.ending) == endings.end()) endings.emplace_back(kind.ending);
     }
-    throw UsageError("{}: expected a name that ends in {}", flags.out, fmt::join(endings, " or "));
+    throw UsageError("{}: expected a name that ends in {}", flags.out, any_of(endings));
 }
 
 }  // namespace

@@ -301,12 +301,13 @@ TEST(Labels, SpawnPointsLieWhereOneCanStand) {
 }
 
 TEST(Plan, SaysTheRoomsSizeAndItsThings) {
-    const TracedRoom traced(bedroom());
-    const std::string svg = plan_svg(traced);
-    const Room& room = traced.room();
-    EXPECT_NE(svg.find(fmt::format(">{:.2f} m<", room.max_corner.x - room.min_corner.x)), std::string::npos);
-    EXPECT_NE(svg.find(fmt::format(">{:.2f} m<", room.max_corner.z - room.min_corner.z)), std::string::npos);
-    EXPECT_NE(svg.find("bed</text>"), std::string::npos);
+    PromptSpec spec = understand_prompt("a bedroom of 4 by 5 metres with a desk", false);
+    ASSERT_EQ(spec.size_m.x * spec.size_m.z, 20.f);
+    const std::string svg = plan_svg(TracedRoom(make_room(spec, kQuiet)));
+    EXPECT_NE(svg.find(">4.00 m<"), std::string::npos);
+    EXPECT_NE(svg.find(">5.00 m<"), std::string::npos);
+    for (const char* name : {"bed", "desk", "window"})
+        EXPECT_NE(svg.find(fmt::format("{}</text>", name)), std::string::npos) << name;
 }
 
 }  // namespace

@@ -87,7 +87,9 @@ Json labels_json(const TracedRoom& traced) {
             for (const Mesh& mesh : room.meshes)
                 if (mesh.object == static_cast<int>(i)) names.insert(room.materials[at(mesh.material)].name);
             entry["materials"] = names;
-            const std::string support = stands_on(room, ids, i, boxes[i]);
+            const bool built_in = has_role(object.klass, Role::shell) || has_role(object.klass, Role::opening);
+            const std::string support = built_in ? kShellNames[static_cast<std::size_t>(Shell::walls)]
+                                                 : stands_on(room, ids, i, boxes[i]);
             entry["stands_on"] = support.empty() ? Json(nullptr) : Json(support);
         }
         objects.push_back(std::move(entry));
