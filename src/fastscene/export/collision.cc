@@ -175,23 +175,25 @@ std::vector<Source> sources(const Room& room, float floor_y) {
             if (mesh.object == static_cast<int>(i)) append(source.triangles, mesh, inverse(pose));
         out.push_back(std::move(source));
     }
+    const Rigid plan{plan_from_world(room), {}};
     for (const Shell kind : {Shell::ceiling, Shell::walls}) {
-        Source source{{kShellNames[static_cast<std::size_t>(kind)], {}, {}}, {}};
+        Source source{{kShellNames[static_cast<std::size_t>(kind)], inverse(plan), {}}, {}};
         for (const Mesh& mesh : room.meshes)
-            if (mesh.object < 0 && shell_of(room, mesh) == kind) append(source.triangles, mesh, {});
+            if (mesh.object < 0 && shell_of(room, mesh) == kind) append(source.triangles, mesh, plan);
         if (!source.triangles.empty()) out.push_back(std::move(source));
     }
     return out;
 }
 
 Collider floor_slab(const Room& room, float floor_y) {
+    const Rigid plan{plan_from_world(room), {}};
     Box slab = nothing();
     for (const Mesh& mesh : room.meshes)
         if (mesh.object < 0 && shell_of(room, mesh) == Shell::floor)
-            for (const Vec3f p : mesh.positions) widen(slab, p);
+            for (const Vec3f p : mesh.positions) widen(slab, plan * p);
     slab.low.y = floor_y;
     slab.high.y = floor_y + kSlab_m;
-    return {"floor", {}, {slab}};
+    return {"floor", inverse(plan), {slab}};
 }
 
 }  // namespace
@@ -218,12 +220,8 @@ std::string collision_glb_bytes(const Room& room, float floor_y) {
     Json roots = Json::array();
     for (const Collider& collider : colliders(room, floor_y)) {
         Mesh all;
-        const bool own_frame = collider.world_from_boxes != Rigid{};
-        const Mat3f axes = own_frame ? Mat3f{} : kGltfAxes;
         for (const Box& box : collider.boxes) {
-            const Vec3f a = axes * box.low, b = axes * box.high;
-            const Mesh one = box_mesh({std::min(a.x, b.x), std::min(a.y, b.y), std::min(a.z, b.z)},
-                                      {std::max(a.x, b.x), std::max(a.y, b.y), std::max(a.z, b.z)}, 0);
+            const Mesh one = box_mesh(box.low, box.high, 0);
             const auto first = static_cast<std::uint32_t>(all.positions.size());
             all.positions.insert(all.positions.end(), one.positions.begin(), one.positions.end());
             for (const std::uint32_t v : one.triangles) all.triangles.push_back(first + v);
@@ -233,7 +231,7 @@ std::string collision_glb_bytes(const Room& room, float floor_y) {
                              {"indices", gltf.add_indices(all.triangles)}};
         Json node{{"name", collider.id},
                   {"mesh", gltf.add("meshes", {{"name", collider.id}, {"primitives", Json::array({primitive})}})}};
-        if (own_frame) set_pose(node, Rigid{kGltfAxes, {}} * collider.world_from_boxes);
+        set_pose(node, Rigid{kGltfAxes, {}} * collider.world_from_boxes);
         node["extras"] = {{"id", collider.id}, {"boxes", collider.boxes.size()}};
         roots.push_back(gltf.add("nodes", std::move(node)));
     }

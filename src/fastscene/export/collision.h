@@ -13,7 +13,7 @@ inline constexpr int kMostColliderTriangles = 5000;
 struct Box {
     Vec3f low, high;
 };
-// Boxes along a thing's axes (world axes for the shell) that together hold its surface.
+// Boxes along a thing's axes (the walls' for the shell) that together hold its surface.
 struct Collider {
     std::string id;  // object_ids(), "floor", "walls", "ceiling"
     Rigid world_from_boxes;

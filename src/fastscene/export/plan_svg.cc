@@ -1,7 +1,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <numeric>
 
 #include "fastscene/export/identities.h"
@@ -31,7 +30,7 @@ std::string escaped(const std::string& text) {
 
 class Page {
   public:
-    explicit Page(const Room& room) : plan_from_world_(turn_of(room)) {
+    explicit Page(const Room& room) : plan_from_world_(plan_from_world(room)) {
         low_ = {1e9f, 1e9f}, high_ = {-1e9f, -1e9f};
         for (const Mesh& mesh : room.meshes)
             if (mesh.object < 0 && shell_of(room, mesh) == Shell::walls) reach_walls(room, mesh);
@@ -108,22 +107,6 @@ class Page {
             if (n.z < -kFacing) high_.y = std::max(high_.y, p.z);
             if (n.z > kFacing) low_.y = std::min(low_.y, p.z);
         }
-    }
-    // A rotation about the vertical that squares the walls with the page: the mean direction of upright surfaces,
-    // where quarter turns count as one direction.
-    static Mat3f turn_of(const Room& room) {
-        float sine = 0, cosine = 0;
-        for (const Mesh& mesh : room.meshes) {
-            if (mesh.object >= 0 || shell_of(room, mesh) != Shell::walls) continue;
-            for (std::size_t t = 0; t + 2 < mesh.triangles.size(); t += 3) {
-                const Vec3f a = mesh.positions[mesh.triangles[t]];
-                const Vec3f n = cross(mesh.positions[mesh.triangles[t + 1]] - a,
-                                      mesh.positions[mesh.triangles[t + 2]] - a);
-                const float flat = std::hypot(n.x, n.z), angle = 4 * std::atan2(n.x, n.z);
-                sine += flat * std::sin(angle), cosine += flat * std::cos(angle);
-            }
-        }
-        return rotation_about(Vec3f{0, 1, 0}, -0.25f * std::atan2(sine, cosine));
     }
     Mat3f plan_from_world_;
     Vec2f low_, high_;  // x, z of the room's interior, in the plan's frame

@@ -13,4 +13,8 @@ inline constexpr std::array kShellNames{"floor", "ceiling", "walls"};
 // Everything else, slopes and mouldings too, counts as walls.
 Shell shell_of(const Room& room, const Mesh& mesh);
 
+// A rotation about the vertical into a frame whose x and z run along the walls: the mean direction of upright surfaces,
+// where quarter turns count as one direction.
+Mat3f plan_from_world(const Room& room);
+
 }  // namespace fastscene
