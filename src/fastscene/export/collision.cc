@@ -8,7 +8,6 @@
 #include "fastscene/export/identities.h"
 #include "fastscene/export/object_boxes.h"
 #include "fastscene/export/shell.h"
-#include "fastscene/scene/box.h"
 
 namespace fastscene {
 namespace {
@@ -185,6 +184,18 @@ std::vector<Source> sources(const Room& room, float floor_y) {
     return out;
 }
 
+// Eight corners that the faces share, so that the surface is closed; faces wind counterclockwise seen from outside.
+void append_box(const Box& box, std::vector<Vec3f>& corners, std::vector<std::uint32_t>& triangles) {
+    const auto first = static_cast<std::uint32_t>(corners.size());
+    for (int i = 0; i < 8; ++i)
+        corners.push_back(
+            {i & 1 ? box.high.x : box.low.x, i & 2 ? box.high.y : box.low.y, i & 4 ? box.high.z : box.low.z});
+    constexpr std::uint32_t kFaces[6][4] = {{0, 4, 6, 2}, {1, 3, 7, 5}, {0, 1, 5, 4},
+                                            {2, 6, 7, 3}, {0, 2, 3, 1}, {4, 5, 7, 6}};
+    for (const auto& f : kFaces)
+        for (const std::uint32_t k : {f[0], f[1], f[2], f[0], f[2], f[3]}) triangles.push_back(first + k);
+}
+
 Collider floor_slab(const Room& room, float floor_y) {
     const Rigid plan{plan_from_world(room), {}};
     Box slab = nothing();
@@ -219,16 +230,12 @@ std::string collision_glb_bytes(const Room& room, float floor_y) {
     Gltf gltf;
     Json roots = Json::array();
     for (const Collider& collider : colliders(room, floor_y)) {
-        Mesh all;
-        for (const Box& box : collider.boxes) {
-            const Mesh one = box_mesh(box.low, box.high, 0);
-            const auto first = static_cast<std::uint32_t>(all.positions.size());
-            all.positions.insert(all.positions.end(), one.positions.begin(), one.positions.end());
-            for (const std::uint32_t v : one.triangles) all.triangles.push_back(first + v);
-        }
-        if (all.positions.empty()) continue;
-        const Json primitive{{"attributes", {{"POSITION", gltf.add_positions(all.positions)}}},
-                             {"indices", gltf.add_indices(all.triangles)}};
+        std::vector<Vec3f> corners;
+        std::vector<std::uint32_t> triangles;
+        for (const Box& box : collider.boxes) append_box(box, corners, triangles);
+        if (corners.empty()) continue;
+        const Json primitive{{"attributes", {{"POSITION", gltf.add_positions(corners)}}},
+                             {"indices", gltf.add_indices(triangles)}};
         Json node{{"name", collider.id},
                   {"mesh", gltf.add("meshes", {{"name", collider.id}, {"primitives", Json::array({primitive})}})}};
         set_pose(node, Rigid{kGltfAxes, {}} * collider.world_from_boxes);

@@ -270,6 +270,33 @@ TEST(Collision, HoldsTheSurfaceOfThings) {
     }
 }
 
+// Every edge belongs to two faces that run along it in opposite directions, and the faces look outward.
+TEST(Collision, IsClosed) {
+    const Room room = bedroom();
+    const Glb glb(collision_glb_bytes(room, room.max_corner.y));
+    std::size_t triangles = 0;
+    for (const Json& mesh : glb.json["meshes"]) {
+        const Json& p = mesh["primitives"][0];
+        const auto positions = glb.values<Vec3f>(p["attributes"]["POSITION"].get<std::size_t>());
+        const auto indices = glb.values<std::uint16_t>(p["indices"].get<std::size_t>());
+        std::map<std::pair<int, int>, int> edges;
+        double volume = 0;
+        for (std::size_t t = 0; t < indices.size(); t += 3) {
+            for (std::size_t k = 0; k < 3; ++k) ++edges[{indices[t + k], indices[t + (k + 1) % 3]}];
+            volume += static_cast<double>(
+                dot(positions[indices[t]], cross(positions[indices[t + 1]], positions[indices[t + 2]])));
+        }
+        for (const auto& [edge, count] : edges) {
+            EXPECT_EQ(count, 1);
+            EXPECT_TRUE(edges.contains({edge.second, edge.first}));
+        }
+        EXPECT_GT(volume, 0) << mesh["name"];
+        triangles += indices.size() / 3;
+    }
+    EXPECT_GT(triangles, 100u);
+    EXPECT_LE(triangles, static_cast<std::size_t>(kMostColliderTriangles));
+}
+
 TEST(Labels, NameEveryThingAndWhatItStandsOn) {
     const TracedRoom traced(bedroom());
     const Json labels = labels_json(traced);
