@@ -81,6 +81,31 @@ says absent.json
 lacks p
 if command -v colmap >/dev/null; then expect 2 "$fastscene" views run --sfm nobody; says "known, colmap"; fi
 
+# For engines: what is asked for is written, over an earlier file too; what cannot be is said before the work.
+expect 0 "$fastscene" export run room.glb --texels-per-metre 16
+prints room.glb
+[ "$(head -c 4 room.glb)" = glTF ] || fail "room.glb is no glTF binary"
+expect 0 "$fastscene" export run room.glb --texture-size 64 --json
+prints '"what": "room"'
+expect 0 "$fastscene" export run collision.glb --what collision
+expect 0 "$fastscene" export run labels.json
+expect 0 "$fastscene" export run walkable.json --what walkable
+expect 0 "$fastscene" export run plan.svg
+has collision.glb labels.json walkable.json plan.svg
+grep -q '"class": "armchair"' labels.json || fail "the labels lack the armchair of the prompt"
+grep -q spawn_points_m walkable.json || fail "no spawn points"
+expect 2 "$fastscene" export run room.fbx
+says "room.fbx: expected a name that ends in .glb, .json or .svg"
+expect 2 "$fastscene" export run plan.glb --what plan
+says "plan.glb: expected a name that ends in .svg"
+expect 2 "$fastscene" export run room.glb --texture-size 3
+expect 2 "$fastscene" export run room.glb --what scene
+expect 1 "$fastscene" export run nowhere/room.glb
+says "nowhere/room.glb: cannot be written"
+expect 2 "$fastscene" export absent room.glb
+expect 2 "$fastscene" export c room.glb
+says photographs
+
 # A film.
 echo '{"fps": 4, "size": [64, 48], "keys": [{"position_m": [0, 0, 0]}, {"time_s": 1, "position_m": [0.1, 0, 0.1], "yaw_deg": 90}]}' >path.json
 expect 0 "$fastscene" render run --path path.json -o film

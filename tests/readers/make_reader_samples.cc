@@ -1,5 +1,6 @@
-// Writes a small colored room in every format that other programs read: make_reader_samples DIR [VIEWER_DIR]. Red wall
-// left (-x), green right (+x), blue ahead (+z), white ceiling (-y), brown floor (+y).
+// Writes a small colored room in every format that other programs read, and furnished rooms for engines:
+// make_reader_samples DIR [VIEWER_DIR]. The colored room: red wall left (-x), green right (+x), blue ahead (+z), white
+// ceiling (-y), brown floor (+y).
 #include <cstdio>
 #include <exception>
 #include <filesystem>
@@ -8,9 +9,12 @@
 
 #include "fastscene/base/file.h"
 #include "fastscene/base/random.h"
+#include "fastscene/export/collision.h"
+#include "fastscene/export/room_glb.h"
 #include "fastscene/io/splat_io.h"
 #include "fastscene/io/view_io.h"
 #include "fastscene/io/viewer.h"
+#include "fastscene/rooms/rooms.h"
 
 using namespace fastscene;
 
@@ -70,6 +74,21 @@ WalkableArea two_rooms() {
     return {{outline, {{-1, 0}, {1, 0}, {1, 1}, {-1, 1}}}, -0.4f, 0.6f, kHalfHeight};
 }
 
+// Furnished rooms for engines: day and night, glass, mirrors, screens, lamps.
+void write_rooms(const std::filesystem::path& dir) {
+    constexpr BakeParams kSmall{.texels_per_metre = 32, .texture_size = 256};
+    for (const auto& [name, prompt] :
+         {std::pair{"bedroom", "a cozy bedroom with a red armchair and a large window"},
+          std::pair{"bathroom", "a marble bathroom at night with a mirror, a shower and candles"},
+          std::pair{"attic", "an attic study in the evening with a computer, a neon sign and fairy lights"}}) {
+        const Run run{5, nullptr, {}};
+        PromptSpec spec = understand_prompt(prompt, false);
+        const Room room = make_room(spec, run);
+        write_file(dir / fmt::format("{}.room.glb", name), room_glb_bytes(room, kSmall, run));
+        write_file(dir / fmt::format("{}.collision.glb", name), collision_glb_bytes(room, room.max_corner.y));
+    }
+}
+
 void write_samples(const std::filesystem::path& dir, const std::filesystem::path& viewer_dir) {
     Splats splats;
     ViewSet set;
@@ -97,6 +116,7 @@ void write_samples(const std::filesystem::path& dir, const std::filesystem::path
     for (const int version : {2, 3, 4})
         save_splats(dir / fmt::format("odd{}.spz", version), odd, {PlyBands::all, version});
     save_splats(dir / "odd.glb", odd);
+    write_rooms(dir);
     if (viewer_dir.empty()) return;
     ViewerScene scene{"Colored room", {0, 0, -1}, {0, 0, 4}, 75, {}};
     save_viewer_html(dir / "viewer.html", splats, scene, viewer_dir);

@@ -60,6 +60,13 @@ else
   echo "splat-transform: skipped (not installed)"
 fi
 
+if command -v node >/dev/null && [ -d "$web/node_modules/gltf-validator" ]; then
+  asked=1
+  node "$here/gltf_check.mjs" "$web" "$out"/*.room.glb "$out"/*.collision.glb
+else
+  echo "gltf-validator: skipped (not installed)"
+fi
+
 if command -v node >/dev/null && [ -f "$out/viewer.html" ] && [ -d "$web/node_modules/playwright-core" ] && [ -x "${CHROMIUM:-/usr/bin/chromium}" ]; then
   asked=1
   node "$here/viewer_check.mjs" "$web" "$out/viewer.html" "$out/viewer.png"

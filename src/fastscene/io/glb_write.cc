@@ -4,7 +4,7 @@
 
 #include "fastscene/base/json.h"
 #include "fastscene/io/bytes.h"
-#include "fastscene/io/glb.h"
+#include "fastscene/io/glb_container.h"
 #include "fastscene/io/packed.h"
 #include "fastscene/io/splat_frames.h"
 #include "fastscene/io/splat_io.h"
@@ -110,18 +110,7 @@ std::string splat_glb_bytes(const Splats& world) {
                     {"accessors", attributes.accessors},
                     {"bufferViews", attributes.views},
                     {"buffers", {{{"byteLength", attributes.binary.size()}}}}};
-    std::string text = json.dump();
-    text.append((4 - text.size() % 4) % 4, ' ');
-    const std::size_t size = 12 + 8 + text.size() + 8 +
-                             attributes.binary.size();  // every attribute's length is a multiple of 4
-    if (size > 0xffffffffu) throw Error("glTF binary holds up to 4 GiB, found {} bytes", size);
-    std::string out;
-    for (const std::uint32_t v :
-         {kGlbMagic, 2u, static_cast<std::uint32_t>(size), static_cast<std::uint32_t>(text.size()), kJsonChunk})
-        append(out, v);
-    out += text;
-    for (const std::uint32_t v : {static_cast<std::uint32_t>(attributes.binary.size()), kBinaryChunk}) append(out, v);
-    return out + attributes.binary;
+    return glb_bytes(json, attributes.binary);
 }
 
 }  // namespace fastscene

@@ -14,18 +14,37 @@ PanoramaParams panorama_of_run(const RecordedRun& recorded, int least_cell_sampl
     return panorama;
 }
 
-std::shared_ptr<const TracedRoom> room_of_run(const RunFolder& folder, const RecordedRun& recorded,
-                                              int least_cell_samples, const Run& run) {
-    const SceneRequest& request = recorded.request;
+namespace {
+
+PromptSpec prompt_of_run(const RunFolder& folder, const SceneRequest& request, const PanoramaParams& panorama) {
     if (!has_room(request.source))
         throw UsageError("{}: expected a scene from a prompt, found one from a picture, which has no known room",
                          folder.root.string());
-    const PanoramaParams panorama = panorama_of_run(recorded, least_cell_samples);
-    PromptSpec prompt = read_prompt(prompt_of(request.source), panorama);
-    auto room = make_traced_room(prompt, panorama, Run{recorded.seed, run.events, run.stop});
-    // An estimated range cannot verify the room.
+    return read_prompt(prompt_of(request.source), panorama);
+}
+
+// An estimated range cannot verify the room.
+void check_room(const TracedRoom& room, const RunFolder& folder, const SceneRequest& request) {
     if (depth_backend(request.source, request.params.depth) == kExactDepth)
-        check_same_room(*room, load_float(folder.depth_range()), folder.root);
+        check_same_room(room, load_float(folder.depth_range()), folder.root);
+}
+
+}  // namespace
+
+std::shared_ptr<const TracedRoom> room_of_run(const RunFolder& folder, const RecordedRun& recorded,
+                                              int least_cell_samples, const Run& run) {
+    const PanoramaParams panorama = panorama_of_run(recorded, least_cell_samples);
+    PromptSpec prompt = prompt_of_run(folder, recorded.request, panorama);
+    auto room = make_traced_room(prompt, panorama, Run{recorded.seed, run.events, run.stop});
+    check_room(*room, folder, recorded.request);
+    return room;
+}
+
+std::shared_ptr<const TracedRoom> unlit_room_of_run(const RunFolder& folder, const RecordedRun& recorded,
+                                                    const Run& run) {
+    PromptSpec prompt = prompt_of_run(folder, recorded.request, recorded.request.params.panorama);
+    auto room = std::make_shared<const TracedRoom>(make_room(prompt, Run{recorded.seed, run.events, run.stop}));
+    check_room(*room, folder, recorded.request);
     return room;
 }
 

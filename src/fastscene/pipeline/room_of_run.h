@@ -11,6 +11,9 @@ namespace fastscene {
 // if the run has no known room, Error if this version of the program would make another room than the run's.
 std::shared_ptr<const TracedRoom> room_of_run(const RunFolder& folder, const RecordedRun& recorded,
                                               int least_cell_samples, const Run& run);
+// The same room without its light, in a fraction of a second.
+std::shared_ptr<const TracedRoom> unlit_room_of_run(const RunFolder& folder, const RecordedRun& recorded,
+                                                    const Run& run);
 // Render settings of that room's panoramas with that many light paths.
 PanoramaParams panorama_of_run(const RecordedRun& recorded, int least_cell_samples);
 

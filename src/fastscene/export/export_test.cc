@@ -1,0 +1,341 @@
+// Laws of the exported files: what glTF must say of a room whose geometry is known.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <set>
+
+#include "fastscene/export/bake.h"
+#include "fastscene/export/collision.h"
+#include "fastscene/export/gltf.h"
+#include "fastscene/export/identities.h"
+#include "fastscene/export/labels.h"
+#include "fastscene/export/room_glb.h"
+#include "fastscene/image/color.h"
+#include "fastscene/io/image_io.h"
+#include "fastscene/rooms/rooms.h"
+#include "fastscene/scene/box.h"
+#include "fastscene/trace/standable.h"
+#include "fastscene/trace/texture.h"
+
+namespace fastscene {
+namespace {
+
+const Run kQuiet{7, nullptr, {}};
+
+Room bedroom() {
+    PromptSpec spec = understand_prompt("a bedroom with two chairs and a desk", false);
+    return make_room(spec, kQuiet);
+}
+
+// A reader of its own: it shares no code with the writer.
+struct Glb {
+    Json json;
+    std::string binary;
+
+    explicit Glb(const std::string& bytes) {
+        std::uint32_t length = 0;
+        std::memcpy(&length, bytes.data() + 12, 4);
+        json = Json::parse(bytes.substr(20, length));
+        binary = bytes.substr(20 + length + 8);
+    }
+    template <class T>
+    std::vector<T> values(std::size_t accessor) const {
+        const Json& a = json["accessors"][accessor];
+        const Json& view = json["bufferViews"][a["bufferView"].get<std::size_t>()];
+        std::vector<T> out(a["count"].get<std::size_t>());
+        std::memcpy(out.data(), binary.data() + view["byteOffset"].get<std::size_t>(), out.size() * sizeof(T));
+        return out;
+    }
+    std::string view(std::size_t index) const {
+        const Json& v = json["bufferViews"][index];
+        return binary.substr(v["byteOffset"].get<std::size_t>(), v["byteLength"].get<std::size_t>());
+    }
+    std::size_t triangles(const Json& mesh) const {
+        std::size_t sum = 0;
+        for (const Json& p : mesh["primitives"])
+            sum += json["accessors"][p["indices"].get<std::size_t>()]["count"].get<std::size_t>() / 3;
+        return sum;
+    }
+    Rigid pose(const Json& node) const {
+        Rigid out;
+        if (node.contains("rotation")) {
+            const Json& q = node["rotation"];
+            out.rotation = matrix_of(Quatf{q[3], q[0], q[1], q[2]});
+        }
+        if (node.contains("translation"))
+            out.translation = {node["translation"][0], node["translation"][1], node["translation"][2]};
+        return out;
+    }
+    const Json& node(const std::string& name) const {
+        for (const Json& n : json["nodes"])
+            if (n["name"] == name) return n;
+        throw Error("no node {}", name);
+    }
+};
+
+TEST(RoomGlb, HasANodePerThingAndKeepsAllTriangles) {
+    const Room room = bedroom();
+    const Glb glb(room_glb_bytes(room, {.texels_per_metre = 16}, kQuiet));
+    std::map<std::string, std::size_t> expected;
+    const std::vector<std::string> ids = object_ids(room);
+    std::size_t shell = 0;
+    for (const Mesh& mesh : room.meshes)
+        (mesh.object < 0 ? shell : expected[ids[static_cast<std::size_t>(mesh.object)]]) += mesh.triangles.size() / 3;
+    std::set<std::string> seen;
+    std::size_t shell_found = 0;
+    for (const Json& node : glb.json["nodes"]) {
+        if (!node.contains("extras")) continue;
+        const std::string id = node["extras"]["id"];
+        EXPECT_TRUE(seen.insert(id).second) << id;
+        const std::size_t found = node.contains("mesh")
+                                      ? glb.triangles(glb.json["meshes"][node["mesh"].get<std::size_t>()])
+                                      : 0;
+        if (node["extras"].contains("shell")) shell_found += found;
+        else EXPECT_EQ(found, expected[id]) << id;
+    }
+    for (const std::string& id : ids) EXPECT_TRUE(seen.contains(id)) << id;
+    EXPECT_EQ(shell_found, shell);
+}
+
+// Every vertex lands at (-x, -y, z) of its world position: a half turn, so triangles keep their winding.
+TEST(RoomGlb, TurnsTheWorldWithoutMirroringIt) {
+    const Room room = bedroom();
+    const Glb glb(room_glb_bytes(room, {.texels_per_metre = 16}, kQuiet));
+    const std::vector<std::string> ids = object_ids(room);
+    const Vec3f x = kGltfAxes.column(0), y = kGltfAxes.column(1), z = kGltfAxes.column(2);
+    EXPECT_EQ(dot(cross(x, y), z), 1.f);
+    for (std::size_t i = 0; i < ids.size(); ++i) {
+        const Json& node = glb.node(ids[i]);
+        if (!node.contains("mesh")) continue;
+        const Rigid pose = glb.pose(node);
+        Vec3<double> found{}, wanted{};  // sums of vectors of areas: winding and pose at once
+        Vec3f low{1e9f, 1e9f, 1e9f}, wanted_low = low;
+        for (const Json& p : glb.json["meshes"][node["mesh"].get<std::size_t>()]["primitives"]) {
+            const auto positions = glb.values<Vec3f>(p["attributes"]["POSITION"].get<std::size_t>());
+            const Json& indices = glb.json["accessors"][p["indices"].get<std::size_t>()];
+            std::vector<std::uint32_t> triangles;
+            if (indices["componentType"] == 5123)
+                for (const auto k : glb.values<std::uint16_t>(p["indices"].get<std::size_t>())) triangles.push_back(k);
+            else triangles = glb.values<std::uint32_t>(p["indices"].get<std::size_t>());
+            for (std::size_t t = 0; t < triangles.size(); t += 3) {
+                const Vec3f a = pose * positions[triangles[t]], b = pose * positions[triangles[t + 1]],
+                            c = pose * positions[triangles[t + 2]], n = cross(b, a) + cross(c, b) + cross(a, c);
+                const float weight = a.x + 2 * b.y + 3 * c.z;
+                found += Vec3<double>{n.x, n.y, n.z} * static_cast<double>(weight);
+                for (std::size_t k = 0; k < 3; ++k) low[k] = std::min({low[k], a[k], b[k], c[k]});
+            }
+        }
+        for (const Mesh& mesh : room.meshes) {
+            if (mesh.object != static_cast<int>(i)) continue;
+            const auto at = [&](std::size_t k) {
+                const Vec3f p = mesh.positions[mesh.triangles[k]];
+                return Vec3f{-p.x, -p.y, p.z};
+            };
+            for (std::size_t t = 0; t < mesh.triangles.size(); t += 3) {
+                const Vec3f a = at(t), b = at(t + 1), c = at(t + 2), n = cross(b, a) + cross(c, b) + cross(a, c);
+                const float weight = a.x + 2 * b.y + 3 * c.z;
+                wanted += Vec3<double>{n.x, n.y, n.z} * static_cast<double>(weight);
+                for (std::size_t k = 0; k < 3; ++k) wanted_low[k] = std::min({wanted_low[k], a[k], b[k], c[k]});
+            }
+        }
+        for (std::size_t k = 0; k < 3; ++k) {
+            EXPECT_NEAR(low[k], wanted_low[k], 1e-3f) << ids[i];
+            EXPECT_NEAR(found[k], wanted[k], 2e-3 * (1 + std::fabs(wanted[k]))) << ids[i];
+        }
+    }
+}
+
+TEST(RoomGlb, SharesTheMeshOfEqualThings) {
+    Room room;
+    room.materials.push_back({.name = "paint"});
+    for (int i = 0; i < 3; ++i) {
+        RoomObject object;
+        object.kind = "stool";
+        object.world_from_object = {rotation_about(Vec3f{0, 1, 0}, static_cast<float>(i)),
+                                    {static_cast<float>(i), 1, 2}};
+        Mesh mesh = box_mesh({-0.2f, 0, -0.2f}, {0.2f, i == 2 ? 0.7f : 0.5f, 0.2f}, 0, i);
+        for (Vec3f& p : mesh.positions) p = object.world_from_object * p;
+        for (Vec3f& n : mesh.normals) n = object.world_from_object.rotation * n;
+        room.objects.push_back(object);
+        room.meshes.push_back(mesh);
+    }
+    const Glb glb(room_glb_bytes(room, {}, kQuiet));
+    EXPECT_EQ(glb.node("stool-1")["mesh"], glb.node("stool-2")["mesh"]);
+    EXPECT_NE(glb.node("stool-1")["mesh"], glb.node("stool-3")["mesh"]);
+}
+
+// The texel under a vertex shows what the pattern says at its coordinates.
+TEST(Bake, PutsThePatternWhereTheMeshShowsIt) {
+    Room room;
+    Material checker{.name = "tiles",
+                     .pattern = Pattern::checker,
+                     .color_a = {0.8f, 0.1f, 0.1f},
+                     .color_b = {0.05f, 0.1f, 0.7f},
+                     .scale_m = 0.5f};
+    room.materials.push_back(checker);
+    room.meshes.push_back(box_mesh({-1, -0.3f, -2}, {1, 0.3f, 2}, 0));
+    const BakedRoom baked = bake(room, same_materials(room.materials), {.texels_per_metre = 200}, kQuiet);
+    const ImageRgb8& texture = baked.materials[0].texture;
+    const BakedMesh& mesh = baked.meshes[0];
+    int compared = 0;
+    for (std::size_t t = 0; t < mesh.triangles.size(); t += 3)
+        for (const auto& [wa, wb] : {std::pair{0.2f, 0.3f}, {0.55f, 0.1f}, {0.13f, 0.71f}}) {
+            const auto blend = [&](auto value) {
+                return value(mesh.triangles[t]) * wa + value(mesh.triangles[t + 1]) * wb +
+                       value(mesh.triangles[t + 2]) * (1 - wa - wb);
+            };
+            const Vec3f coords = blend([&](std::uint32_t v) { return room.meshes[0].coords[mesh.vertices[v]]; });
+            const Vec2f uv = blend([&](std::uint32_t v) { return mesh.uv[v]; });
+            const Vec3f n = room.meshes[0].normals[mesh.vertices[mesh.triangles[t]]];
+            const Vec3f wanted = sample_texture(checker, {coords, flat_coords(coords, dominant_axis(n)), 0.005f})
+                                     .albedo;
+            const Rgb8 found = texture.at(static_cast<int>(uv.x * static_cast<float>(texture.width)),
+                                          static_cast<int>(uv.y * static_cast<float>(texture.height)));
+            // A sample beside a joint may differ.
+            compared += length(linear_from_srgb8(found) - wanted) < 0.1f;
+        }
+    EXPECT_GE(compared, 33) << "of 36";
+}
+
+TEST(Bake, MeanColorIsTheMaterials) {
+    for (const Pattern pattern : {Pattern::wood, Pattern::planks, Pattern::fabric, Pattern::tile, Pattern::marble}) {
+        Room room;
+        room.materials.push_back(
+            {.name = "x", .pattern = pattern, .color_a = {0.5f, 0.3f, 0.2f}, .color_b = {0.3f, 0.2f, 0.15f}});
+        room.meshes.push_back(box_mesh({-2, -2, -2}, {2, 2, 2}, 0));
+        const BakedRoom baked = bake(room, same_materials(room.materials), {.texels_per_metre = 64}, kQuiet);
+        const Vec3f wanted = mean_albedo(room.materials[0]), found = baked.materials[0].color;
+        for (std::size_t k = 0; k < 3; ++k) EXPECT_NEAR(found[k], wanted[k], 0.05f) << static_cast<int>(pattern);
+    }
+}
+
+TEST(Bake, StaysWithinTheTextureSize) {
+    const Room room = bedroom();
+    const BakedRoom baked = bake(room, same_materials(room.materials), {.texels_per_metre = 512, .texture_size = 256},
+                                 kQuiet);
+    int textures = 0;
+    for (const BakedMaterial& m : baked.materials) {
+        textures += !m.texture.empty();
+        EXPECT_LE(std::max(m.texture.width, m.texture.height), 256);
+    }
+    EXPECT_GT(textures, 5);
+    for (const BakedMesh& mesh : baked.meshes)
+        for (const Vec2f uv : mesh.uv) EXPECT_TRUE(uv.x >= 0 && uv.y >= 0 && uv.x <= 1 && uv.y <= 1);
+}
+
+// Where one can stand no collider reaches into the body, and the floor is below the feet.
+TEST(Collision, LeavesTheFloorFreeWhereOneCanStand) {
+    const TracedRoom traced(bedroom());
+    const StandableFloor floor = standable_floor(traced);
+    const std::vector<Collider> all = colliders(traced.room(), floor.floor_y);
+    std::size_t boxes = 0;
+    for (const Collider& c : all) boxes += c.boxes.size();
+    EXPECT_LE(boxes * 12, static_cast<std::size_t>(kMostColliderTriangles));
+    const auto inside = [](const Collider& c, Vec3f world) {
+        const Vec3f p = inverse(c.world_from_boxes) * world;
+        return std::any_of(c.boxes.begin(), c.boxes.end(), [&](const Box& b) {
+            return p.x > b.low.x && p.y > b.low.y && p.z > b.low.z && p.x < b.high.x && p.y < b.high.y &&
+                   p.z < b.high.z;
+        });
+    };
+    const std::vector<FloorCell> cells = standable_cells(floor);
+    ASSERT_FALSE(cells.empty());
+    for (const FloorCell cell : cells) {
+        const Vec2f at = floor.center(cell.column, cell.row);
+        EXPECT_TRUE(inside(all[0], {at.x, floor.floor_y + 0.01f, at.y}));
+        for (const Collider& c : all)
+            for (const float height : {0.1f, 0.5f, 1.f, 1.6f})
+                EXPECT_FALSE(inside(c, {at.x, floor.floor_y - height, at.y})) << c.id << " at " << height;
+    }
+}
+
+// Rays that end on a thing's surface end in its collider.
+TEST(Collision, HoldsTheSurfaceOfThings) {
+    const Room room = bedroom();
+    const std::vector<std::string> ids = object_ids(room);
+    for (const Collider& c : colliders(room, room.max_corner.y)) {
+        const auto found = std::find(ids.begin(), ids.end(), c.id);
+        if (found == ids.end()) continue;
+        for (const Mesh& mesh : room.meshes) {
+            if (mesh.object != found - ids.begin()) continue;
+            for (const std::uint32_t v : mesh.triangles) {
+                const Vec3f p = inverse(c.world_from_boxes) * mesh.positions[v];
+                EXPECT_TRUE(std::any_of(c.boxes.begin(), c.boxes.end(), [&](const Box& b) {
+                    constexpr float kSlack = 1e-3f;
+                    return p.x > b.low.x - kSlack && p.y > b.low.y - kSlack && p.z > b.low.z - kSlack &&
+                           p.x < b.high.x + kSlack && p.y < b.high.y + kSlack && p.z < b.high.z + kSlack;
+                })) << c.id;
+            }
+        }
+    }
+}
+
+// Every edge belongs to two faces that run along it in opposite directions, and the faces look outward.
+TEST(Collision, IsClosed) {
+    const Room room = bedroom();
+    const Glb glb(collision_glb_bytes(room, room.max_corner.y));
+    std::size_t triangles = 0;
+    for (const Json& mesh : glb.json["meshes"]) {
+        const Json& p = mesh["primitives"][0];
+        const auto positions = glb.values<Vec3f>(p["attributes"]["POSITION"].get<std::size_t>());
+        const auto indices = glb.values<std::uint16_t>(p["indices"].get<std::size_t>());
+        std::map<std::pair<int, int>, int> edges;
+        double volume = 0;
+        for (std::size_t t = 0; t < indices.size(); t += 3) {
+            for (std::size_t k = 0; k < 3; ++k) ++edges[{indices[t + k], indices[t + (k + 1) % 3]}];
+            volume += static_cast<double>(
+                dot(positions[indices[t]], cross(positions[indices[t + 1]], positions[indices[t + 2]])));
+        }
+        for (const auto& [edge, count] : edges) {
+            EXPECT_EQ(count, 1);
+            EXPECT_TRUE(edges.contains({edge.second, edge.first}));
+        }
+        EXPECT_GT(volume, 0) << mesh["name"];
+        triangles += indices.size() / 3;
+    }
+    EXPECT_GT(triangles, 100u);
+    EXPECT_LE(triangles, static_cast<std::size_t>(kMostColliderTriangles));
+}
+
+TEST(Labels, NameEveryThingAndWhatItStandsOn) {
+    const TracedRoom traced(bedroom());
+    const Json labels = labels_json(traced);
+    ASSERT_EQ(labels["objects"].size(), traced.room().objects.size());
+    bool bed = false;
+    for (const Json& o : labels["objects"]) {
+        EXPECT_GE(o["nyu40"].get<int>(), 0);
+        if (o["class"] != "bed") continue;
+        bed = true;
+        EXPECT_EQ(o["nyu40"], 4);
+        EXPECT_TRUE(o["stands_on"] == "floor" || o["stands_on"].get<std::string>().starts_with("rug"))
+            << o["stands_on"];
+    }
+    EXPECT_TRUE(bed);
+}
+
+TEST(Labels, SpawnPointsLieWhereOneCanStand) {
+    const TracedRoom traced(bedroom());
+    const StandableFloor floor = standable_floor(traced);
+    const Json walkable = walkable_floor_json(traced);
+    ASSERT_FALSE(walkable["spawn_points_m"].empty());
+    ASSERT_FALSE(walkable["polygons_m"].empty());
+    for (const Json& p : walkable["spawn_points_m"]) {
+        const float x = -p[0].get<float>(), z = p[2].get<float>();
+        EXPECT_TRUE(floor.at(static_cast<int>((x - floor.corner_m.x) / floor.cell_m),
+                             static_cast<int>((z - floor.corner_m.y) / floor.cell_m)));
+        EXPECT_NEAR(p[1].get<float>(), -floor.floor_y, 1e-4f);
+    }
+}
+
+TEST(Plan, SaysTheRoomsSizeAndItsThings) {
+    PromptSpec spec = understand_prompt("a bedroom of 4 by 5 metres with a desk", false);
+    ASSERT_EQ(spec.size_m.x * spec.size_m.z, 20.f);
+    const std::string svg = plan_svg(TracedRoom(make_room(spec, kQuiet)));
+    EXPECT_NE(svg.find(">4.00 m<"), std::string::npos);
+    EXPECT_NE(svg.find(">5.00 m<"), std::string::npos);
+    for (const char* name : {"bed", "desk", "window"})
+        EXPECT_NE(svg.find(fmt::format("{}</text>", name)), std::string::npos) << name;
+}
+
+}  // namespace
+}  // namespace fastscene
