@@ -1,4 +1,5 @@
-// The library fastscene::rooms: a sentence becomes a furnished room, and the room is path traced from any viewpoint.
+// The library fastscene::rooms: a sentence becomes a furnished room, and the room is path traced from any viewpoint, or
+// written for engines.
 // Frames and units: docs/conventions.md; threads and errors: docs/library.md.
 #pragma once
 
@@ -16,6 +17,10 @@
 #include "fastscene/scene/panorama.h"
 #include "fastscene/trace/standable.h"
 #include "fastscene/trace/trace.h"
+// Files for engines.
+#include "fastscene/export/collision.h"
+#include "fastscene/export/labels.h"
+#include "fastscene/export/room_glb.h"
 // What every call shares.
 #include "fastscene/base/error.h"
 #include "fastscene/base/events.h"

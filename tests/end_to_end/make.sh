@@ -84,6 +84,9 @@ says "photo.pfm: the left and the right edge do not meet"
 says "photo.pfm: no range: estimated from the picture, the camera 2 m above the floor"
 says "other/walk/001/color.png: expected a position above the floor, which is 1.6 m below the first camera, found 1.5 m below it"
 expect 0 "$fastscene" depth mixed --depth-tta 1
+expect 2 "$fastscene" export mixed mixed.glb
+says "mixed: expected a scene from a prompt, found one from a picture, which has no known room"
+lacks mixed.glb
 tr -d ' \n' <mixed/depth/stage.json >about
 for told in '"about":{"backend":"image"' '"picture":"photo.pfm","backend":"egformer","weights":"egformer-rooms-256,egformer-rooms","tta":1,"camera_height_m":2.0' \
   '"picture":"color.png","backend":"egformer","weights":"egformer-rooms-256,egformer-rooms","tta":1,"camera_height_m":0.2' '"floor_found":' '"walls":['; do
