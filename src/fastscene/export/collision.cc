@@ -12,12 +12,13 @@
 namespace fastscene {
 namespace {
 
-constexpr float kStep_m = 0.05f;       // lower things do not stop a foot; as Body::step_over_m
-constexpr float kSlab_m = 0.2f;        // thickness of the floor
-constexpr float kThinnest_m = 0.02f;   // of a box: thinner ones let fast bodies through
-constexpr float kFinestCell_m = 0.1f;  // of the grid that a thing is divided by
-constexpr float kCellGrowth = 1.4f;    // until the boxes are few enough
-constexpr int kMostCells = 160;        // along an axis
+constexpr float kStep_m = 0.05f;          // lower things do not stop a foot; as Body::step_over_m
+constexpr float kSlab_m = 0.2f;           // thickness of the floor
+constexpr float kThinnest_m = 0.02f;      // of a box: thinner ones let fast bodies through
+constexpr float kFinestCell_m = 0.1f;     // of the grid that a thing is divided by
+constexpr float kCoarsestShell_m = 0.3f;  // larger cells would close doorways
+constexpr float kCellGrowth = 1.4f;       // until the boxes are few enough
+constexpr int kMostCells = 160;           // along an axis
 constexpr int kTrianglesOfBox = 12;
 
 struct Triangle {
@@ -152,6 +153,7 @@ void append(Triangles& out, const Mesh& mesh, const Rigid& boxes_from_world) {
 struct Source {
     Collider collider;
     Triangles triangles;
+    bool whole = false;  // one box
 };
 
 // What gets boxes, besides the floor.
@@ -172,6 +174,8 @@ std::vector<Source> sources(const Room& room, float floor_y) {
         Source source{{ids[i], pose, {}}, {}};
         for (const Mesh& mesh : room.meshes)
             if (mesh.object == static_cast<int>(i)) append(source.triangles, mesh, inverse(pose));
+        // Nobody leaves through the panes, which are not modelled.
+        source.whole = room.objects[i].klass.find("window") != std::string::npos;
         out.push_back(std::move(source));
     }
     const Rigid plan{plan_from_world(room), {}};
@@ -216,9 +220,10 @@ std::vector<Collider> colliders(const Room& room, float floor_y) {
         std::size_t boxes = 1;
         for (const Source& source : from) {
             Collider collider = source.collider;
-            // A shell of one cell would be a block.
             const bool shell = collider.id == "walls" || collider.id == "ceiling";
-            collider.boxes = Grid(source.triangles, shell ? std::min(cell, 0.3f) : cell).boxes();
+            constexpr float kOneCell_m = 1e6f;
+            const float size = source.whole ? kOneCell_m : shell ? std::min(cell, kCoarsestShell_m) : cell;
+            collider.boxes = Grid(source.triangles, size).boxes();
             boxes += collider.boxes.size();
             out.push_back(std::move(collider));
         }
