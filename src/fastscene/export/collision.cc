@@ -175,7 +175,7 @@ std::vector<Source> sources(const Room& room, float floor_y) {
         for (const Mesh& mesh : room.meshes)
             if (mesh.object == static_cast<int>(i)) append(source.triangles, mesh, inverse(pose));
         // Nobody leaves through the panes, which are not modelled.
-        source.whole = room.objects[i].klass.find("window") != std::string::npos;
+        source.whole = room.objects[i].kind.find("window") != std::string::npos;
         out.push_back(std::move(source));
     }
     const Rigid plan{plan_from_world(room), {}};
