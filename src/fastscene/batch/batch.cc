@@ -23,8 +23,9 @@ namespace {
 
 // Peak memory of a scene in GiB by quality, rounded up from docs/benchmarks.md; "high" from its counts of splats.
 constexpr std::pair<const char*, double> kSceneGib[] = {{"draft", 1.2}, {"standard", 2.2}, {"high", 7}};
-constexpr double kMemoryShare = 0.85;      // of the free memory that scenes may take
-constexpr double kIndexEverySeconds = 20;  // the page is written again at most so often
+constexpr double kMemoryShare = 0.85;        // of the free memory that scenes may take
+constexpr double kLongestWaitSeconds = 900;  // for another process that makes the scene: the longest at `standard`
+constexpr double kIndexEverySeconds = 20;    // the page is written again at most so often
 
 double scene_gib(const std::string& quality) {
     for (const auto& [name, gib] : kSceneGib)
@@ -71,6 +72,9 @@ std::string error_in(const fs::path& log) {
     }
     return error.empty() ? last : error;
 }
+
+// Processes of a batch that was killed live on, and finish their scenes.
+bool is_taken(const std::string& error) { return error.ends_with("another fastscene is working on this folder"); }
 
 // The scenes of a batch in work.
 class Engine {
@@ -123,11 +127,21 @@ class Engine {
                                          {log, {}, run_.stop});
             record.done = code == 0;
             record.error = record.done ? "" : error_in(log);
+            if (is_taken(record.error) && seconds() - start < kLongestWaitSeconds) {
+                --record.tries;
+                wait_a_moment();
+                continue;
+            }
             if (code != 2) continue;
             break;  // the request itself is wrong: a second try would fail alike
         }
         record.seconds = seconds() - start;
         return record;
+    }
+
+    void wait_a_moment() const {
+        run_.check_stop();
+        std::this_thread::sleep_for(std::chrono::seconds(1));
     }
 
     void note(const BatchRecord& record) {

@@ -111,6 +111,17 @@ esac
     EXPECT_EQ(calls().size(), 4u);
 }
 
+// Processes of a batch that was killed finish their scenes; the next batch waits for them.
+TEST_F(Batch, AScenesOtherProcessIsWaitedFor) {
+    BatchParams params;
+    params.tries = 1;
+    params.program = program("[ -e " + (folder_ / "free").string() + " ] || { touch " + (folder_ / "free").string() +
+                             "; echo 'fastscene: a: another fastscene is working on this folder' >&2; exit 1; }");
+    const auto records = run_batch({{"a", "a room", 0, {}, {}}}, folder_ / "out", params, fastscene::Run{});
+    EXPECT_TRUE(records[0].done);
+    EXPECT_EQ(records[0].tries, 1);
+}
+
 TEST_F(Batch, AWrongRequestIsTriedOnce) {
     BatchParams params;
     params.program = program("echo x >> " + (folder_ / "calls").string() +
