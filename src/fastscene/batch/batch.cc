@@ -21,7 +21,7 @@ namespace fastscene {
 namespace fs = std::filesystem;
 namespace {
 
-// Peak memory of a scene in GiB by quality, rounded up from docs/benchmarks.md; "high" from its counts of splats.
+// Peak memory of a scene in GiB by quality: measured and rounded up; "high" is estimated from its number of splats.
 constexpr std::pair<const char*, double> kSceneGib[] = {{"draft", 1.2}, {"standard", 2.2}, {"high", 7}};
 constexpr double kMemoryShare = 0.85;        // of the free memory that scenes may take
 constexpr double kLongestWaitSeconds = 900;  // for another process that makes the scene: the longest at `standard`

@@ -110,7 +110,8 @@ int pack_rows(std::vector<Piece>& pieces, int width) {
     return y + row;
 }
 
-// Places the pieces within texture_size, as densely as asked for or as fits.
+// Places the pieces within texture_size, as densely as asked for or as fits. Throws UsageError if not even a texel for
+// each does.
 void lay_out(Atlas& atlas, const Material& material, const BakeParams& params) {
     // Coordinates of a picture are shares of its width.
     const float metres_per_unit = material.pattern == Pattern::image ? material.scale_m : 1.f;
@@ -118,14 +119,16 @@ void lay_out(Atlas& atlas, const Material& material, const BakeParams& params) {
     for (float density = params.texels_per_metre * metres_per_unit;; density *= kDensityStep) {
         double area = 0;
         int widest = 0;
+        bool can_shrink = false;
         for (Piece& p : atlas.pieces) {
             p.texels_per_unit = density;
             p.width = std::max(1, static_cast<int>(std::ceil(std::min((p.high.x - p.low.x) * density, 1e6f))));
             p.height = std::max(1, static_cast<int>(std::ceil(std::min((p.high.y - p.low.y) * density, 1e6f))));
+            can_shrink = can_shrink || p.width > 1 || p.height > 1;
             widest = std::max(widest, p.width + 2 * kGutter);
             area += static_cast<double>(p.width + 2 * kGutter) * (p.height + 2 * kGutter);
         }
-        if (widest > most) continue;
+        if (widest > most && can_shrink) continue;
         const int width = std::clamp(static_cast<int>(1.1 * std::sqrt(area)), widest, most);
         for (const int w : {width, most}) {
             const int height = pack_rows(atlas.pieces, w);
@@ -135,6 +138,9 @@ void lay_out(Atlas& atlas, const Material& material, const BakeParams& params) {
             atlas.height = height;
             return;
         }
+        if (!can_shrink)
+            throw UsageError("--texture-size: expected room for the {} pieces of \"{}\", found {} pixels",
+                             atlas.pieces.size(), material.name, most);
     }
 }
 

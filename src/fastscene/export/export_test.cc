@@ -223,6 +223,24 @@ TEST(Bake, StaysWithinTheTextureSize) {
         for (const Vec2f uv : mesh.uv) EXPECT_TRUE(uv.x >= 0 && uv.y >= 0 && uv.x <= 1 && uv.y <= 1);
 }
 
+// More pieces than the texture has room for, even at a texel each.
+TEST(Bake, NamesTheMaterialThatDoesNotFit) {
+    Room room;
+    room.materials.push_back({.name = "old oak", .pattern = Pattern::wood});
+    for (int i = 0; i < 60; ++i) {
+        const float place = 10.f * static_cast<float>(i);
+        room.meshes.push_back(box_mesh({place, place, place}, {place + 1, place + 1, place + 1}, 0));
+    }
+    try {
+        bake(room, same_materials(room.materials), {.texture_size = 64}, kQuiet);
+        ADD_FAILURE();
+    } catch (const UsageError& e) {
+        EXPECT_NE(std::string(e.what()).find("--texture-size: expected room for the"), std::string::npos) << e.what();
+        EXPECT_NE(std::string(e.what()).find("old oak"), std::string::npos) << e.what();
+    }
+    EXPECT_NO_THROW(bake(room, same_materials(room.materials), {.texture_size = 512}, kQuiet));
+}
+
 // Where one can stand no collider reaches into the body, and the floor is below the feet.
 TEST(Collision, LeavesTheFloorFreeWhereOneCanStand) {
     const TracedRoom traced(bedroom());

@@ -21,8 +21,8 @@ using at::Tensor;
 namespace {
 
 bool are_wanted() {
-    const char* said = std::getenv("FASTSCENE_CUDA_KERNELS");
-    return !said || std::string_view(said) != "0";
+    const char* value = std::getenv("FASTSCENE_CUDA_KERNELS");
+    return !value || std::string_view(value) != "0";
 }
 
 bool fits(const Tensor& x) {

@@ -22,7 +22,7 @@ void set_autocast(at::DeviceType device, bool on);
 // [N, heads, L, d], k and v [N, heads, M, d] -> [N, heads, L, d]. Undefined where this libtorch has none (1.13).
 at::Tensor fused_attention(const at::Tensor& q, const at::Tensor& k, const at::Tensor& v);
 
-// Until a graphics card has done all that it was told; nothing on a CPU.
+// Waits until a graphics card has finished all submitted work; does nothing on a CPU.
 void wait_for(at::Device device);
 
 }  // namespace fastscene::nn

@@ -24,8 +24,8 @@ namespace {
 constexpr std::size_t kMostRecords = 4;
 
 bool is_allowed() {
-    const char* said = std::getenv("FASTSCENE_CUDA_GRAPHS");
-    return !said || std::string_view(said) != "0";
+    const char* value = std::getenv("FASTSCENE_CUDA_GRAPHS");
+    return !value || std::string_view(value) != "0";
 }
 
 bool are_alike(const Tensor& a, const Tensor& b) {

@@ -3,6 +3,12 @@
 #include "tables.glsl"
 #include "density.glsl"
 
+// SH coefficients of degrees >= 1 of a splat.
+uint rest_values() {
+    const uint degree = plan.flags >> 16;
+    return 3 * ((degree + 1) * (degree + 1) - 1);
+}
+
 void set(int p, uint i, float x) { t.parameters.at[uint(p) * t.capacity + i] = x; }
 
 // The longest axis in the world, as long as its standard deviation.
@@ -18,7 +24,7 @@ vec3 long_axis(uint i, int axis) {
 void clear_moments(uint i) {
     for (uint p = 0; p < uint(kParameters); ++p)
         t.first_moment.at[p * t.capacity + i] = t.second_moment.at[p * t.capacity + i] = 0.0;
-    for (uint k = 0; k < 3 * ((plan.flags >> 16) + 1) * ((plan.flags >> 16) + 1) - 3; ++k)
+    for (uint k = 0; k < rest_values(); ++k)
         t.rest_first_moment.at[k * t.capacity + i] = t.rest_second_moment.at[k * t.capacity + i] = 0.0;
 }
 
@@ -35,7 +41,7 @@ void split(uint from, uint to) {
         set(a, from, value(a, from) - offset[a]);
         set(a, to, value(a, to) + offset[a]);
     }
-    for (uint k = 0; k < 3 * ((plan.flags >> 16) + 1) * ((plan.flags >> 16) + 1) - 3; ++k)
+    for (uint k = 0; k < rest_values(); ++k)
         t.rest.at[k * t.capacity + to] = t.rest.at[k * t.capacity + from];
     clear_moments(from), clear_moments(to);
     t.seen_weight.at[to] = t.seen_error.at[to] = 0.0;
