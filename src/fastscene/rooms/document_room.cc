@@ -18,6 +18,8 @@ namespace {
 
 // ---- a room as a document
 
+}  // namespace
+
 DocumentThing thing_of(const Placed& p, const std::vector<std::string>& ids, std::size_t index) {
     const PieceRequest& r = *p.piece.made_from;
     const auto id = [&](int i) { return i < 0 ? std::string() : ids[static_cast<std::size_t>(i)]; };
@@ -45,6 +47,8 @@ DocumentThing thing_of(const Placed& p, const std::vector<std::string>& ids, std
     if (!p.wish.kind.empty()) t.asked = p.wish;
     return t;
 }
+
+namespace {
 
 std::vector<DocumentThing> things_of(const std::vector<Placed>& placed, const std::vector<std::string>& ids) {
     std::vector<DocumentThing> out;

@@ -217,6 +217,8 @@ void add_touches(Layout& layout, float clutter);
 
 // Furnishes by the room's type, what the prompt asks for first; what does not fit goes to spec.not_placed.
 void furnish(Layout& layout);
+// Places what the prompt asks for, and nothing else, among what stands.
+void place_asked(Layout& layout);
 
 // A plan, what stands in it, and where panorama 0 stands.
 struct FurnishedRoom {

@@ -36,6 +36,12 @@ void Furnisher::run() {
     reveal();
 }
 
+void Furnisher::place_asked() {
+    asked_in_the_shell();
+    for (int i = 0, standing = static_cast<int>(l_.placed().size()); i < standing; ++i) attend(i);
+    for (const bool small : {false, true}) remaining_wishes(small);
+}
+
 void Furnisher::picture(float probability) {
     put("picture", probability, [this](PieceRequest r, const PromptObject& o) {
         // Of many sizes; over a bare wall a large one first.
@@ -93,6 +99,7 @@ void Furnisher::finish() {
 
 namespace fastscene {
 
+void place_asked(Layout& layout) { furnishing::Furnisher(layout).place_asked(); }
 void furnish(Layout& layout) { furnishing::Furnisher(layout).run(); }
 
 }  // namespace fastscene

@@ -16,6 +16,7 @@ class Furnisher final : public Placement {
   public:
     explicit Furnisher(Layout& layout) : Placement(layout) {}
     void run();
+    void place_asked();
 
     // ---- layout_asked.cc: what was asked for
     void attend(int index) override;

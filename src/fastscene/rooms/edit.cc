@@ -1,0 +1,378 @@
+#include "fastscene/rooms/edit.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "fastscene/base/error.h"
+#include "fastscene/base/is_one_of.h"
+#include "fastscene/base/suggest.h"
+#include "fastscene/rooms/document_parts.h"
+#include "fastscene/rooms/edit_parts.h"
+#include "fastscene/rooms/layout_relations.h"
+#include "fastscene/rooms/plan_parts.h"
+#include "fastscene/rooms/room_type.h"
+#include "fastscene/rooms/validate.h"
+
+namespace fastscene {
+namespace editing {
+namespace {
+
+constexpr const char* kName = "room";  // of the document, in messages
+
+std::string in_words(std::string kind) {
+    std::replace(kind.begin(), kind.end(), '_', ' ');
+    return kind;
+}
+
+// What is wrong with a room, with the ids of its things.
+std::set<std::string> faults_of(const RoomDocument& document, const FurnishedRoom& room) {
+    std::set<std::string> out;
+    for (const Fault& fault : room_faults(room.plan, room.placed, room.camera)) {
+        std::string text = fault.text;
+        for (std::size_t i = room.placed.size(); i-- > 0;) {
+            const std::string name = room.placed[i].piece.kind + " #" + std::to_string(i);
+            for (std::size_t at = text.find(name); at != std::string::npos; at = text.find(name))
+                text.replace(at, name.size(), document.things[i].id);
+        }
+        out.insert(text);
+    }
+    return out;
+}
+
+}  // namespace
+
+Editor::Editor(const RoomDocument& document, std::shared_ptr<const FurniturePack> pack, const Run& run)
+    : pack_(std::move(pack)), run_(run), result_{completed(document, kName, pack_, run), {}} {
+    build();
+}
+
+void Editor::build() { room_ = furnish_document(result_.document, kName, pack_, run_); }
+
+int Editor::index_of(const std::string& id) const {
+    const std::vector<DocumentThing>& things = result_.document.things;
+    const auto found = std::find_if(things.begin(), things.end(), [&](const DocumentThing& t) { return t.id == id; });
+    if (found != things.end()) return static_cast<int>(found - things.begin());
+    std::vector<std::string> ids;
+    for (const DocumentThing& t : things) ids.push_back(t.id);
+    const std::string near = nearest_word(id, ids);
+    throw UsageError("there is no \"{}\" in the room{}", id,
+                     near.empty() ? "" : fmt::format("; did you mean \"{}\"?", near));
+}
+
+std::vector<int> Editor::with_riders(const std::vector<int>& roots) const {
+    const std::vector<Placed>& placed = room_.furnished.placed;
+    std::vector<int> out = roots;
+    for (std::size_t k = 0; k < out.size(); ++k)
+        for (int i = 0; i < static_cast<int>(placed.size()); ++i)
+            if (placed[static_cast<std::size_t>(i)].on == out[k] && std::find(out.begin(), out.end(), i) == out.end())
+                out.push_back(i);
+    return out;
+}
+
+void Editor::tell(const std::string& id, const std::string& what) { result_.changes.push_back({id, what}); }
+
+void Editor::take(const std::vector<std::string>& ids) {
+    std::vector<int> roots;
+    for (const std::string& id : ids) roots.push_back(index_of(id));
+    std::set<std::string> gone;
+    for (const int i : with_riders(roots)) gone.insert(result_.document.things[static_cast<std::size_t>(i)].id);
+    std::vector<DocumentThing>& things = result_.document.things;
+    for (const DocumentThing& t : things)
+        if (gone.contains(t.id)) tell(t.id, t.on.empty() || !gone.contains(t.on) ? "removed" : "removed with " + t.on);
+    std::erase_if(things, [&](const DocumentThing& t) { return gone.contains(t.id); });
+    for (DocumentThing& t : things)
+        for (std::string* id : {&t.on, &t.below, &t.with})
+            if (gone.contains(*id)) id->clear();
+    build();
+}
+
+// Moves a thing with what stands on it.
+void Editor::carry(int index, Vec3f position, float yaw) {
+    std::vector<DocumentThing>& things = result_.document.things;
+    const Placed before = room_.furnished.placed[static_cast<std::size_t>(index)];
+    const float turn = yaw - before.yaw, c = std::cos(turn), s = std::sin(turn);
+    for (const int i : with_riders({index})) {
+        DocumentThing& t = things[static_cast<std::size_t>(i)];
+        const Vec3f d = t.position - before.position;
+        t.position = position + Vec3f{c * d.x + s * d.z, d.y, c * d.z - s * d.x};
+        t.yaw = std::remainder(t.yaw + turn, 2 * kPi);
+        if (i == index) t.yaw = yaw;
+    }
+    const float far = length(position - before.position);
+    tell(things[static_cast<std::size_t>(index)].id,
+         fmt::format("moved {:.2f} m to x {:.2f}, z {:.2f}, turned to {:.0f} degrees", far, position.x, position.z,
+                     yaw * 180 / kPi));
+}
+
+// Nothing may be wrong that was not before.
+template <class Change>
+void Editor::checked(const Change& change) {
+    const std::set<std::string> before = faults_of(result_.document, room_.furnished);
+    const EditResult kept = result_;
+    try {
+        change();
+        build();
+        for (const std::string& fault : faults_of(result_.document, room_.furnished))
+            if (!before.contains(fault)) throw Error("{}", fault);
+    } catch (...) {
+        result_ = kept;
+        build();
+        throw;
+    }
+}
+
+void Editor::move(const EditStep& step) {
+    for (const std::string& id : step.ids) {
+        const int i = index_of(id);
+        checked([&] {
+            const Placed& p = room_.furnished.placed[static_cast<std::size_t>(i)];
+            Vec3f to = p.position;
+            if (step.position) to.x = step.position->x, to.z = step.position->y;
+            const float yaw = step.kind == EditStep::Kind::turn ? std::remainder(p.yaw + step.yaw.value_or(kPi), 2 * kPi)
+                                                                : step.yaw.value_or(p.yaw);
+            DocumentThing& t = result_.document.things[static_cast<std::size_t>(i)];
+            // Off what carried it, it stands on the floor.
+            if (step.position && !t.on.empty()) to.y = 0, t.on.clear();
+            carry(i, to, yaw);
+        });
+    }
+}
+
+std::string Editor::new_id(const std::string& kind) const {
+    std::string name = kind;
+    std::replace(name.begin(), name.end(), '_', '-');
+    const auto taken = [&](const std::string& id) {
+        const std::vector<DocumentThing>& things = result_.document.things;
+        return std::any_of(things.begin(), things.end(), [&](const DocumentThing& t) { return t.id == id; });
+    };
+    int n = 1;
+    while (taken(fmt::format("{}-{}", name, n))) ++n;
+    return fmt::format("{}-{}", name, n);
+}
+
+// Lays out what is wished for among what stands; `moving` is made as it was.
+std::vector<Placed> Editor::laid_out(const std::vector<Placed>& standing, const PromptObject& wish,
+                                     const Placed* moving) const {
+    PromptSpec spec = room_.spec;
+    spec.objects = {wish};
+    spec.objects[0].id = 0;
+    spec.not_placed.clear();
+    // Nothing comes that was not asked for.
+    spec.clutter = "empty";
+    Random rng(room_.seed, "edit:" + wish.kind + wish.relation + wish.relation_to, standing.size());
+    Layout layout(room_.furnished.plan, spec, rng);
+    layout.begin_with(standing);
+    if (moving) layout.make_as(moving->piece.made_from);
+    place_asked(layout);
+    return layout.placed();
+}
+
+namespace {
+
+std::string place_in_words(const PromptObject& wish) {
+    if (wish.relation.empty()) return "";
+    return " " + wish.relation + (wish.relation_to.empty() ? "" : " the " + in_words(wish.relation_to));
+}
+
+bool is_where_asked(const Plan& plan, const std::vector<Placed>& all, const Placed& piece, const PromptObject& wish) {
+    return stands_as_asked(plan, all, piece, wish).value_or(wish.relation.empty());
+}
+
+}  // namespace
+
+void Editor::place(const EditStep& step) {
+    for (const std::string& id : step.ids) {
+        const int index = index_of(id);
+        const std::vector<Placed>& placed = room_.furnished.placed;
+        const std::vector<int> moving = with_riders({index});
+        std::vector<Placed> standing;
+        std::vector<int> now(placed.size(), -1);
+        for (int i = 0; i < static_cast<int>(placed.size()); ++i)
+            if (std::find(moving.begin(), moving.end(), i) == moving.end())
+                now[static_cast<std::size_t>(i)] = static_cast<int>(standing.size()),
+                standing.push_back(placed[static_cast<std::size_t>(i)]);
+        for (Placed& p : standing)
+            for (int* at : {&p.on, &p.below, &p.with})
+                if (*at >= 0) *at = now[static_cast<std::size_t>(*at)];
+        const Placed& thing = placed[static_cast<std::size_t>(index)];
+        PromptObject wish = step.wish;
+        wish.kind = thing.wish.kind.empty() ? thing.piece.kind : thing.wish.kind;
+        wish.words = in_words(wish.kind);
+        wish.count = 1;
+        wish.size_m = thing.piece.size_m;
+        const std::vector<Placed> all = laid_out(standing, wish, &thing);
+        const Placed* found = all.size() == standing.size() + 1 ? &all.back() : nullptr;
+        constexpr float kSame = 2e-3f;  // metres
+        if (!found || length(found->piece.size_m - thing.piece.size_m) > kSame ||
+            !is_where_asked(room_.furnished.plan, all, *found, wish))
+            throw Error("{}: there is no free place for it{}", id, place_in_words(wish));
+        checked([&] {
+            DocumentThing& t = result_.document.things[static_cast<std::size_t>(index)];
+            const auto id_of = [&](int i) -> std::string {
+                if (i < 0) return {};
+                const auto at = std::find(now.begin(), now.end(), i) - now.begin();
+                return result_.document.things[static_cast<std::size_t>(at)].id;
+            };
+            t.on = id_of(found->on), t.below = id_of(found->below), t.with = id_of(found->with);
+            t.window = found->sill;
+            t.mount.reset();
+            if (found->piece.mount != found->piece.made_mount) t.mount = found->piece.mount;
+            if (t.asked) t.asked->relation = wish.relation, t.asked->relation_to = wish.relation_to;
+            carry(index, found->position, found->yaw);
+        });
+    }
+}
+
+void Editor::add(const EditStep& step) {
+    PromptObject wish = step.wish;
+    const std::vector<Placed> standing = room_.furnished.placed;
+    const std::vector<Placed> all = laid_out(standing, wish, nullptr);
+    if (all.size() < standing.size() + static_cast<std::size_t>(std::max(1, wish.count)))
+        throw Error("{}: there is no free place for it{}", wish.words, place_in_words(wish));
+    for (std::size_t i = standing.size(); i < all.size(); ++i)
+        if (all[i].wish.kind == wish.kind && !is_where_asked(room_.furnished.plan, all, all[i], wish))
+            throw Error("{}: there is no free place for it{}", wish.words, place_in_words(wish));
+    std::vector<std::string> ids;
+    for (const DocumentThing& t : result_.document.things) ids.push_back(t.id);
+    for (std::size_t i = standing.size(); i < all.size(); ++i) {
+        ids.push_back(new_id(all[i].piece.made_from->kind));
+        DocumentThing t = thing_of(all[i], ids, i);
+        const std::string place = t.on.empty() ? place_in_words(all[i].wish) : " on " + t.on;
+        tell(t.id, fmt::format("added{} at x {:.2f}, z {:.2f}", place, t.position.x, t.position.z));
+        result_.document.things.push_back(std::move(t));
+    }
+    build();
+}
+
+void Editor::recolor(const EditStep& step) {
+    const PromptObject& looks = step.wish;
+    std::string said;
+    for (const auto& [key, value] : {std::pair{"color", looks.color}, {"material", looks.material},
+                                     {"pattern", looks.pattern}})
+        if (!value.empty()) said += fmt::format("{}{}: {}", said.empty() ? "" : ", ", key, value);
+    if (!step.surface.empty()) return recolor_surface(step, said);
+    for (const std::string& id : step.ids) {
+        DocumentThing& t = result_.document.things[static_cast<std::size_t>(index_of(id))];
+        if (!t.asked) {
+            t.asked.emplace();
+            t.asked->kind = t.kind, t.asked->words = in_words(t.kind);
+        }
+        // Another material has its own color.
+        if (!looks.material.empty()) t.color = t.asked->color = "", t.material = t.asked->material = looks.material;
+        if (!looks.color.empty()) t.color = t.asked->color = looks.color;
+        if (!looks.pattern.empty()) t.pattern = t.asked->pattern = looks.pattern;
+        tell(id, said);
+    }
+    build();
+}
+
+void Editor::recolor_surface(const EditStep& step, const std::string& said) {
+    const Style& style = room_.furnished.plan.style;
+    DocumentSurfaces& own = result_.document.surfaces;
+    const std::vector<std::pair<std::string_view, std::pair<std::optional<Material>*, const Material*>>> parts{
+        {"wall", {&own.wall, &style.wall}},
+        {"accent_wall", {&own.accent_wall, &style.accent_wall}},
+        {"floor", {&own.floor, &style.floor}},
+        {"ceiling", {&own.ceiling, &style.ceiling}},
+        {"trim", {&own.trim, &style.trim}}};
+    for (const auto& [name, part] : parts) {
+        // "The walls" are all of them.
+        if (name != step.surface && !(name == "accent_wall" && step.surface == "wall")) continue;
+        Material m = *part.second;
+        apply_wish(m, step.wish, true, style.palette);
+        if (!step.wish.color.empty()) m.name = step.wish.color + " " + step.surface;
+        *part.first = m;
+    }
+    tell(step.surface, said);
+    build();
+}
+
+void Editor::resize(const EditStep& step) {
+    for (const std::string& id : step.ids) {
+        const int i = index_of(id);
+        if (with_riders({i}).size() > 1)
+            throw Error("{}: things stand on it; move them off it before its size is changed", id);
+        checked([&] {
+            DocumentThing& t = result_.document.things[static_cast<std::size_t>(i)];
+            for (std::size_t a = 0; a < 3; ++a) t.size_m[a] *= step.factor;
+            tell(id, fmt::format("size: {:.2f} x {:.2f} x {:.2f} m", t.size_m.x, t.size_m.y, t.size_m.z));
+        });
+    }
+}
+
+namespace {
+
+// Those of the style; wet rooms keep their tiles.
+DocumentSurfaces fresh_surfaces(const DocumentSurfaces& old, const std::string& type, const Style& style) {
+    DocumentSurfaces out;
+    out.shelves = old.shelves;
+    if (room_type(type).wet) out.floor = style.wet_floor, out.accent_wall = style.wet_wall;
+    return out;
+}
+
+}  // namespace
+
+void Editor::restyle(const std::string& name) {
+    const Style& style = style_named(name);
+    RoomDocument& document = result_.document;
+    if (document.style == style.name) return;
+    document.surfaces = fresh_surfaces(document.surfaces, document.type, style);
+    if (document.next_room)
+        document.next_room->surfaces = fresh_surfaces(document.next_room->surfaces, document.next_room->type, style);
+    document.style = style.name;
+    tell("room", "style: " + style.name);
+    build();
+}
+
+void Editor::light(const std::string& value) {
+    DocumentLight& light = result_.document.light;
+    if (is_one_of(value, {"morning", "day", "evening", "dusk", "night"})) {
+        light.hour = value;
+        light.lamps.reset(), light.towards_sun.reset();
+        if (light.light == "neon" || light.light == "lamps on") light.light.clear();
+        // A low sun is behind clouds.
+        if (value == "evening" && is_one_of(light.weather, {"overcast", "rainy", "snowy"})) light.weather.clear();
+    } else if (is_one_of(value, {"sunny", "overcast", "rainy", "snowy"})) {
+        light.weather = value;
+        light.towards_sun.reset();
+    } else if (value == "lamps on" || value == "lamps off") {
+        light.lamps = value == "lamps on" ? 1.f : 0.f;
+    } else if (is_one_of(value, {"garden", "city", "sea", "mountains", "forest"})) {
+        light.outlook = value;
+    } else {
+        throw UsageError(
+            "expected an hour (morning, day, evening, dusk, night) or a weather (sunny, overcast, rainy, snowy), found "
+            "\"{}\"",
+            value);
+    }
+    tell("room", "light: " + value);
+    build();
+}
+
+void Editor::apply(const EditStep& step) {
+    switch (step.kind) {
+        case EditStep::Kind::remove: return take(step.ids);
+        case EditStep::Kind::move:
+        case EditStep::Kind::turn: return move(step);
+        case EditStep::Kind::place: return place(step);
+        case EditStep::Kind::recolor: return recolor(step);
+        case EditStep::Kind::resize: return resize(step);
+        case EditStep::Kind::add: return add(step);
+        case EditStep::Kind::restyle: return restyle(step.value);
+        case EditStep::Kind::light: return light(step.value);
+    }
+}
+
+}  // namespace editing
+
+EditResult edit_document(const RoomDocument& document, const std::vector<EditStep>& steps,
+                         std::shared_ptr<const FurniturePack> pack, const Run& run) {
+    editing::Editor editor(document, std::move(pack), run);
+    for (const EditStep& step : steps) editor.apply(step);
+    return editor.result();
+}
+
+}  // namespace fastscene

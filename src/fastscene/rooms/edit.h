@@ -1,0 +1,58 @@
+// Edits of a room document: things are taken away, moved, added and recolored; all others keep their poses. By steps,
+// or by a sentence ("move the armchair to the window, make the sofa green"). docs/room-document.md has examples.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "fastscene/rooms/document.h"
+
+namespace fastscene {
+
+struct EditStep {
+    enum class Kind : unsigned char {
+        remove,   // what stands on it goes as well
+        move,     // to `position` and `yaw`; what stands on it moves along
+        place,    // moves it to where `wish` says: relation, relation_to
+        turn,     // by `yaw`
+        recolor,  // color, material, pattern; on a surface (wall, floor, ceiling, trim) as `surface`
+        resize,   // by `factor`
+        add,      // `wish`, where it says or where such things stand
+        restyle,  // the room, by `value`
+        light,    // hour, weather or lamps, by `value`
+    } kind = Kind::remove;
+    std::vector<std::string> ids;  // of things; none for add, restyle and light
+    std::string surface;
+    PromptObject wish{};                // what to add; of a move the place, of a recoloring the looks
+    std::optional<Vec2f> position{};    // x, z in the room
+    std::optional<float> yaw{};         // radians
+    float factor = 1;
+    std::string value;
+};
+
+struct EditChange {
+    std::string id;    // of a thing, or "room", "wall" …
+    std::string what;  // "moved 1.20 m", "color: green"
+};
+struct EditResult {
+    RoomDocument document;
+    std::vector<EditChange> changes;
+};
+
+// Throws UsageError for what names nothing or several things (it lists them), Error for what finds no place. The
+// document is completed first, so that nothing of it is drawn anew.
+EditResult edit_document(const RoomDocument& document, const std::vector<EditStep>& steps,
+                         std::shared_ptr<const FurniturePack> pack, const Run& run);
+// Clause by clause: each sees what those before it did.
+EditResult edit_by_sentence(const RoomDocument& document, const std::string& sentence,
+                            std::shared_ptr<const FurniturePack> pack, const Run& run);
+
+// The things that words mean: "chair-2", "the red armchair at the window", "both nightstands". Throws UsageError for
+// none, or for several where one is meant.
+std::vector<std::string> things_named(const RoomDocument& document, const std::string& words,
+                                      std::shared_ptr<const FurniturePack> pack);
+// A color, a material or a pattern in words: "dark green", "velvet". Throws UsageError for other words.
+PromptObject looks_named(const std::string& words);
+
+}  // namespace fastscene
