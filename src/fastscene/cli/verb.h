@@ -52,6 +52,7 @@ Verb add_view(CLI::App& app);
 Verb add_models(CLI::App& app);
 Verb add_doctor(CLI::App& app);
 Verb add_rooms(CLI::App& app);
+Verb add_edit(CLI::App& app);
 Verb add_export(CLI::App& app);
 Verb add_version(CLI::App& app);
 

@@ -131,8 +131,9 @@ void Editor::move(const EditStep& step) {
             const Placed& p = room_.furnished.placed[static_cast<std::size_t>(i)];
             Vec3f to = p.position;
             if (step.position) to.x = step.position->x, to.z = step.position->y;
-            const float yaw = step.kind == EditStep::Kind::turn ? std::remainder(p.yaw + step.yaw.value_or(kPi), 2 * kPi)
-                                                                : step.yaw.value_or(p.yaw);
+            const float yaw = step.kind == EditStep::Kind::turn
+                                  ? std::remainder(p.yaw + step.yaw.value_or(kPi), 2 * kPi)
+                                  : step.yaw.value_or(p.yaw);
             DocumentThing& t = result_.document.things[static_cast<std::size_t>(i)];
             // Off what carried it, it stands on the floor.
             if (step.position && !t.on.empty()) to.y = 0, t.on.clear();
@@ -155,7 +156,7 @@ std::string Editor::new_id(const std::string& kind) const {
 
 // Lays out what is wished for among what stands; `moving` is made as it was.
 std::vector<Placed> Editor::laid_out(const std::vector<Placed>& standing, const PromptObject& wish,
-                                     const Placed* moving) const {
+                                     const Placed* moving, const std::optional<Vec2f>& near) const {
     PromptSpec spec = room_.spec;
     spec.objects = {wish};
     spec.objects[0].id = 0;
@@ -166,6 +167,14 @@ std::vector<Placed> Editor::laid_out(const std::vector<Placed>& standing, const 
     Layout layout(room_.furnished.plan, spec, rng);
     layout.begin_with(standing);
     if (moving) layout.make_as(moving->piece.made_from);
+    if (near) {
+        constexpr float kReach = 1.2f;  // metres
+        const PieceRequest request = layout.request(wish.kind, &spec.objects[0]);
+        const Layout::WallWish there{.near = near, .center_pull = 0, .at_most_from_near = kReach};
+        if (layout.why_not(wish.kind).empty() && make_piece(request).mount == Mount::floor &&
+            layout.against_wall(request, there, spec.objects[0]))
+            return layout.placed();
+    }
     place_asked(layout);
     return layout.placed();
 }
@@ -203,7 +212,7 @@ void Editor::place(const EditStep& step) {
         wish.words = in_words(wish.kind);
         wish.count = 1;
         wish.size_m = thing.piece.size_m;
-        const std::vector<Placed> all = laid_out(standing, wish, &thing);
+        const std::vector<Placed> all = laid_out(standing, wish, &thing, {});
         const Placed* found = all.size() == standing.size() + 1 ? &all.back() : nullptr;
         constexpr float kSame = 2e-3f;  // metres
         if (!found || length(found->piece.size_m - thing.piece.size_m) > kSame ||
@@ -229,7 +238,7 @@ void Editor::place(const EditStep& step) {
 void Editor::add(const EditStep& step) {
     PromptObject wish = step.wish;
     const std::vector<Placed> standing = room_.furnished.placed;
-    const std::vector<Placed> all = laid_out(standing, wish, nullptr);
+    const std::vector<Placed> all = laid_out(standing, wish, nullptr, step.position);
     if (all.size() < standing.size() + static_cast<std::size_t>(std::max(1, wish.count)))
         throw Error("{}: there is no free place for it{}", wish.words, place_in_words(wish));
     for (std::size_t i = standing.size(); i < all.size(); ++i)
@@ -250,8 +259,8 @@ void Editor::add(const EditStep& step) {
 void Editor::recolor(const EditStep& step) {
     const PromptObject& looks = step.wish;
     std::string said;
-    for (const auto& [key, value] : {std::pair{"color", looks.color}, {"material", looks.material},
-                                     {"pattern", looks.pattern}})
+    for (const auto& [key, value] :
+         {std::pair{"color", looks.color}, {"material", looks.material}, {"pattern", looks.pattern}})
         if (!value.empty()) said += fmt::format("{}{}: {}", said.empty() ? "" : ", ", key, value);
     if (!step.surface.empty()) return recolor_surface(step, said);
     for (const std::string& id : step.ids) {

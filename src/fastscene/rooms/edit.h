@@ -18,15 +18,15 @@ struct EditStep {
         turn,     // by `yaw`
         recolor,  // color, material, pattern; on a surface (wall, floor, ceiling, trim) as `surface`
         resize,   // by `factor`
-        add,      // `wish`, where it says or where such things stand
+        add,      // `wish`, where it says, near `position`, or where such things stand
         restyle,  // the room, by `value`
         light,    // hour, weather or lamps, by `value`
     } kind = Kind::remove;
     std::vector<std::string> ids;  // of things; none for add, restyle and light
     std::string surface;
-    PromptObject wish{};                // what to add; of a move the place, of a recoloring the looks
-    std::optional<Vec2f> position{};    // x, z in the room
-    std::optional<float> yaw{};         // radians
+    PromptObject wish{};              // what to add; of a move the place, of a recoloring the looks
+    std::optional<Vec2f> position{};  // x, z in the room
+    std::optional<float> yaw{};       // radians
     float factor = 1;
     std::string value;
 };

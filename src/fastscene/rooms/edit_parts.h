@@ -28,8 +28,8 @@ class Editor {
     void carry(int index, Vec3f position, float yaw);
     template <class Change>
     void checked(const Change& change);
-    std::vector<Placed> laid_out(const std::vector<Placed>& standing, const PromptObject& wish,
-                                 const Placed* moving) const;
+    std::vector<Placed> laid_out(const std::vector<Placed>& standing, const PromptObject& wish, const Placed* moving,
+                                 const std::optional<Vec2f>& near) const;
     std::string new_id(const std::string& kind) const;
 
     void take(const std::vector<std::string>& ids);

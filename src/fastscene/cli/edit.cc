@@ -1,0 +1,175 @@
+#include <filesystem>
+
+#include "fastscene/base/writable.h"
+#include "fastscene/cli/flags.h"
+#include "fastscene/cli/verb.h"
+#include "fastscene/pipeline/cached_weights.h"
+#include "fastscene/pipeline/edited_run.h"
+#include "fastscene/pipeline/pipeline.h"
+#include "fastscene/rooms/edit.h"
+#include "fastscene/rooms/pack.h"
+
+namespace fastscene::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct EditFlags {
+    std::string target, sentence, out, style, time, assets = "cc0";
+    std::vector<std::string> remove, move, recolor, add;
+    bool in_place = false, plan_only = false;
+};
+
+// "sofa-1=green"
+EditStep recoloring(const std::string& text, const RoomDocument& document,
+                    const std::shared_ptr<const FurniturePack>& pack) {
+    const auto equals = text.find('=');
+    if (equals == std::string::npos || equals == 0 || equals + 1 == text.size())
+        throw UsageError("--recolor: expected ID=COLOR, found \"{}\"", text);
+    EditStep step;
+    step.kind = EditStep::Kind::recolor;
+    const std::string id = text.substr(0, equals);
+    if (id == "wall" || id == "floor" || id == "ceiling" || id == "trim" || id == "accent_wall") step.surface = id;
+    else step.ids = things_named(document, id, pack);
+    step.wish = looks_named(text.substr(equals + 1));
+    return step;
+}
+
+// The flags as steps, in this order; ids are those of the document before.
+std::vector<EditStep> steps_of(const EditFlags& flags, const RoomDocument& document,
+                               const std::shared_ptr<const FurniturePack>& pack) {
+    std::vector<EditStep> out;
+    for (const std::string& id : flags.remove) {
+        out.emplace_back().ids = things_named(document, id, pack);
+    }
+    for (std::size_t i = 0; i + 3 < flags.move.size(); i += 4) {
+        EditStep& step = out.emplace_back();
+        step.kind = EditStep::Kind::move;
+        step.ids = things_named(document, flags.move[i], pack);
+        step.position = Vec2f{number_from<float>("--move", flags.move[i + 1]),
+                              number_from<float>("--move", flags.move[i + 2])};
+        step.yaw = number_from<float>("--move", flags.move[i + 3]) * kPi / 180;
+    }
+    for (const std::string& text : flags.recolor) out.push_back(recoloring(text, document, pack));
+    if (!flags.style.empty()) {
+        EditStep& step = out.emplace_back();
+        step.kind = EditStep::Kind::restyle;
+        step.value = flags.style;
+    }
+    if (!flags.time.empty()) {
+        EditStep& step = out.emplace_back();
+        step.kind = EditStep::Kind::light;
+        step.value = flags.time;
+    }
+    return out;
+}
+
+EditResult edited(const EditFlags& flags, const RoomDocument& document,
+                  const std::shared_ptr<const FurniturePack>& pack, const fastscene::Run& run) {
+    EditResult out{completed(document, flags.target, pack, run), {}};
+    const auto append = [&](EditResult next) {
+        out.document = std::move(next.document);
+        out.changes.insert(out.changes.end(), next.changes.begin(), next.changes.end());
+    };
+    const std::vector<EditStep> steps = steps_of(flags, out.document, pack);
+    if (!steps.empty()) append(edit_document(out.document, steps, pack, run));
+    for (const std::string& thing : flags.add) append(edit_by_sentence(out.document, "add " + thing, pack, run));
+    if (!flags.sentence.empty()) append(edit_by_sentence(out.document, flags.sentence, pack, run));
+    if (out.changes.empty())
+        throw UsageError(
+            "edit: expected what to change, as a sentence or by flags; found nothing that changes the room");
+    return out;
+}
+
+std::string as_text(const EditResult& result, const std::string& where) {
+    std::string out;
+    for (const EditChange& change : result.changes) out += fmt::format("{}: {}\n", change.id, change.what);
+    return out + where;
+}
+Json as_json(const EditResult& result, const std::string& where) {
+    Json changes = Json::array();
+    for (const EditChange& change : result.changes) changes.push_back({{"id", change.id}, {"what", change.what}});
+    return {{"out", where}, {"changes", changes}};
+}
+
+void edit_file(const EditFlags& flags, const Session& session) {
+    if (!flags.out.empty() && flags.in_place) throw UsageError("--in-place: expected without -o");
+    const fs::path from = flags.target;
+    const fs::path to = flags.in_place       ? from
+                        : !flags.out.empty() ? fs::path(flags.out)
+                                             : from.parent_path() / (from.stem().string() + "-edited.json");
+    check_writable(to);
+    std::vector<std::string> complaints;
+    const auto pack = FurniturePack::open(FurniturePack::default_folder(), assets_named(flags.assets), complaints);
+    const EditResult result = edited(flags, load_document(from), pack, session.run(0));
+    write_json(to, document_json(result.document));
+    session.print(as_text(result, to.string()), as_json(result, to.string()));
+}
+
+void edit_run(const EditFlags& flags, const Session& session) {
+    if (!flags.out.empty() && flags.in_place) throw UsageError("--in-place: expected without -o");
+    const RunFolder from{fs::path(flags.target).lexically_normal()};
+    RecordedRun recorded = recorded_run(from);
+    const Run run = session.run(recorded.seed);
+    const PanoramaParams& panorama = recorded.request.params.panorama;
+    const auto pack = furniture_pack(panorama);
+    const EditResult result = edited(flags, document_of_run(from, recorded, run), pack, run);
+    std::string name = from.root.string();
+    while (name.size() > 1 && name.ends_with('/')) name.pop_back();
+    const RunFolder to{flags.in_place      ? from.root
+                       : flags.out.empty() ? fs::path(name + "-edited")
+                                           : fs::path(flags.out)};
+    for (const EditChange& change : result.changes) run.note(fmt::format("{}: {}", change.id, change.what));
+    recorded.request.source = document_source(result.document, to.room_json());
+    recorded.request.last_stage = flags.plan_only ? "panorama" : std::string(last_finished_stage(from));
+    recorded.request.start_over = flags.in_place;
+    use_cached_weights(recorded.request, run);
+    make_scene(recorded.request, to, run);
+    session.print(as_text(result, to.root.string()), as_json(result, to.root.string()));
+}
+
+}  // namespace
+
+Verb add_edit(CLI::App& app) {
+    auto flags = std::make_shared<EditFlags>();
+    CLI::App* verb = app.add_subcommand(
+        "edit", "Changes the room of a scene: moves, adds, removes and recolors things; all others stay.");
+    verb->add_option("scene", flags->target, "Folder of a run from a prompt or a room, or a room's document.")
+        ->type_name("DIR|FILE")
+        ->required();
+    verb->add_option("sentence", flags->sentence, "What to change, in words.")->type_name("SENTENCE");
+    const auto list = [&](const std::string& flag, std::vector<std::string>& to, const char* kind,
+                          const std::string& sentence) {
+        return verb->add_option(flag, to, sentence)
+            ->type_name(kind)
+            ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+    };
+    list("--remove", flags->remove, "ID", "Remove this thing, with what stands on it. May be repeated.")->expected(1);
+    list("--move", flags->move, "ID X Z YAW", "Move it there: metres in the room, degrees. May be repeated.")
+        ->expected(4);
+    list("--recolor", flags->recolor, "ID=COLOR",
+         "Give it this color or material; ID may be wall, floor, ceiling or trim. May be repeated.")
+        ->expected(1);
+    list("--add", flags->add, "THING", "Add a thing, in words: \"a floor lamp beside the bed\". May be repeated.")
+        ->expected(1);
+    verb->add_option("--style", flags->style, "Another style for the room.")->type_name("STYLE");
+    verb->add_option("--time", flags->time, "Another hour: morning, day, evening, dusk, night.")->type_name("HOUR");
+    verb->add_option("-o,--out", flags->out,
+                     "Folder of the new run, or the new document; default: the name and -edited.")
+        ->type_name("DIR|FILE");
+    verb->add_flag("--in-place", flags->in_place, "Make the scene anew in its own folder, or overwrite the document.");
+    verb->add_flag("--plan-only", flags->plan_only, "Of a run: only its panorama, to look at the change.");
+    verb->add_option("--assets", flags->assets, "Of a document: furniture pack: none, public domain models, or all.")
+        ->type_name("none|cc0|all")
+        ->capture_default_str();
+    verb->footer(
+        "Examples:\n  fastscene edit out/bedroom \"move the armchair to the window, make the bed linen\"\n  fastscene "
+        "edit "
+        "room.json --remove rug-1 --recolor sofa-1=green -o green.json");
+    return {verb, [flags](const Session& session) {
+                if (fs::is_directory(flags->target)) edit_run(*flags, session);
+                else edit_file(*flags, session);
+            }};
+}
+
+}  // namespace fastscene::cli
