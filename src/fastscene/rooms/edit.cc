@@ -9,6 +9,7 @@
 #include "fastscene/base/error.h"
 #include "fastscene/base/is_one_of.h"
 #include "fastscene/base/suggest.h"
+#include "fastscene/rooms/catalogue.h"
 #include "fastscene/rooms/document_parts.h"
 #include "fastscene/rooms/edit_parts.h"
 #include "fastscene/rooms/layout_relations.h"
@@ -89,12 +90,14 @@ void Editor::take(const std::vector<std::string>& ids) {
     build();
 }
 
-// Moves a thing with what stands on it.
-void Editor::carry(int index, Vec3f position, float yaw) {
+// Moves a thing with what stands on it, and with others `along`.
+void Editor::carry(int index, Vec3f position, float yaw, const std::vector<int>& along) {
     std::vector<DocumentThing>& things = result_.document.things;
     const Placed before = room_.furnished.placed[static_cast<std::size_t>(index)];
     const float turn = yaw - before.yaw, c = std::cos(turn), s = std::sin(turn);
-    for (const int i : with_riders({index})) {
+    std::vector<int> moving{index};
+    moving.insert(moving.end(), along.begin(), along.end());
+    for (const int i : with_riders(moving)) {
         DocumentThing& t = things[static_cast<std::size_t>(i)];
         const Vec3f d = t.position - before.position;
         t.position = position + Vec3f{c * d.x + s * d.z, d.y, c * d.z - s * d.x};
@@ -105,6 +108,8 @@ void Editor::carry(int index, Vec3f position, float yaw) {
     tell(things[static_cast<std::size_t>(index)].id,
          fmt::format("moved {:.2f} m to x {:.2f}, z {:.2f}, turned to {:.0f} degrees", far, position.x, position.z,
                      yaw * 180 / kPi));
+    for (const int i : along)
+        tell(things[static_cast<std::size_t>(i)].id, "moved with " + things[static_cast<std::size_t>(index)].id);
 }
 
 // Nothing may be wrong that was not before.
@@ -137,7 +142,7 @@ void Editor::move(const EditStep& step) {
             DocumentThing& t = result_.document.things[static_cast<std::size_t>(i)];
             // Off what carried it, it stands on the floor.
             if (step.position && !t.on.empty()) to.y = 0, t.on.clear();
-            carry(i, to, yaw);
+            carry(i, to, yaw, {});
         });
     }
 }
@@ -153,6 +158,38 @@ std::string Editor::new_id(const std::string& kind) const {
     while (taken(fmt::format("{}-{}", name, n))) ++n;
     return fmt::format("{}-{}", name, n);
 }
+
+namespace {
+
+std::string place_in_words(const PromptObject& wish) {
+    if (wish.relation.empty()) return "";
+    return " " + wish.relation + (wish.relation_to.empty() ? "" : " the " + in_words(wish.relation_to));
+}
+
+bool is_where_asked(const Plan& plan, const std::vector<Placed>& all, const Placed& piece, const PromptObject& wish) {
+    return stands_as_asked(plan, all, piece, wish).value_or(wish.relation.empty());
+}
+
+// On a top that is almost full: every place on it is tried.
+void fill_gap(Layout& layout, const PromptObject& wish) {
+    if (wish.relation != "on" || !layout.why_not(wish.kind).empty()) return;
+    constexpr float kStep = 0.04f;  // metres
+    const PieceRequest request = layout.request(wish.kind, &wish);
+    for (int i = 0; i < static_cast<int>(layout.placed().size()); ++i) {
+        const Placed top = layout.placed()[static_cast<std::size_t>(i)];
+        if (top.piece.surfaces.empty() || (top.piece.kind != wish.relation_to && top.wish.kind != wish.relation_to))
+            continue;
+        const Surface& s = top.piece.surfaces.front();
+        for (float z = -s.half.y; z <= s.half.y; z += kStep)
+            for (float x = -s.half.x; x <= s.half.x; x += kStep) {
+                const Vec3f at = top.position + right_of(top.yaw) * (s.center.x + x) +
+                                 front_of(top.yaw) * (s.center.z + z);
+                if (layout.on_top_at(i, request, flat(at), top.yaw, wish)) return;
+            }
+    }
+}
+
+}  // namespace
 
 // Lays out what is wished for among what stands; `moving` is made as it was.
 std::vector<Placed> Editor::laid_out(const std::vector<Placed>& standing, const PromptObject& wish,
@@ -175,75 +212,112 @@ std::vector<Placed> Editor::laid_out(const std::vector<Placed>& standing, const 
             layout.against_wall(request, there, spec.objects[0]))
             return layout.placed();
     }
+    const std::size_t before = layout.mark();
     place_asked(layout);
+    if (layout.mark() == before ||
+        !is_where_asked(room_.furnished.plan, layout.placed(), layout.placed().back(), wish)) {
+        layout.undo(before);
+        fill_gap(layout, spec.objects[0]);
+    }
     return layout.placed();
 }
 
-namespace {
-
-std::string place_in_words(const PromptObject& wish) {
-    if (wish.relation.empty()) return "";
-    return " " + wish.relation + (wish.relation_to.empty() ? "" : " the " + in_words(wish.relation_to));
+// Chairs go with the table that they stand at.
+std::vector<int> Editor::seats_at(int table) const {
+    const std::vector<Placed>& placed = room_.furnished.placed;
+    const std::string& kind = placed[static_cast<std::size_t>(table)].piece.kind;
+    std::vector<int> out;
+    if (!has_role(kind, Role::lamp_above) && !has_role(kind, Role::work_place)) return out;
+    for (int i = 0; i < static_cast<int>(placed.size()); ++i)
+        if (const Placed& p = placed[static_cast<std::size_t>(i)];
+            p.with == table && has_role(p.piece.kind, Role::seat))
+            out.push_back(i);
+    return out;
 }
-
-bool is_where_asked(const Plan& plan, const std::vector<Placed>& all, const Placed& piece, const PromptObject& wish) {
-    return stands_as_asked(plan, all, piece, wish).value_or(wish.relation.empty());
-}
-
-}  // namespace
 
 void Editor::place(const EditStep& step) {
     for (const std::string& id : step.ids) {
         const int index = index_of(id);
-        const std::vector<Placed>& placed = room_.furnished.placed;
-        const std::vector<int> moving = with_riders({index});
-        std::vector<Placed> standing;
-        std::vector<int> now(placed.size(), -1);
-        for (int i = 0; i < static_cast<int>(placed.size()); ++i)
-            if (std::find(moving.begin(), moving.end(), i) == moving.end())
-                now[static_cast<std::size_t>(i)] = static_cast<int>(standing.size()),
-                standing.push_back(placed[static_cast<std::size_t>(i)]);
-        for (Placed& p : standing)
-            for (int* at : {&p.on, &p.below, &p.with})
-                if (*at >= 0) *at = now[static_cast<std::size_t>(*at)];
-        const Placed& thing = placed[static_cast<std::size_t>(index)];
-        PromptObject wish = step.wish;
-        wish.kind = thing.wish.kind.empty() ? thing.piece.kind : thing.wish.kind;
-        wish.words = in_words(wish.kind);
-        wish.count = 1;
-        wish.size_m = thing.piece.size_m;
-        const std::vector<Placed> all = laid_out(standing, wish, &thing, {});
-        const Placed* found = all.size() == standing.size() + 1 ? &all.back() : nullptr;
-        constexpr float kSame = 2e-3f;  // metres
-        if (!found || length(found->piece.size_m - thing.piece.size_m) > kSame ||
-            !is_where_asked(room_.furnished.plan, all, *found, wish))
-            throw Error("{}: there is no free place for it{}", id, place_in_words(wish));
-        checked([&] {
-            DocumentThing& t = result_.document.things[static_cast<std::size_t>(index)];
-            const auto id_of = [&](int i) -> std::string {
-                if (i < 0) return {};
-                const auto at = std::find(now.begin(), now.end(), i) - now.begin();
-                return result_.document.things[static_cast<std::size_t>(at)].id;
-            };
-            t.on = id_of(found->on), t.below = id_of(found->below), t.with = id_of(found->with);
-            t.window = found->sill;
-            t.mount.reset();
-            if (found->piece.mount != found->piece.made_mount) t.mount = found->piece.mount;
-            if (t.asked) t.asked->relation = wish.relation, t.asked->relation_to = wish.relation_to;
-            carry(index, found->position, found->yaw);
-        });
+        const std::vector<int> seats = seats_at(index);
+        if (!seats.empty()) try {
+                place_one(index, seats, step.wish);
+                continue;
+            } catch (const Error&) {  // there is no room for them: it goes alone
+            }
+        place_one(index, {}, step.wish);
     }
 }
 
+void Editor::place_one(int index, const std::vector<int>& along, PromptObject wish) {
+    const std::vector<Placed> placed = room_.furnished.placed;
+    std::vector<int> moving{index};
+    moving.insert(moving.end(), along.begin(), along.end());
+    moving = with_riders(moving);
+    std::vector<Placed> standing;
+    std::vector<int> now(placed.size(), -1), was;
+    for (int i = 0; i < static_cast<int>(placed.size()); ++i)
+        if (std::find(moving.begin(), moving.end(), i) == moving.end()) {
+            now[static_cast<std::size_t>(i)] = static_cast<int>(standing.size());
+            was.push_back(i);
+            standing.push_back(placed[static_cast<std::size_t>(i)]);
+        }
+    for (Placed& p : standing)
+        for (int* at : {&p.on, &p.below, &p.with})
+            if (*at >= 0) *at = now[static_cast<std::size_t>(*at)];
+    const Placed& thing = placed[static_cast<std::size_t>(index)];
+    std::vector<DocumentThing>& things = result_.document.things;
+    const std::string id = things[static_cast<std::size_t>(index)].id;
+    wish.kind = thing.wish.kind.empty() ? thing.piece.kind : thing.wish.kind;
+    wish.words = in_words(wish.kind);
+    wish.count = 1;
+    wish.size_m = thing.piece.size_m;
+    const std::vector<Placed> all = laid_out(standing, wish, &thing, {});
+    const Placed* found = all.size() == standing.size() + 1 ? &all.back() : nullptr;
+    constexpr float kSame = 2e-3f;  // metres
+    if (!found || length(found->piece.size_m - thing.piece.size_m) > kSame ||
+        !is_where_asked(room_.furnished.plan, all, *found, wish))
+        throw Error("{}: there is no free place for it{}", id, place_in_words(wish));
+    checked([&] {
+        DocumentThing& t = result_.document.things[static_cast<std::size_t>(index)];
+        const auto id_of = [&](int i) {
+            const int old = i < 0 || i >= static_cast<int>(was.size()) ? -1 : was[static_cast<std::size_t>(i)];
+            return old < 0 ? std::string() : result_.document.things[static_cast<std::size_t>(old)].id;
+        };
+        t.on = id_of(found->on), t.below = id_of(found->below), t.with = id_of(found->with);
+        t.window = found->sill;
+        t.mount.reset();
+        if (found->piece.mount != found->piece.made_mount) t.mount = found->piece.mount;
+        if (t.asked) t.asked->relation = wish.relation, t.asked->relation_to = wish.relation_to;
+        carry(index, found->position, found->yaw, along);
+    });
+}
+
+// As large as it is usual; where there is no room for that, smaller.
+std::vector<Placed> Editor::with_added(const PromptObject& asked, const std::optional<Vec2f>& near) const {
+    const std::vector<Placed>& standing = room_.furnished.placed;
+    const FurnishedRoom& room = room_.furnished;
+    for (const float scale : {1.f, 0.82f, 0.66f, 0.56f}) {
+        PromptObject wish = asked;
+        if (scale < 1) {
+            if (wish.size_m != Vec3f{} || wish.kind == "rug") break;
+            PromptSpec spec = room_.spec;
+            Random rng(room_.seed, "size");
+            Layout layout(room.plan, spec, rng);
+            if (!layout.why_not(wish.kind).empty()) break;
+            wish.size_m = make_piece(layout.request(wish.kind, &wish)).size_m * scale;
+        }
+        std::vector<Placed> all = laid_out(standing, wish, nullptr, near);
+        if (all.size() < standing.size() + static_cast<std::size_t>(std::max(1, wish.count))) continue;
+        if (std::all_of(all.begin() + static_cast<std::ptrdiff_t>(standing.size()), all.end(), [&](const Placed& p) {
+                return p.wish.kind != wish.kind || is_where_asked(room.plan, all, p, wish);
+            }))
+            return all;
+    }
+    throw Error("{}: there is no free place for it{}", asked.words, place_in_words(asked));
+}
+
 void Editor::add(const EditStep& step) {
-    PromptObject wish = step.wish;
-    const std::vector<Placed> standing = room_.furnished.placed;
-    const std::vector<Placed> all = laid_out(standing, wish, nullptr, step.position);
-    if (all.size() < standing.size() + static_cast<std::size_t>(std::max(1, wish.count)))
-        throw Error("{}: there is no free place for it{}", wish.words, place_in_words(wish));
-    for (std::size_t i = standing.size(); i < all.size(); ++i)
-        if (all[i].wish.kind == wish.kind && !is_where_asked(room_.furnished.plan, all, all[i], wish))
-            throw Error("{}: there is no free place for it{}", wish.words, place_in_words(wish));
+    const std::vector<Placed> standing = room_.furnished.placed, all = with_added(step.wish, step.position);
     std::vector<std::string> ids;
     for (const DocumentThing& t : result_.document.things) ids.push_back(t.id);
     for (std::size_t i = standing.size(); i < all.size(); ++i) {

@@ -25,7 +25,10 @@ class Editor {
     int index_of(const std::string& id) const;
     std::vector<int> with_riders(const std::vector<int>& roots) const;
     void tell(const std::string& id, const std::string& what);
-    void carry(int index, Vec3f position, float yaw);
+    void carry(int index, Vec3f position, float yaw, const std::vector<int>& along);
+    std::vector<int> seats_at(int table) const;
+    void place_one(int index, const std::vector<int>& along, PromptObject wish);
+    std::vector<Placed> with_added(const PromptObject& asked, const std::optional<Vec2f>& near) const;
     template <class Change>
     void checked(const Change& change);
     std::vector<Placed> laid_out(const std::vector<Placed>& standing, const PromptObject& wish, const Placed* moving,

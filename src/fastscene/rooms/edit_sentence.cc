@@ -82,7 +82,9 @@ bool is_article(const std::string& word) { return is_one_of(word, {"the", "my", 
 
 class Clause {
   public:
-    Clause(Editor& editor, Words words) : editor_(editor), words_(std::move(words)) {
+    // `last`: the things that the clause before spoke of, "it" in this one.
+    Clause(Editor& editor, Words words, std::vector<std::string>& last)
+        : editor_(editor), words_(std::move(words)), last_(last) {
         verb_ = verb_of(words_.front());
         words_.erase(words_.begin());
     }
@@ -107,8 +109,11 @@ class Clause {
     }
 
   private:
-    std::vector<std::string> things(const std::string& words) const {
-        return named(editor_.document(), editor_.room(), words, editor_.pack());
+    std::vector<std::string> things(const std::string& words) {
+        if (!is_one_of(words, {"it", "them", "they"}))
+            last_ = named(editor_.document(), editor_.room(), words, editor_.pack());
+        else if (last_.empty()) throw UsageError("what is \"{}\"? nothing was named before", words);
+        return last_;
     }
     PromptSpec read(const std::string& words) const { return understand_prompt(words, false, editor_.pack()); }
 
@@ -209,6 +214,7 @@ class Clause {
             step.wish = wish;
             if (!wish.relation_to.empty()) check_place(wish.relation_to);
             editor_.apply(step);
+            last_ = {editor_.document().things.back().id};
         }
     }
     // "a plant at the window": the reader takes no place from "at".
@@ -219,7 +225,7 @@ class Clause {
             if (o.kind != wish.kind) wish.relation = "next to", wish.relation_to = o.kind;
     }
     // What something is to stand at must be there.
-    void check_place(const std::string& kind) const {
+    void check_place(const std::string& kind) {
         if (is_shell(kind) || is_one_of(kind, {"wall", "floor", "ceiling", "window", "door", "doorway"})) return;
         const std::vector<DocumentThing>& all = editor_.document().things;
         if (std::none_of(all.begin(), all.end(),
@@ -344,7 +350,8 @@ class Clause {
     // Of the whole room: its style, hour and weather. Says whether the clause was about that.
     bool of_the_room() {
         if (const auto lamps = lamps_said()) return light(*lamps), true;
-        if (!is_one_of(words_.front(), {"it", "everything"}) && text_of(words_).find("room") == std::string::npos &&
+        const bool of_it = words_.front() == "it" || words_.front() == "them";
+        if (!of_it && !is_one_of(words_.front(), {"everything"}) && text_of(words_).find("room") == std::string::npos &&
             text_of(words_).find("style") == std::string::npos && text_of(words_).find("time") == std::string::npos)
             return false;
         const PromptSpec spec = read(text_of(words_));
@@ -359,6 +366,7 @@ class Clause {
             editor_.apply(step);
             told = true;
         }
+        if (!told && of_it) return false;  // of what was named before
         if (!told)
             throw UsageError("expected a style, an hour or a weather for the room, found \"{}\"", text_of(words_));
         return true;
@@ -367,6 +375,7 @@ class Clause {
     Editor& editor_;
     Verb verb_ = Verb::none;
     Words words_;
+    std::vector<std::string>& last_;
 };
 
 }  // namespace
@@ -376,7 +385,8 @@ EditResult edit_by_sentence(const RoomDocument& document, const std::string& sen
                             std::shared_ptr<const FurniturePack> pack, const Run& run) {
     check_prompt(sentence);
     editing::Editor editor(document, std::move(pack), run);
-    for (const auto& clause : editing::clauses_of(sentence)) editing::Clause(editor, clause).act();
+    std::vector<std::string> last;
+    for (const auto& clause : editing::clauses_of(sentence)) editing::Clause(editor, clause, last).act();
     return editor.result();
 }
 
