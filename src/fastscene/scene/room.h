@@ -78,6 +78,8 @@ struct Material {
     Vec3f color_c{0.5f, 0.5f, 0.5f};  // its third color
     float scale_m = 0.1f;             // size of the pattern's unit (tile edge, plank width, stripe …)
     float bump_m = 0.f;               // height of the relief; affects shading only
+    float crease_m = 0.f;             // depth of the creases of soft things (upholstery, bedding); shading only
+    float sheen = 0.f;                // share of light that upright fibers scatter at grazing angles (velvet, wool)
     float roughness = 0.6f;           // GGX alpha = roughness^2
     float specular = 0.04f;           // reflectance at normal incidence of the dielectric coat
     float metal = 0.f;                // 1: the albedo is the mirror's color

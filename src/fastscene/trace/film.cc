@@ -10,24 +10,29 @@
 namespace fastscene {
 namespace {
 
-// The response of photoreceptors and film (Naka and Rushton 1966; Reinhard and Devlin 2005, "Dynamic range reduction
-// inspired by photoreceptor physiology"). Middle gray is preserved, blacks roll off smoothly and highlights compress
-// gradually, so that lamps, flames and patches of sun keep their shape and color.
+// A photograph's tone curve: over log2 of scene light, display values (gamma-encoded) rise as a straight line around
+// middle gray, with a toe into black and a shoulder into white (the shape of AgX and of film's density curves).
 class FilmCurve {
   public:
-    explicit FilmCurve(float contrast)
-        : power_(1.32f * contrast),
-          knee_(std::pow(kMiddle, power_) * (1 - kMiddle) / kMiddle),
-          scale_(1 / response(kWhite)) {}
-    float operator()(float x) const { return x > 0 ? std::min(1.f, scale_ * response(x)) : 0.f; }
+    explicit FilmCurve(float contrast) : slope_(kSlope * contrast) {}
+    float operator()(float x) const {
+        if (!(x > 0)) return 0;
+        const float up = slope_ * std::log2(x / kMiddle);
+        const float value = up > 0 ? kMiddleShown + bent(up, 1 - kMiddleShown, kShoulder)
+                                   : kMiddleShown - bent(-up, kMiddleShown, kToe);
+        return std::pow(std::clamp(value, 0.f, 1.f), kGamma);
+    }
 
   private:
-    static constexpr float kMiddle = 0.18f, kWhite = 24.f;
-    float response(float x) const {
-        const float p = std::pow(x, power_);
-        return p / (p + knee_);
+    static constexpr float kMiddle = 0.18f, kGamma = 2.2f;
+    static constexpr float kMiddleShown = 0.4587f;  // 0.18^(1 / 2.2): middle gray stays
+    static constexpr float kSlope = 0.205f;         // display value a stop, at middle gray; a plain display has 0.145
+    static constexpr float kToe = 2.f, kShoulder = 2.6f;
+    // A line of slope 1 that bends towards `limit`; the larger `power`, the later.
+    static float bent(float v, float limit, float power) {
+        return v / std::pow(1 + std::pow(v / limit, power), 1 / power);
     }
-    float power_, knee_, scale_;
+    float slope_;
 };
 
 struct Weighted {
@@ -79,7 +84,7 @@ Look automatic_look(const Look& wish, const Sky& sky, const ImageColor& panorama
     // Night and dusk stay darker than day. Like an incident light meter, exposure follows the light that falls on
     // things more than the light they reflect.
     const bool night = sky.time == Sky::Time::night, dusk = sky.time == Sky::Time::dusk;
-    const float key = night ? 0.21f : dusk ? 0.3f : 0.44f;
+    const float key = night ? 0.19f : dusk ? 0.26f : 0.36f;
     float ev = std::log2(key) - middle_mean(seen);
     constexpr float kUsualAlbedo = 0.46f, kByLight = 0.65f;
     if (!arriving.empty()) ev = std::lerp(ev, std::log2(key / kUsualAlbedo) - middle_mean(arriving), kByLight);
@@ -118,8 +123,8 @@ Look automatic_look(const Look& wish, const Sky& sky, const ImageColor& panorama
         look.outside_seen = std::min(
             1.f, (night ? kNightMost : kDuskMost) /
                      std::max(1e-6f, luminance(sky.horizon) * sky.seen * std::exp2(look.exposure_ev)));
-    look.contrast = wish.contrast * 1.1f;
-    look.saturation = wish.saturation * 1.06f;
+    look.contrast = wish.contrast;
+    look.saturation = wish.saturation;
     return look;
 }
 

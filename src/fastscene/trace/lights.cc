@@ -146,13 +146,14 @@ float Lights::pdf(const Room& room, Vec3f position, Vec3f normal, Vec3f directio
            (std::max(1e-5f, there) * area_of(corners(room, hit.mesh, hit.triangle)));
 }
 
-Vec3f Lights::sample(const Room& room, const SceneBvh& bvh, Vec3f position, Vec3f normal, float which, Vec2f uv) const {
+DirectedLight Lights::sample(const Room& room, const SceneBvh& bvh, Vec3f position, Vec3f normal, float which,
+                             Vec2f uv) const {
     const LightSample light = draw(room, position, normal, which, uv);
     const float here = dot(normal, light.direction);
     if (!(light.pdf > 0 && here > 0) || bvh.blocked(offset_from(position, normal), light.direction, 0.f, light.far))
         return {};
     const float near = light.far < kNearest ? light.far * light.far / (kNearest * kNearest) : 1.f;
-    return light.radiance * (here * near / light.pdf);
+    return {light.radiance * (here * near / light.pdf), light.direction};
 }
 
 Vec3f Lights::sun(const Room& room, const SceneBvh& bvh, Vec3f position, Vec3f normal, Vec2f uv) const {

@@ -12,6 +12,11 @@
 
 namespace fastscene {
 
+// Irradiance and the direction it comes from.
+struct DirectedLight {
+    Vec3f irradiance, direction;
+};
+
 class Lights {
   public:
     explicit Lights(const Room& room);
@@ -29,7 +34,8 @@ class Lights {
     // The solid-angle density with which draw() samples this direction, whose ray hit `hit`; for MIS weights.
     float pdf(const Room& room, Vec3f position, Vec3f normal, Vec3f direction, const RayHit& hit) const;
     // A one-sample estimate of the irradiance from lamps and windows.
-    Vec3f sample(const Room& room, const SceneBvh& bvh, Vec3f position, Vec3f normal, float which, Vec2f uv) const;
+    DirectedLight sample(const Room& room, const SceneBvh& bvh, Vec3f position, Vec3f normal, float which,
+                         Vec2f uv) const;
     // A one-sample estimate of the irradiance from the sun's disc (0.5 degrees, slightly widened for atmospheric
     // scattering).
     Vec3f sun(const Room& room, const SceneBvh& bvh, Vec3f position, Vec3f normal, Vec2f uv) const;

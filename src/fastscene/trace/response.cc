@@ -46,6 +46,13 @@ Response response_of(const SurfacePointInfo& s, Vec3f direction) {
     }
     base = base * (1.f - max_component(fresnel) * std::lerp(kKeptUnderMatt, 1.f, coat.sharp));
     r.diffuse = base * (1.f - m.transmission) + fresnel * (kMattCoat * (1.f - coat.sharp));
+    if (m.sheen > 0) {
+        // Fibers that stand up are lit and seen along their whole length at grazing angles (after Estevez and Kulla
+        // 2017, fitted by a power of the cosine).
+        const float grazing = std::pow(1.f - std::max(0.f, -dot(s.bumped, direction)), 3.f);
+        r.diffuse = r.diffuse * (1.f - 0.5f * m.sheen) +
+                    (s.texture.albedo * 0.7f + Vec3f{0.25f, 0.25f, 0.25f}) * (m.sheen * grazing);
+    }
     r.behind = base * m.transmission;
     r.specular = fresnel * coat.sharp;
     if (coat.sharp > 0) r.alpha = coat.alpha;

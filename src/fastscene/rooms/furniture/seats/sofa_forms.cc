@@ -47,8 +47,8 @@ void frame_sofa(Kit& k, float width, int seats) {
         Mesh m = shapes::pillow({0.42f, 0.42f, 0.15f}, k.seed());
         shapes::turn(m, {1, 0, 0}, -24);
         shapes::turn(m, {0, 1, 0}, -sx * 20.f);
-        k.add(std::move(m), sx > 0 ? second : cloth,
-              {sx * (0.5f * inside - 0.24f), seat + 0.15f, -0.5f * depth + 0.4f});
+        k.add_soft(std::move(m), sx > 0 ? second : cloth, kPillowCrease,
+                   {sx * (0.5f * inside - 0.24f), seat + 0.15f, -0.5f * depth + 0.4f});
     }
     k.piece.clearance_front_m = 0.5f;
     k.piece.against_wall = true;
@@ -127,7 +127,8 @@ void wing_chair(Kit& k) {
     }
     Mesh cushion = shapes::pillow({0.42f, 0.3f, 0.13f}, k.seed());
     shapes::turn(cushion, {1, 0, 0}, -18);
-    k.add(std::move(cushion), k.material(tinted(k.style.fabric2, k.accent())), {0, 0.46f, z0 + 0.36f});
+    k.add_soft(std::move(cushion), k.material(tinted(k.style.fabric2, k.accent())), kPillowCrease,
+               {0, 0.46f, z0 + 0.36f});
     k.top(0.465f, 0, 0.2f, 0.24f, 0.16f);
     k.piece.clearance_front_m = 0.5f;
 }
@@ -188,7 +189,7 @@ void rattan_chair(Kit& k) {
     k.soft(cloth, {0, 0.385f, 0.02f}, {0.54f, 0.12f, 0.54f}, {0.055f, 0.03f, 0.003f, 12});
     Mesh cushion = shapes::pillow({0.4f, 0.38f, 0.14f}, k.seed());
     shapes::turn(cushion, {1, 0, 0}, -20);
-    k.add(std::move(cushion), k.material(tinted(k.style.fabric2, k.accent())), {0, 0.5f, -0.16f});
+    k.add_soft(std::move(cushion), k.material(tinted(k.style.fabric2, k.accent())), kPillowCrease, {0, 0.5f, -0.16f});
     k.top(0.505f, 0, 0.12f, 0.22f, 0.14f);
     k.piece.clearance_front_m = 0.5f;
 }
