@@ -126,7 +126,7 @@ class Layout {
     std::optional<int> hanging(const PieceRequest& request, Vec2f at, const PromptObject& from = {});
     // Between two walls and the ceiling.
     std::optional<int> in_upper_corner(const PieceRequest& request, const PromptObject& from = {});
-    // A pair at every window where they find room; returns how many. They end above what stands below a window.
+    // A pair at every window where they find room; returns how many. All end alike: at the floor, or at the sills.
     int at_windows(const PieceRequest& request, const PromptObject& from = {});
     // A blind in every window, within its reveal; returns how many. Above what stands on a sill it is drawn up.
     int in_windows(const PieceRequest& request, const PromptObject& from = {});

@@ -136,11 +136,16 @@ struct Sky {
     std::uint32_t seed = 0;  // of the scenery
 };
 
+// How scene light becomes display color (trace/film.h). photo: a photograph's contrast, with a toe into black and a
+// shoulder into white; soft: less contrast, for editing afterwards; linear: clipped at white.
+enum class ViewTransform : std::uint8_t { photo, soft, linear };
+
 // Tone mapping settings; fixed once per room, so that all its views agree.
 struct Look {
     float exposure_ev = 0.f;  // color * 2^ev; chosen by trace/ when `automatic`
     bool automatic = true;
     Vec3f white{1, 1, 1};  // divides the color
+    ViewTransform transform = ViewTransform::photo;
     float contrast = 1.f, saturation = 1.f;
     float outside_seen = 1.f;  // multiplies Sky::seen: keeps the outside of a bright room from looking like dusk
     float sun_seen = 1.f;      // share of direct sun shown to cameras; illumination is unaffected

@@ -14,9 +14,12 @@ namespace {
 // middle gray, with a toe into black and a shoulder into white (the shape of AgX and of film's density curves).
 class FilmCurve {
   public:
-    explicit FilmCurve(float contrast) : slope_(kSlope * contrast) {}
+    FilmCurve(ViewTransform transform, float contrast)
+        : linear_(transform == ViewTransform::linear),
+          slope_((transform == ViewTransform::soft ? kSoftSlope : kSlope) * contrast) {}
     float operator()(float x) const {
         if (!(x > 0)) return 0;
+        if (linear_) return std::min(1.f, x);
         const float up = slope_ * std::log2(x / kMiddle);
         const float value = up > 0 ? kMiddleShown + bent(up, 1 - kMiddleShown, kShoulder)
                                    : kMiddleShown - bent(-up, kMiddleShown, kToe);
@@ -27,11 +30,13 @@ class FilmCurve {
     static constexpr float kMiddle = 0.18f, kGamma = 2.2f;
     static constexpr float kMiddleShown = 0.4587f;  // 0.18^(1 / 2.2): middle gray stays
     static constexpr float kSlope = 0.205f;         // display value a stop, at middle gray; a plain display has 0.145
+    static constexpr float kSoftSlope = 0.15f;
     static constexpr float kToe = 2.f, kShoulder = 2.6f;
     // A line of slope 1 that bends towards `limit`; the larger `power`, the later.
     static float bent(float v, float limit, float power) {
         return v / std::pow(1 + std::pow(v / limit, power), 1 / power);
     }
+    bool linear_;
     float slope_;
 };
 
@@ -92,7 +97,7 @@ Look automatic_look(const Look& wish, const Sky& sky, const ImageColor& panorama
     // White balance moves most of the way towards the illuminant, along the Planckian locus from candlelight to blue
     // sky. A deviation from that locus (a neon sign, pink walls lighting each other) is not something that eyes adapt
     // to, and stays.
-    const float pull = night || dusk ? 0.6f : 0.65f;
+    const float pull = night || dusk ? 0.6f : 0.78f;
     constexpr float kLineRed = 0.62f, kLineBlue = -0.785f,
                     kOffLine = 0.25f;  // log2(blue or red) per log2(green), for thermal light about 4000 K
     const auto octaves = [&](float c) {
@@ -141,7 +146,7 @@ Vec3f develop(const Look& look, Vec3f radiance) {
     const float gain = std::exp2(look.exposure_ev);
     Vec3f c{radiance.x * gain / look.white.x, radiance.y * gain / look.white.y, radiance.z * gain / look.white.z};
     // Mostly per channel, so that bright colors desaturate as on film; partly by luminance, which keeps hues.
-    const FilmCurve curve(look.contrast);
+    const FilmCurve curve(look.transform, look.contrast);
     const float l = luminance(c);
     const Vec3f kept = l > 0 ? c * (curve(l) / l) : c;
     for (std::size_t a = 0; a < 3; ++a) c[a] = 0.65f * curve(c[a]) + 0.35f * kept[a];

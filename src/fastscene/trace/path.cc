@@ -105,6 +105,11 @@ Vec3f path_radiance(const PathScene& scene, Vec3f origin, Vec3f direction, float
         const SurfacePointInfo s = surface_at(scene.room, hit, origin, direction, width * travelled / std::sqrt(slant),
                                               first);
         const Material& m = *s.material;
+        if (clearly && is_flame(m)) {
+            sum += throughput * flame_as_seen(scene.room.look, s, direction);
+            origin = offset_from(s.position, dot(direction, s.normal) > 0 ? s.normal : -s.normal);
+            continue;
+        }
         sum += throughput * (clearly ? lamp_as_seen(scene.room.look, m.emission) : m.emission) * mis_weight;
         if (clearly && is_clear(m)) {
             const Pane pane = pane_of(s, direction);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "fastscene/trace/film.h"
 #include "fastscene/trace/noise.h"
 
 namespace fastscene {
@@ -62,6 +63,15 @@ Response response_of(const SurfacePointInfo& s, Vec3f direction) {
 bool is_clear(const Material& m) {
     return m.transmission >= 0.75f && m.pattern == Pattern::plain && m.roughness < 0.2f &&
            max_component(m.emission) == 0.f;
+}
+
+bool is_flame(const Material& m) { return m.burns && max_component(m.emission) > 0; }
+
+Vec3f flame_as_seen(const Look& look, const SurfacePointInfo& s, Vec3f direction) {
+    // In a round flame the way inside is the cosine at its surface; half of it is counted at each side. The light falls
+    // off faster than that, since flames are thinner towards their edges.
+    const float facing = std::abs(dot(s.normal, direction));
+    return lamp_as_seen(look, s.material->emission) * (0.5f * facing * facing);
 }
 
 Vec3f dye_of(const SurfacePointInfo& s) {

@@ -113,7 +113,7 @@ Vec3f light_at(const ShadeScene& scene, const SurfacePointInfo& s, Sampler& samp
 
 namespace {
 
-constexpr int kMostPanes = 8;  // maximum number of glass surfaces along a view ray
+constexpr int kMostPanes = 16;  // maximum number of glass surfaces and flames along a view ray
 constexpr float kBehindPane_m = 1e-3f;
 
 // `travelled`: metres that the ray has covered, through glass.
@@ -148,6 +148,12 @@ Shaded shade_from(const ShadeScene& scene, Vec3f origin, Vec3f direction, float 
     const SurfacePointInfo s = surface_at(scene.room, hit, origin, direction,
                                           pixel_angle * (travelled + hit.distance) / std::sqrt(slant), true);
     const Material& m = *s.material;
+    if (is_flame(m) && panes > 0) {
+        out = shade_from(scene, s.position + direction * kBehindPane_m, direction, pixel_angle,
+                         travelled + hit.distance, panes - 1, sampler);
+        out.radiance += flame_as_seen(scene.room.look, s, direction);
+        return out;
+    }
     Response r = response_of(s, direction);
     if (m.mirror <= 0.5f && max_component(r.specular) > 0) r.alpha = std::max(r.alpha, scene.min_alpha);
     out.albedo = s.texture.albedo;

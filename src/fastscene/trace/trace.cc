@@ -126,6 +126,9 @@ void TracedRoom::gather_light(const TraceParams& params, const Run& run, const s
     ImageColor albedo;
     const ImageColor small = impl_->color(panorama_camera({}, {128, 64}), {.pixel_samples = 4}, nullptr, &albedo,
                                           quiet);
+    const auto name = std::find(kViewTransforms.begin(), kViewTransforms.end(), params.view_transform);
+    FASTSCENE_CHECK(name != kViewTransforms.end());
+    impl_->room.look.transform = static_cast<ViewTransform>(name - kViewTransforms.begin());
     impl_->room.look = automatic_look(impl_->room.look, impl_->room.sky, small, albedo);
 }
 
