@@ -30,7 +30,7 @@ void add(Hash& h, const Material& m) {
     for (const float value :
          {m.scale_m, m.bump_m, m.roughness, m.specular, m.metal, m.transmission, m.mirror, m.crease_m, m.sheen})
         h.add(value);
-    h.add(m.burns).add(m.seed);
+    h.add(m.burns).add(m.seed).add(static_cast<int>(m.variant));
     if (m.image)
         for (const ImageRgb8& level : m.image->levels) add_all(h, level.pixels);
 }

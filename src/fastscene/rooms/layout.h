@@ -172,6 +172,7 @@ class Layout {
     void take_away(std::vector<int> pieces);
 
   private:
+    void vary(PieceRequest& r) const;
     std::string accent_of(const std::string& kind) const;
     bool fits(const Placed& placed, bool with_clearance) const;
     // What a place is worth for being where the wish says.

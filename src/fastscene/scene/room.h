@@ -65,6 +65,8 @@ enum class Pattern : std::uint8_t {
     image,  // Material::image by coords.x, coords.y in [0, 1), repeated; tinted by color_a
 };
 
+inline constexpr int kArtDesigns = 8;
+
 // A texture with its mip levels, down to one pixel.
 struct TextureImage {
     std::vector<ImageRgb8> levels;  // levels[0] is full size; row 0 is the top edge (v = 1)
@@ -88,6 +90,7 @@ struct Material {
     Vec3f emission{};                 // radiance of lamps, screens and flames
     bool burns = false;               // a flame: lit also by day, and invisible when not lit
     std::uint32_t seed = 0;           // random variation of the pattern
+    std::uint8_t variant = 0;         // Pattern::art: which of its kArtDesigns designs
     std::shared_ptr<const TextureImage> image{};  // Pattern::image: never null; scale_m = metres spanned by u = 1
 };
 

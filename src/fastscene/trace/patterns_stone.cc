@@ -76,7 +76,7 @@ TextureValue plaster(const Material& m, const TexturePoint& p) {
     TextureValue v;
     v.albedo = m.color_a * (1.f + 0.07f * (cloud - 0.5f) + 0.05f * (strokes - 0.5f) + 0.06f * (stipple - 0.5f));
     v.roughness = m.roughness;
-    v.height = stipple + 2.2f * strokes + 9.f * uneven;
+    v.height = stipple + 1.8f * strokes + 3.f * uneven;
     return v;
 }
 
