@@ -191,6 +191,7 @@ std::optional<int> Layout::on_wall(const PieceRequest& request, std::optional<in
         hang_up(p.piece, 0.95f);
     }
     const Vec3f size = p.piece.size_m;
+    const float top = plan_.height - (plan_.beams ? kBeamDepth : 0.f);
     std::optional<Placed> best;
     float best_score = -std::numeric_limits<float>::infinity();
     for (const WallFace& face : faces_) {
@@ -210,9 +211,9 @@ std::optional<int> Layout::on_wall(const PieceRequest& request, std::optional<in
             const float high = footprint_of(a).y1;
             y = from.relation == "above" ? std::max(high + 0.12f, std::min(y, high + 0.45f))
                                          : std::max(y, high + 0.15f);
-            if (y + size.y > plan_.height - 0.12f) y = high + 0.05f;
-            if (y + size.y > plan_.height - 0.05f) continue;
-        } else if (y + size.y > plan_.height - 0.12f) y = plan_.height - 0.12f - size.y;
+            if (y + size.y > top - 0.12f) y = high + 0.05f;
+            if (y + size.y > top - 0.05f) continue;
+        } else if (y + size.y > top - 0.12f) y = top - 0.12f - size.y;
         if (y < 0) continue;
         for (float u = size.x / 2 + 0.1f; u <= face.length - size.x / 2 - 0.1f; u += kSlotStep) {
             if (!wall_is_free(plan_, face, u - size.x / 2, u + size.x / 2, y, y + size.y)) continue;

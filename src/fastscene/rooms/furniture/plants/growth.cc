@@ -82,7 +82,7 @@ struct Foliage {
         const int rows = split                          ? (coarse() ? 24 : 40)
                          : (coarse() || long_m < 0.12f) ? 4
                                                         : 9,
-                  columns = wide_m < 0.05f ? 2 : 4;
+                  columns = coarse() || wide_m < 0.05f ? 2 : 4;
         const Arc rib{bud, long_m, s.droop * k.rng.uniform(0.8f, 1.2f)};
         const Vec3f side = cross(Vec3f{0, 1, 0}, bud.out);
         const float fold = k.rng.uniform(0.12f, 0.3f), twist = k.rng.uniform(-0.25f, 0.25f),

@@ -59,7 +59,7 @@ constexpr Species kFern{"fern", fronds, lance, {0.09f, 0.21f, 0.06f}, 0.6f, 30, 
                         1.4f,   1.9f,   false};
 constexpr Species kOlive{"olive tree", tree, lance, {0.13f, 0.16f, 0.1f}, 0.5f, 1, 13, 0.068f, 0.017f, 1.f, -0.3f,
                          0.9f,         0.5f, false};
-constexpr Species kWeepingFig{"ficus", tree, ovate, {0.05f, 0.125f, 0.035f}, 0.35f, 1, 8, 0.072f, 0.034f, 1.f, -0.5f,
+constexpr Species kWeepingFig{"ficus", tree, ovate, {0.05f, 0.125f, 0.035f}, 0.35f, 1, 6, 0.078f, 0.038f, 1.f, -0.5f,
                               0.6f,    0.8f, false};
 
 constexpr std::array kFloor{&kMonstera, &kSnakePlant, &kStrelitzia, &kPeaceLily,  &kRubberPlant,
