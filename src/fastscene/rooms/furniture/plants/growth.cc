@@ -78,11 +78,12 @@ struct Foliage {
     bool coarse() const { return size < 0.5f; }  // on shelves; nobody comes as close to them
 
     void leaf(const Bud& bud, float long_m, float wide_m) {
-        const bool split = s.leaf == LeafShape::split;
-        const int rows = split                          ? (coarse() ? 24 : 40)
-                         : (coarse() || long_m < 0.12f) ? 4
-                                                        : 9,
-                  columns = coarse() || wide_m < 0.05f ? 2 : 4;
+        const bool split = s.leaf == LeafShape::split, leaflet = s.habit == Habit::fronds || s.habit == Habit::tree;
+        const int rows = split      ? (coarse() ? 24 : 40)
+                         : leaflet  ? (coarse() ? 2 : 3)
+                         : coarse() ? 5
+                                    : 9,
+                  columns = coarse() || leaflet || wide_m < 0.05f ? 2 : 4;
         const Arc rib{bud, long_m, s.droop * k.rng.uniform(0.8f, 1.2f)};
         const Vec3f side = cross(Vec3f{0, 1, 0}, bud.out);
         const float fold = k.rng.uniform(0.12f, 0.3f), twist = k.rng.uniform(-0.25f, 0.25f),
