@@ -21,6 +21,7 @@ struct TraceParams {
     int cell_samples = 192;   // paths gathered per cell
     int pixel_samples = 16;   // camera rays per pixel
     bool keep_noise = false;  // leave panoramas undenoised
+    float outside_detail = 10.f;  // pixels per degree of the view through the windows, at the horizon
 };
 template <class V>
 void visit_fields(TraceParams& p, V&& v) {
@@ -28,6 +29,8 @@ void visit_fields(TraceParams& p, V&& v) {
     v("cell-samples", p.cell_samples, Bounds{1, 65536}, "Light paths gathered per cell.");
     v("pixel-samples", p.pixel_samples, Bounds{1, 4096}, "Camera rays per pixel.");
     v("keep-noise", p.keep_noise, "Do not denoise the panorama.");
+    v("outside-detail", p.outside_detail, Bounds{0, 40},
+      "Pixels per degree of the view through the windows; 0: a blurred one.");
 }
 
 // Per-pixel results of a rendering. Each image is empty unless requested in ShotParts.

@@ -99,7 +99,7 @@ TEST(Trace, Furnace) {
     const SceneBvh bvh(room);
     TraceParams params = quick();
     params.cell_m = 0.25f;
-    const IrradianceCache cache = IrradianceCache::gather(room, bvh, params, {});
+    const IrradianceCache cache = IrradianceCache::gather(room, bvh, lights, params, {});
     double sum = 0;
     int count = 0;
     for (int i = 0; i < 400; ++i) {
@@ -187,7 +187,7 @@ TEST(Trace, LightOfASquareLampIsItsFormFactor) {
     TraceParams params = quick();
     params.cell_m = 0.1f;
     params.cell_samples = 1024;
-    const IrradianceCache cache = IrradianceCache::gather(room, bvh, params, {});
+    const IrradianceCache cache = IrradianceCache::gather(room, bvh, lights, params, {});
     const float x = half / height, s = std::sqrt(1 + x * x);
     const float quarter = (x / s * std::atan(x / s) * 2) / (2 * static_cast<float>(M_PI));
     const float expected = 10 * static_cast<float>(M_PI) * 4 * quarter;
@@ -218,7 +218,7 @@ TEST(Trace, WindowLetsTheSkyIn) {
     TraceParams params = quick();
     params.cell_samples = 1024;
     params.cell_m = 0.06f;  // trees and flower beds outside make the light vary across the wall
-    const IrradianceCache cache = IrradianceCache::gather(room, bvh, params, {});
+    const IrradianceCache cache = IrradianceCache::gather(room, bvh, lights, params, {});
     // Reference by quadrature over directions, with the actual sky.
     const Vec3f at{-2, 0, 0};
     double expected = 0;
