@@ -46,7 +46,7 @@ struct Skeleton {
 };
 
 std::vector<Vec3f> crown_points(const TreeKind& kind, std::uint32_t seed, Random& random) {
-    constexpr int kPoints = 620;
+    constexpr int kPoints = 760;
     std::vector<Vec3f> points;
     const float tall = kind.height_m - kind.bare_m;
     for (int tries = 0; tries < 40 * kPoints && static_cast<int>(points.size()) < kPoints; ++tries) {
@@ -143,7 +143,7 @@ void add_foliage(QuadMesh& mesh, const Skeleton& tree, const TreeKind& kind, Ran
     for (std::size_t n = 1; n < tree.nodes.size(); ++n)
         if (tree.nodes[n].radius < kBearing) bearing.push_back(n);
     if (bearing.empty()) return;
-    const float spread = 1.5f * tree.step;
+    const float spread = 1.25f * tree.step;
     for (int k = 0; k < kind.leaves; ++k) {
         const Skeleton::Node& node = tree.nodes[bearing[static_cast<std::size_t>(
             random.index(static_cast<int>(bearing.size())))]];
@@ -211,7 +211,7 @@ QuadMesh grow_spruce(float height, float radius, std::uint32_t seed) {
     QuadMesh mesh;
     add_tube(mesh, {}, {0, 0.55f * height, 0}, 0.017f * height, 0.011f * height, 8, kBark);
     add_tube(mesh, {0, 0.55f * height, 0}, {0, height, 0}, 0.011f * height, 0.005f, 6, kBark);
-    const float bare = random.uniform(0.03f, 0.09f) * height, between = height / 46;
+    const float bare = random.uniform(0.03f, 0.09f) * height, between = height / 60;
     float turn = random.uniform(0, 2 * kPi);
     for (float y = bare; y < height - 0.1f; y += between * random.uniform(0.7f, 1.25f)) {
         const float t = (y - bare) / (height - bare);
@@ -226,7 +226,7 @@ QuadMesh grow_spruce(float height, float radius, std::uint32_t seed) {
                 return Vec3f{0, y, 0} + out * (u * far) + Vec3f{0, far * (0.18f * u - droop * u * (1.25f - 0.75f * u)), 0};
             };
             add_tube(mesh, along(0), along(0.8f), 0.004f * far + 0.006f, 0.004f, 3, kBark);
-            const int sprays = std::max(4, static_cast<int>(far * 13));
+            const int sprays = std::max(4, static_cast<int>(far * 22));
             for (int k = 0; k < sprays; ++k) {
                 const float u = 0.12f + 0.88f * (static_cast<float>(k) + random.uniform()) / static_cast<float>(sprays);
                 const float wide = (0.14f + 0.3f * (1 - u)) * std::min(1.f, far) * random.uniform(0.7f, 1.3f);
@@ -234,7 +234,7 @@ QuadMesh grow_spruce(float height, float radius, std::uint32_t seed) {
                     const Vec3f way = out * 0.75f + side * (hand * random.uniform(0.5f, 1.1f)) +
                                       Vec3f{0, random.uniform(-0.55f, 0.1f), 0};
                     add_leaf(mesh, along(u), way, Vec3f{random.uniform(-0.4f, 0.4f), 1, random.uniform(-0.4f, 0.4f)},
-                             wide + 0.1f, 0.055f + 0.12f * wide, kNeedle);
+                             wide + 0.12f, 0.07f + 0.16f * wide, kNeedle);
                 }
             }
         }
@@ -254,7 +254,7 @@ QuadMesh grow_hedge(float long_m, float high, float thick, std::uint32_t seed) {
         box({0, 0, b}, {0, 0.5f * top, 0}, middle + Vec3f{hand * a, 0, 0});
     }
     box({a, 0, 0}, {0, 0, b}, {0, top, 0});
-    constexpr float kLeaf_m = 0.05f, kPerSquareMetre = 1150;
+    constexpr float kLeaf_m = 0.055f, kPerSquareMetre = 2300;
     const float front = long_m * high, roof = long_m * thick, ends = thick * high, all = 2 * front + roof + 2 * ends;
     for (int k = 0; k < static_cast<int>(all * kPerSquareMetre * 0.62f); ++k) {
         const float which = random.uniform() * all, u = random.uniform(-a, a), w = random.uniform(-0.5f, 0.5f) * thick;
@@ -356,19 +356,21 @@ QuadMesh grow_fern(std::uint32_t seed) {
     return mesh;
 }
 
+void add_blade(QuadMesh& mesh, Vec3f foot, float high, float width, Random& random) {
+    const float turn = random.uniform(0, 2 * kPi), lean = random.uniform(0.05f, 0.75f) * high,
+                tall = high * random.uniform(0.55f, 1.15f);
+    const Vec3f out{std::cos(turn), 0, std::sin(turn)}, across = Vec3f{-out.z, 0, out.x} * (0.5f * width);
+    const Vec3f bend = foot + out * (0.3f * lean) + Vec3f{0, 0.65f * tall, 0},
+                tip = foot + out * lean + Vec3f{0, tall, 0};
+    mesh.quad(foot - across, foot + across, bend + across * 0.8f, bend - across * 0.8f, kGrass);
+    mesh.quad(bend - across * 0.8f, bend + across * 0.8f, tip, tip, kGrass);
+}
+
 QuadMesh grow_grass(float side_m, int blades, float high, float width, std::uint32_t seed) {
     Random random(seed, "outdoors.grass");
     QuadMesh mesh;
-    for (int k = 0; k < blades; ++k) {
-        const Vec3f foot{random.uniform(-0.5f, 0.5f) * side_m, 0, random.uniform(-0.5f, 0.5f) * side_m};
-        const float turn = random.uniform(0, 2 * kPi), lean = random.uniform(0.05f, 0.75f) * high,
-                    tall = high * random.uniform(0.55f, 1.15f);
-        const Vec3f out{std::cos(turn), 0, std::sin(turn)}, across = Vec3f{-out.z, 0, out.x} * (0.5f * width);
-        const Vec3f bend = foot + out * (0.3f * lean) + Vec3f{0, 0.65f * tall, 0},
-                    tip = foot + out * lean + Vec3f{0, tall, 0};
-        mesh.quad(foot - across, foot + across, bend + across * 0.8f, bend - across * 0.8f, kGrass);
-        mesh.quad(bend - across * 0.8f, bend + across * 0.8f, tip, tip, kGrass);
-    }
+    for (int k = 0; k < blades; ++k)
+        add_blade(mesh, {random.uniform(-0.5f, 0.5f) * side_m, 0, random.uniform(-0.5f, 0.5f) * side_m}, high, width, random);
     return mesh;
 }
 

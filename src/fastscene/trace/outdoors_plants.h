@@ -1,6 +1,7 @@
 // Plants grown by rule: trees by space colonization, spruces by whorls, hedges, shrubs, flowers, ferns and grass.
 #pragma once
 
+#include "fastscene/base/random.h"
 #include "fastscene/trace/outdoors_world.h"
 
 namespace fastscene::outdoors {
@@ -28,6 +29,7 @@ QuadMesh grow_perennial(float high_m, int stems, bool flowers, std::uint32_t see
 QuadMesh grow_fern(std::uint32_t seed);
 // A square of lawn around the origin.
 QuadMesh grow_grass(float side_m, int blades, float high_m, float width_m, std::uint32_t seed);
+void add_blade(QuadMesh& mesh, Vec3f foot, float high_m, float width_m, Random& random);
 
 // A tapered tube between two points.
 void add_tube(QuadMesh& mesh, Vec3f from, Vec3f to, float from_radius, float to_radius, int sides, std::uint16_t paint);

@@ -36,7 +36,7 @@ Vec3f street_albedo(Vec2f q, float footprint, std::uint32_t seed, bool snow) {
         const Vec3f asphalt = Vec3f{0.085f, 0.086f, 0.09f} * (grain * patch * (1.08f - 0.16f * std::exp(-std::abs(from - 1.9f))));
         return lerp(snow ? asphalt * 1.7f : asphalt, Vec3f{0.5f, 0.5f, 0.48f}, 0.8f * dash);
     }
-    if (off < kStreetHalf_m || aside < kStreetHalf_m) {
+    if (off < kStreetHalf_m + kDeep_m || aside < kStreetHalf_m) {
         const float kerb = std::min(off - kRoadHalf_m, aside < kStreetHalf_m ? aside - kRoadHalf_m : 9.f);
         const float x = q.x / 0.6f, y = q.y / 0.6f;
         const float joint = std::min({x - std::floor(x), y - std::floor(y)}) < 0.04f ? 0.75f : 1.f;

@@ -152,15 +152,15 @@ void settle_neighbours(Site& site) {
         if (r.chance(0.6f)) site.world.lanterns.push_back({{gate.x, 3.f, gate.y}, {}});
     }
     const std::vector<std::uint32_t> tall = tall_trees(site, 5), dark = spruces(site, 2, 12);
-    for (int k = 0; k < 46; ++k) {
-        const Vec2f at = site.polar(site.turn(), r.uniform(25.5f, 95));
-        if (is_free(taken, at, 2.4f)) plant(site, r.chance(0.2f) ? dark : tall, at, r.uniform(0.6f, 1.05f));
+    for (int k = 0; k < 150; ++k) {
+        const Vec2f at = site.polar(site.turn(), 25.5f + 80 * r.uniform());
+        if (is_free(taken, at, 2.2f)) plant(site, r.chance(0.17f) ? dark : tall, at, r.uniform(0.6f, 1.05f));
     }
     // Copses and hedgerows, further off.
-    for (int k = 0; k < 420; ++k) {
-        const float azimuth = site.turn(), far = 90 + 520 * std::pow(r.uniform(), 1.4f);
+    for (int k = 0; k < 2400; ++k) {
+        const float azimuth = site.turn(), far = 95 + 900 * std::pow(r.uniform(), 1.3f);
         const Vec2f at = site.polar(azimuth, far);
-        if (noise2(at * (1 / 70.f) + Vec2f{30, 30}, site.sky.seed + 31) > 0.5f)
+        if (noise2(at * (1 / 70.f) + Vec2f{30, 30}, site.sky.seed + 31) > 0.55f)
             plant(site, r.chance(0.25f) ? dark : tall, at, r.uniform(0.7f, 1.2f));
     }
 }
@@ -182,7 +182,7 @@ void lay_out_garden(Site& site) {
         if (here.off_path(q) < 0.1f * grain) return Vec3f{0.27f, 0.24f, 0.19f} * (0.6f + 0.8f * grain);
         if (here.is_border(q) || here.is_terrace_bed(q)) return Vec3f{0.055f, 0.04f, 0.028f} * (0.6f + 0.8f * grain);
         // Under its blades a lawn is darker.
-        return lawn_albedo(p, footprint, seed) * (length(p) < 16 ? 0.6f : 0.95f);
+        return lawn_albedo(p, footprint, seed) * (0.62f + 0.38f * smooth_step(13, 16.5f, length(p)));
     };
     sow_grass(site, 15.5f, 0.075f, [&](Vec2f p) { return plot.is_lawn(site.laid_out(p)); });
     plant_hedge(site);
@@ -213,24 +213,24 @@ void lay_out_forest(Site& site) {
         const Vec2f p{at.x, at.z};
         if (snow) return snow_albedo(p, footprint, seed);
         const float moss = fbm2(p * 0.4f, 4, footprint * 0.4f, seed + 3), litter = fbm2(p * 16.f, 4, footprint * 16.f, seed + 4);
-        return lerp(Vec3f{0.085f, 0.058f, 0.036f}, Vec3f{0.04f, 0.06f, 0.02f}, smooth_step(0.42f, 0.62f, moss)) *
+        return lerp(Vec3f{0.125f, 0.09f, 0.06f}, Vec3f{0.06f, 0.078f, 0.03f}, smooth_step(0.42f, 0.62f, moss)) *
                (0.55f + 0.9f * litter);
     };
     Random& r = site.random;
     std::vector<std::uint32_t> woods;
-    const std::array<TreeKind, 4> kinds{TreeKind{19.f, 5.5f, 4.2f, Crown::ovate, 0.17f, 20000},
-                                        TreeKind{20.f, 10.f, 3.f, Crown::umbrella, 0.2f, 5000, kBark, true, 0.2f},
-                                        TreeKind{16.f, 6.f, 2.4f, Crown::ovate, 0.12f, 15000, kBirchBark},
-                                        TreeKind{17.f, 4.f, 3.8f, Crown::round, 0.16f, 19000}};
+    const std::array<TreeKind, 4> kinds{TreeKind{19.f, 5.5f, 4.2f, Crown::ovate, 0.15f, 42000},
+                                        TreeKind{20.f, 10.f, 3.f, Crown::umbrella, 0.2f, 9000, kBark, true, 0.2f},
+                                        TreeKind{16.f, 6.f, 2.4f, Crown::ovate, 0.11f, 36000, kBirchBark},
+                                        TreeKind{17.f, 4.f, 3.8f, Crown::round, 0.14f, 42000}};
     for (const TreeKind& kind : kinds) woods.push_back(site.world.add(grow_tree(kind, r.next_u32(), snow)));
     const std::vector<std::uint32_t> dark = spruces(site, 3, 15), young = small_trees(site, 2);
-    constexpr float kApart_m = 4.6f;
-    for (int j = -17; j <= 17; ++j)
-        for (int i = -17; i <= 17; ++i) {
+    constexpr float kApart_m = 6.4f;
+    for (int j = -15; j <= 15; ++j)
+        for (int i = -15; i <= 15; ++i) {
             const Vec2f at{kApart_m * (static_cast<float>(i) + r.uniform(-0.42f, 0.42f)),
                            kApart_m * (static_cast<float>(j) + r.uniform(-0.42f, 0.42f))};
-            if (length(at) < 7.5f || length(at) > 78 || r.chance(0.16f)) continue;
-            plant(site, r.chance(0.3f) ? dark : r.chance(0.12f) ? young : woods, at, r.uniform(0.8f, 1.15f));
+            if (length(at) < 9.f || length(at) > 95 || r.chance(0.14f)) continue;
+            plant(site, r.chance(length(at) < 18 ? 0.08f : 0.26f) ? dark : r.chance(0.15f) ? young : woods, at, r.uniform(0.8f, 1.15f));
         }
     if (!snow) {
         std::array<std::uint32_t, 3> ferns{};

@@ -3,6 +3,7 @@
 #include <embree3/rtcore.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -35,7 +36,10 @@ struct Tracer::Impl {
     RTCDevice device = nullptr;
     RTCScene scene = nullptr;
     std::vector<RTCScene> prototypes;
-    Vec3f to_sun, open_sky, sunny;  // open_sky: irradiance of flat open ground by the sky; sunny: with the sun
+    Vec3f to_sun, sunny;  // sunny: irradiance of flat open ground
+    Vec3f bounced;        // irradiance from greenery and ground all around, half of it in the sun
+    static constexpr int kTurns = 24, kRises = 12;
+    std::array<std::array<Vec3f, kTurns>, kRises + 1> open{};  // irradiance without the sun, by normal
     bool dark = false;
 
     Impl(const Sky& s, World w, const SkyDome& d) : sky(s), world(std::move(w)), dome(d) {
@@ -48,11 +52,17 @@ struct Tracer::Impl {
         for (const Instance& i : world.instances) add_instance(i);
         rtcCommitScene(scene);
         to_sun = flipped(sky.sun_dir);
-        constexpr int kWays = 256;
-        for (int k = 0; k < kWays; ++k)
-            open_sky += dome.air(flipped(cosine_direction({0, 1, 0}, {(static_cast<float>(k) + 0.5f) / kWays, lattice_unit(k, 1, 1, 7)}))) *
-                        (kPi / kWays);
-        sunny = open_sky + sky.sun_irradiance * std::max(0.f, to_sun.y);
+        sunny = sky_irradiance({0, 1, 0}) + sky.sun_irradiance * std::max(0.f, to_sun.y);
+        bounced = sunny * (sky.snow                      ? Vec3f{0.5f, 0.52f, 0.56f}
+                           : sky.view == Sky::View::city ? Vec3f{0.22f, 0.21f, 0.195f}
+                           : sky.view == Sky::View::sea  ? Vec3f{0.22f, 0.2f, 0.17f}
+                                                         : Vec3f{0.11f, 0.105f, 0.07f});
+        for (int j = 0; j <= kRises; ++j)
+            for (int i = 0; i < kTurns; ++i) {
+                const float rise = kPi * (static_cast<float>(j) / kRises - 0.5f), turn = 2 * kPi * static_cast<float>(i) / kTurns;
+                open[static_cast<std::size_t>(j)][static_cast<std::size_t>(i)] = sky_irradiance(
+                    {std::cos(rise) * std::sin(turn), std::sin(rise), std::cos(rise) * std::cos(turn)});
+            }
         dark = sky.time == Sky::Time::night || sky.time == Sky::Time::dusk;
     }
     ~Impl() {
@@ -120,6 +130,25 @@ struct Tracer::Impl {
         return ray.tfar < 0;
     }
 
+    Vec3f sky_irradiance(Vec3f normal) const {
+        constexpr int kSide = 20;
+        Vec3f sum{};
+        for (int k = 0; k < kSide * kSide; ++k) {
+            const Vec3f way = cosine_direction(normal, {(static_cast<float>(k % kSide) + 0.5f) / kSide,
+                                                        (static_cast<float>(k / kSide) + 0.5f) / kSide});
+            sum += (way.y > 0 ? dome.air(flipped(way)) * kPi : bounced) / (kSide * kSide);
+        }
+        return sum;
+    }
+    Vec3f open_irradiance(Vec3f normal) const {
+        const float u = (std::atan2(normal.x, normal.z) / (2 * kPi) + 1) * kTurns,
+                    v = (std::asin(std::clamp(normal.y, -1.f, 1.f)) / kPi + 0.5f) * kRises;
+        const auto i = static_cast<std::size_t>(u), j = static_cast<std::size_t>(std::min(kRises - 1.f, v));
+        const float a = u - static_cast<float>(i), b = v - static_cast<float>(j);
+        const auto left = i % kTurns, right = (i + 1) % kTurns;
+        return lerp(lerp(open[j][left], open[j][right], a), lerp(open[j + 1][left], open[j + 1][right], a), b);
+    }
+
     // Irradiance of a surface, one sample: sun, sky, and what other things reflect.
     Vec3f irradiance(Vec3f at, Vec3f normal, Random& random) const {
         Vec3f sum{};
@@ -131,12 +160,17 @@ struct Tracer::Impl {
             const Vec3f way = normalize(to_sun + s * (r * std::cos(turn)) + t * (r * std::sin(turn)));
             if (!blocked(from, way, kFar)) sum += sky.sun_irradiance * dot(normal, to_sun);
         }
-        const Vec3f way = cosine_direction(normal, {random.uniform(), random.uniform()});
-        // Bounced light: mostly from greenery and ground that is half in the sun.
-        const Vec3f bounced = sky.snow ? sunny * Vec3f{0.5f, 0.52f, 0.56f} : sunny * Vec3f{0.085f, 0.088f, 0.06f};
-        if (way.y <= 0) sum += bounced * (sky.snow ? 1.f : 1.3f);
-        else if (blocked(from, way, kShadowReach_m)) sum += bounced * 0.75f;
-        else sum += dome.air(flipped(way)) * kPi;
+        // What comes from an open sky and ground is known for every normal; whether something is in the way is not.
+        constexpr float kShade = 0.75f;
+        constexpr int kWays = 2;
+        const Vec2f shift{random.uniform(), random.uniform()};
+        int shut = 0;
+        for (int k = 0; k < kWays; ++k) {
+            const float half = 0.5f * static_cast<float>(k);
+            const Vec3f way = cosine_direction(normal, {std::fmod(shift.x + half, 1.f), std::fmod(shift.y + half, 1.f)});
+            shut += way.y > 0 && blocked(from, way, kShadowReach_m);
+        }
+        sum += lerp(open_irradiance(normal), bounced * kShade, static_cast<float>(shut) / kWays);
         return sum + lanterns(at, normal);
     }
 
@@ -307,9 +341,10 @@ struct Tracer::Impl {
             out = (behind ? through : albedo) * irradiance(at, behind ? -hit.normal : hit.normal, random) * (2 / kPi);
             // Waxy: near the mirror direction a leaf shows the sky.
             const Vec3f mirrored = normalize(direction - hit.normal * (2 * dot(hit.normal, direction)));
-            if (mirrored.y > 0 && !sky.snow) {
+            constexpr float kWaxy = 0.03f;  // needles and dry grass let less light through, and do not shine
+            if (mirrored.y > 0 && !sky.snow && through.y > kWaxy) {
                 const float c = std::clamp(-dot(hit.normal, direction), 0.f, 1.f);
-                out += dome.air(flipped(mirrored)) * (0.35f * (0.03f + 0.5f * std::pow(1 - c, 5.f)));
+                out += dome.air(flipped(mirrored)) * (0.3f * (0.025f + 0.12f * std::pow(1 - c, 5.f)));
             }
             return out;
         }

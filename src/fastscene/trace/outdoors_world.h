@@ -105,11 +105,11 @@ inline std::vector<Paint> standard_paints() {
     p[kBark] = {Finish::matt, {0.095f, 0.075f, 0.055f}, {}, 0.6f};
     p[kBirchBark] = {Finish::matt, {0.5f, 0.48f, 0.44f}, {}, 0.7f};
     // Sunlit foliage reflects some 8 % of green light and lets about as much through, yellower.
-    p[kLeaf] = {Finish::leaf, {0.048f, 0.085f, 0.026f}, {0.05f, 0.095f, 0.014f}, 0, true};
-    p[kPlainLeaf] = {Finish::leaf, {0.045f, 0.08f, 0.028f}, {0.036f, 0.07f, 0.014f}};
-    p[kNeedle] = {Finish::leaf, {0.03f, 0.052f, 0.025f}, {0.006f, 0.012f, 0.003f}, 0, true};
-    p[kGrass] = {Finish::leaf, {0.058f, 0.095f, 0.026f}, {0.04f, 0.075f, 0.012f}, 0, true};
-    p[kDarkCore] = {Finish::matt, {0.012f, 0.016f, 0.007f}};
+    p[kLeaf] = {Finish::leaf, {0.058f, 0.084f, 0.03f}, {0.062f, 0.09f, 0.018f}, 0, true};
+    p[kPlainLeaf] = {Finish::leaf, {0.052f, 0.078f, 0.033f}, {0.045f, 0.068f, 0.018f}};
+    p[kNeedle] = {Finish::leaf, {0.034f, 0.052f, 0.029f}, {0.006f, 0.012f, 0.003f}, 0, true};
+    p[kGrass] = {Finish::leaf, {0.072f, 0.096f, 0.036f}, {0.05f, 0.072f, 0.016f}, 0, true};
+    p[kDarkCore] = {Finish::matt, {0.016f, 0.022f, 0.01f}};
     p[kPetal] = {Finish::leaf, {0.6f, 0.6f, 0.6f}, {0.2f, 0.2f, 0.2f}, 0, true};
     p[kGround] = {Finish::ground, {}};
     p[kWater] = {Finish::water, {0.02f, 0.06f, 0.065f}, {}, 0, false, false};
