@@ -208,8 +208,9 @@ void IrradianceCache::gather_indirect(const Room& room, const SceneBvh& bvh, con
     for (const int step : {1, 2, 4, 1}) smooth(true, step, error);
 }
 
-IrradianceCache IrradianceCache::gather(const Room& room, const SceneBvh& bvh, const Lights& lights, const TraceParams& params,
-                                        const Run& run, const std::vector<Vec3f>& viewpoints) {
+IrradianceCache IrradianceCache::gather(const Room& room, const SceneBvh& bvh, const Lights& lights,
+                                        const TraceParams& params, const Run& run,
+                                        const std::vector<Vec3f>& viewpoints) {
     IrradianceCache cache;
     cache.cell_m_ = params.cell_m;
     // An odd offset keeps walls off the cell boundaries.

@@ -15,11 +15,11 @@ namespace fastscene {
 namespace {
 
 constexpr EquirectSize kTable{512, 256};
-constexpr float kTop = 0.96f;           // radians: height up to which the band reaches, and depth
-constexpr float kStretch = 0.3f;        // radians: rows lie 1.4 times as far apart at this height as at the horizon
-constexpr float kSteepest = 1.36f;      // radians from a window's normal: its reveal hides the rest
-constexpr int kFewest = 3, kMost = 7;   // samples per pixel
-constexpr float kEven = 0.06f;          // relative difference below which two samples do
+constexpr float kTop = 0.96f;          // radians: height up to which the band reaches, and depth
+constexpr float kStretch = 0.3f;       // radians: rows lie 1.4 times as far apart at this height as at the horizon
+constexpr float kSteepest = 1.36f;     // radians from a window's normal: its reveal hides the rest
+constexpr int kFewest = 3, kMost = 7;  // samples per pixel
+constexpr float kEven = 0.06f;         // relative difference below which two samples do
 
 Vec3f outward_of(const Portal& p) { return -normalize(cross(p.edge_u, p.edge_v)); }
 
@@ -114,8 +114,8 @@ Vec3f Outdoors::Band::at(Vec2f p) const {
     const float a = u - static_cast<float>(x), b = unit_clamp(v - static_cast<float>(y));
     const int left = column[static_cast<std::size_t>(wrap_column(x, width))],
               right = column[static_cast<std::size_t>(wrap_column(x + 1, width))];
-    return lerp(lerp(pixels.at(left, y), pixels.at(right, y), a), lerp(pixels.at(left, y + 1), pixels.at(right, y + 1), a),
-                b);
+    return lerp(lerp(pixels.at(left, y), pixels.at(right, y), a),
+                lerp(pixels.at(left, y + 1), pixels.at(right, y + 1), a), b);
 }
 
 Outdoors::Outdoors(const Sky& sky, const std::vector<Portal>& portals, Vec3f room_low, Vec3f room_high,
@@ -127,7 +127,8 @@ Outdoors::Outdoors(const Sky& sky, const std::vector<Portal>& portals, Vec3f roo
     if (pixels_per_degree > 0) {
         band_.stretch = kStretch, band_.top = kTop;
         band_.width = static_cast<int>(std::lround(2 * kPi * per_radian));
-        band_.height = static_cast<int>(std::lround(2 * per_radian * band_.stretch * std::asinh(band_.top / band_.stretch)));
+        band_.height = static_cast<int>(
+            std::lround(2 * per_radian * band_.stretch * std::asinh(band_.top / band_.stretch)));
         band_.column.assign(static_cast<std::size_t>(band_.width), -1);
         std::vector<int> shown;
         const std::vector<bool> mask = columns_shown(portals, room_low, room_high, band_.width);
@@ -141,9 +142,11 @@ Outdoors::Outdoors(const Sky& sky, const std::vector<Portal>& portals, Vec3f roo
             for (auto y = static_cast<int>(begin); y < end; ++y)
                 for (std::size_t k = 0; k < shown.size(); ++k) {
                     const Vec2f corner{static_cast<float>(shown[k]), static_cast<float>(y)};
-                    const std::uint64_t key = mix64(sky.seed) ^ (static_cast<std::uint64_t>(y) << 32 | static_cast<std::uint64_t>(shown[k]));
+                    const std::uint64_t key = mix64(sky.seed) ^ (static_cast<std::uint64_t>(y) << 32 |
+                                                                 static_cast<std::uint64_t>(shown[k]));
                     band_.pixels.at(static_cast<int>(k), y) = pixel_mean(
-                        tracer, key, 1 / per_radian, kFewest, kMost, [&](Vec2f at) { return band_.direction(corner + at); });
+                        tracer, key, 1 / per_radian, kFewest, kMost,
+                        [&](Vec2f at) { return band_.direction(corner + at); });
                 }
         });
     }
@@ -156,16 +159,17 @@ Outdoors::Outdoors(const Sky& sky, const std::vector<Portal>& portals, Vec3f roo
                 Vec3f sum{};
                 bool covered = true;
                 for (int k = 0; k < kSide * kSide && covered; ++k) {
-                    const Vec2f at{(static_cast<float>(k % kSide) + 0.5f) / kSide, (static_cast<float>(k / kSide) + 0.5f) / kSide};
+                    const Vec2f at{(static_cast<float>(k % kSide) + 0.5f) / kSide,
+                                   (static_cast<float>(k / kSide) + 0.5f) / kSide};
                     const Vec2f p = band_.position(direction_at(corner + at, kTable));
                     covered = band_.covers(p);
                     if (covered) sum += band_.at(p) * (1.f / (kSide * kSide));
                 }
-                const std::uint64_t key = mix64(sky.seed + 1) ^ (static_cast<std::uint64_t>(y) << 32 | static_cast<std::uint64_t>(x));
-                table.at(x, y) = covered ? sum
-                                         : pixel_mean(tracer, key, 2 * kPi / kTable.width, 2, 2, [&](Vec2f at) {
-                                               return direction_at(corner + at, kTable);
-                                           });
+                const std::uint64_t key = mix64(sky.seed + 1) ^
+                                          (static_cast<std::uint64_t>(y) << 32 | static_cast<std::uint64_t>(x));
+                table.at(x, y) = covered ? sum : pixel_mean(tracer, key, 2 * kPi / kTable.width, 2, 2, [&](Vec2f at) {
+                    return direction_at(corner + at, kTable);
+                });
             }
     });
     table_ = std::move(table);
@@ -189,7 +193,8 @@ Vec3f Outdoors::seen(Vec3f direction) const {
     const int x = floor_int(p.x), y = std::clamp(floor_int(p.y), 0, kTable.height - 2);
     const float a = p.x - static_cast<float>(x), b = unit_clamp(p.y - static_cast<float>(y));
     const int left = wrap_column(x, kTable.width), right = wrap_column(x + 1, kTable.width);
-    return lerp(lerp(table_.at(left, y), table_.at(right, y), a), lerp(table_.at(left, y + 1), table_.at(right, y + 1), a), b);
+    return lerp(lerp(table_.at(left, y), table_.at(right, y), a),
+                lerp(table_.at(left, y + 1), table_.at(right, y + 1), a), b);
 }
 
 std::size_t Outdoors::bytes() const { return (band_.pixels.pixels.size() + table_.pixels.size()) * sizeof(Vec3f); }

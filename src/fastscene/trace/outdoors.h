@@ -1,5 +1,5 @@
-// The outside as seen through the windows: a small world of plants, houses and hills under the sky, traced once per room
-// into a panorama. It is looked up by direction alone, as if it were far away.
+// The outside as seen through the windows: a small world of plants, houses and hills under the sky, traced once per
+// room into a panorama. It is looked up by direction alone, as if it were far away.
 #pragma once
 
 #include <memory>
@@ -30,7 +30,7 @@ class Outdoors {
   private:
     // Height is stretched so that pixels are densest at the horizon, where things are far and small.
     struct Band {
-        int width = 0, height = 0;  // width: of the full circle
+        int width = 0, height = 0;   // width: of the full circle
         float stretch = 0, top = 0;  // radians
         std::vector<int> column;     // of pixels, by azimuth; -1: no window shows it
         ImageColor pixels;

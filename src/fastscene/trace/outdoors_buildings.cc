@@ -118,8 +118,15 @@ QuadMesh build_house(World& world, std::uint32_t seed) {
     const float wide = random.uniform(8.5f, 12.f), deep = random.uniform(7.f, 9.f), storey = 2.8f;
     const int floors = random.chance(0.65f) ? 2 : 1;
     const float eaves = storey * static_cast<float>(floors) + 0.25f;
-    const Bays bays{random.uniform(2.1f, 2.9f), random.uniform(1.f, 1.45f), storey, storey + 0.25f, floors, 0.32f, 0.84f,
-                    random.chance(0.5f), false};
+    const Bays bays{random.uniform(2.1f, 2.9f),
+                    random.uniform(1.f, 1.45f),
+                    storey,
+                    storey + 0.25f,
+                    floors,
+                    0.32f,
+                    0.84f,
+                    random.chance(0.5f),
+                    false};
     const auto walls = walls_of_box(wide, deep);
     for (std::size_t k = 0; k < 4; ++k) add_facade(mesh, walls[k], k < 2 ? wide : deep, bays, wall, random);
     // Roof: two slopes as thin plates, overhanging.
@@ -132,13 +139,17 @@ QuadMesh build_house(World& world, std::uint32_t seed) {
         };
         slope(0.2f, roof);
         slope(0, kTrim);
-        mesh.quad({-a, low, hand * b}, {a, low, hand * b}, {a, low + 0.2f, hand * b}, {-a, low + 0.2f, hand * b}, kTrim);
+        mesh.quad({-a, low, hand * b}, {a, low, hand * b}, {a, low + 0.2f, hand * b}, {-a, low + 0.2f, hand * b},
+                  kTrim);
         for (const float end : {-a, a})
-            mesh.quad({end, low, hand * b}, {end, ridge, 0}, {end, ridge + 0.2f, 0}, {end, low + 0.2f, hand * b}, kTrim);
+            mesh.quad({end, low, hand * b}, {end, ridge, 0}, {end, ridge + 0.2f, 0}, {end, low + 0.2f, hand * b},
+                      kTrim);
         const float gable = hand * 0.5f * wide;
-        mesh.quad({gable, eaves, -0.5f * deep}, {gable, eaves, 0.5f * deep}, {gable, ridge, 0}, {gable, ridge, 0}, wall);
+        mesh.quad({gable, eaves, -0.5f * deep}, {gable, eaves, 0.5f * deep}, {gable, ridge, 0}, {gable, ridge, 0},
+                  wall);
         // A gutter, and a downpipe at one corner.
-        add_tube(mesh, {-a, low - 0.03f, hand * (b + 0.05f)}, {a, low - 0.03f, hand * (b + 0.05f)}, 0.06f, 0.06f, 5, kIron);
+        add_tube(mesh, {-a, low - 0.03f, hand * (b + 0.05f)}, {a, low - 0.03f, hand * (b + 0.05f)}, 0.06f, 0.06f, 5,
+                 kIron);
         const float corner = hand * (0.5f * wide - 0.15f);
         add_tube(mesh, {corner, 0, hand * (0.5f * deep + 0.06f)}, {corner, low, hand * (0.5f * deep + 0.06f)}, 0.045f,
                  0.045f, 5, kIron);
@@ -153,9 +164,10 @@ QuadMesh build_block(World& world, float wide, float deep, int floors, std::uint
     Random random(seed, "outdoors.block");
     QuadMesh mesh;
     const std::uint16_t wall = world.add({Finish::matt, kWalls[static_cast<std::size_t>(random.index(9))], {}, 0.25f}),
-                        roof = world.add({Finish::matt, kRoofs[static_cast<std::size_t>(1 + random.index(2))], {}, 0.3f});
-    const Bays bays{random.uniform(2.2f, 3.2f), random.uniform(1.05f, 1.6f), random.uniform(3.f, 3.5f), 4.1f, floors,
-                    random.uniform(0.16f, 0.3f), random.uniform(0.8f, 0.88f), random.chance(0.6f), true};
+                        roof = world.add(
+                            {Finish::matt, kRoofs[static_cast<std::size_t>(1 + random.index(2))], {}, 0.3f});
+    const Bays bays{random.uniform(2.2f, 3.2f),  random.uniform(1.05f, 1.6f), random.uniform(3.f, 3.5f), 4.1f, floors,
+                    random.uniform(0.16f, 0.3f), random.uniform(0.8f, 0.88f), random.chance(0.6f),       true};
     const auto walls = walls_of_box(wide, deep);
     for (std::size_t k = 0; k < 4; ++k) add_facade(mesh, walls[k], k < 2 ? wide : deep, bays, wall, random);
     const float top = bays.ground_m + bays.storey_m * static_cast<float>(floors - 1), a = 0.5f * wide, b = 0.5f * deep;
@@ -165,8 +177,10 @@ QuadMesh build_block(World& world, float wide, float deep, int floors, std::uint
         // A mansard with dormers.
         const float rise = 2.7f, in = 1.15f, up = top + 0.35f;
         const std::array<Vec3f, 4> foot{Vec3f{-a, up, -b}, {a, up, -b}, {a, up, b}, {-a, up, b}};
-        const std::array<Vec3f, 4> head{Vec3f{-a + in, up + rise, -b + in}, {a - in, up + rise, -b + in},
-                                        {a - in, up + rise, b - in}, {-a + in, up + rise, b - in}};
+        const std::array<Vec3f, 4> head{Vec3f{-a + in, up + rise, -b + in},
+                                        {a - in, up + rise, -b + in},
+                                        {a - in, up + rise, b - in},
+                                        {-a + in, up + rise, b - in}};
         for (std::size_t k = 0; k < 4; ++k) mesh.quad(foot[k], foot[(k + 1) % 4], head[(k + 1) % 4], head[k], roof);
         mesh.quad(head[0], head[1], head[2], head[3], roof);
         for (std::size_t k = 0; k < 2; ++k)
@@ -194,8 +208,8 @@ QuadMesh build_tower(World& world, float wide, float deep, float high, std::uint
     const std::uint16_t wall = world.add({Finish::facade, kWalls[static_cast<std::size_t>(random.index(9))] * 0.8f});
     add_box(mesh, {-0.5f * wide, 0, -0.5f * deep}, {0.5f * wide, high, 0.5f * deep}, wall);
     if (random.chance(0.5f))
-        add_box(mesh, {-0.3f * wide, high, -0.3f * deep}, {0.3f * wide, high * random.uniform(1.05f, 1.3f), 0.3f * deep},
-                wall);
+        add_box(mesh, {-0.3f * wide, high, -0.3f * deep},
+                {0.3f * wide, high * random.uniform(1.05f, 1.3f), 0.3f * deep}, wall);
     return mesh;
 }
 

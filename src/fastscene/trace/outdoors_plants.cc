@@ -53,8 +53,8 @@ std::vector<Vec3f> crown_points(const TreeKind& kind, std::uint32_t seed, Random
         const Vec3f q{random.uniform(-1, 1), random.uniform(), random.uniform(-1, 1)};
         const float turn = std::atan2(q.x, q.z);
         // Lobes make the outline uneven; gaps let the sky through.
-        const float lobe = 0.62f + 0.76f * noise3({1.6f * std::cos(turn) + 5, 2.4f * q.y, 1.6f * std::sin(turn) + 5},
-                                                  seed);
+        const float lobe = 0.62f +
+                           0.76f * noise3({1.6f * std::cos(turn) + 5, 2.4f * q.y, 1.6f * std::sin(turn) + 5}, seed);
         const float r = std::hypot(q.x, q.z), limit = crown_profile(kind.crown, q.y) * std::min(1.f, lobe);
         if (r > limit) continue;
         if (noise3(q * 4.2f + Vec3f{9, 9, 9}, seed + 1) < 0.38f) continue;
@@ -99,8 +99,8 @@ Skeleton grow_skeleton(const TreeKind& kind, std::uint32_t seed) {
         std::erase_if(points, [&](const Point& p) { return p.far < reached; });
         std::vector<Vec3f> pull(known);
         for (const Point& p : points)
-            pull[static_cast<std::size_t>(p.nearest)] += normalize(
-                p.at - tree.nodes[static_cast<std::size_t>(p.nearest)].at);
+            pull[static_cast<std::size_t>(p.nearest)] += normalize(p.at -
+                                                                   tree.nodes[static_cast<std::size_t>(p.nearest)].at);
         for (std::size_t n = 0; n < known; ++n) {
             if (!(dot(pull[n], pull[n]) > 0) || tree.nodes.size() >= kMostNodes) continue;
             if (tree.nodes[n].children >= kMostChildren) {
@@ -133,7 +133,10 @@ void add_branches(QuadMesh& mesh, const Skeleton& tree, std::uint16_t bark) {
         const float flare = node.parent == 0 ? 1.45f : 1.f;
         const float from = std::min(parent.radius, 1.35f * node.radius) * flare;
         add_tube(mesh, parent.at, node.at, node.parent < 3 ? parent.radius * flare : from, node.radius,
-                 node.radius > 0.06f ? 8 : node.radius > 0.02f ? 5 : 3, bark);
+                 node.radius > 0.06f   ? 8
+                 : node.radius > 0.02f ? 5
+                                       : 3,
+                 bark);
     }
 }
 
@@ -145,8 +148,8 @@ void add_foliage(QuadMesh& mesh, const Skeleton& tree, const TreeKind& kind, Ran
     if (bearing.empty()) return;
     const float spread = 1.25f * tree.step;
     for (int k = 0; k < kind.leaves; ++k) {
-        const Skeleton::Node& node = tree.nodes[bearing[static_cast<std::size_t>(
-            random.index(static_cast<int>(bearing.size())))]];
+        const Skeleton::Node& node =
+            tree.nodes[bearing[static_cast<std::size_t>(random.index(static_cast<int>(bearing.size())))]];
         const Vec3f off = random_direction(random) * (spread * std::cbrt(random.uniform()));
         const Vec3f at = node.at + Vec3f{off.x, 0.7f * off.y, off.z};
         const Vec3f outward = normalize(Vec3f{node.at.x, 0, node.at.z});
@@ -215,7 +218,8 @@ QuadMesh grow_spruce(float height, float radius, std::uint32_t seed) {
     float turn = random.uniform(0, 2 * kPi);
     for (float y = bare; y < height - 0.1f; y += between * random.uniform(0.7f, 1.25f)) {
         const float t = (y - bare) / (height - bare);
-        const float reach = radius * std::pow(1 - t, 0.85f) * smooth_step(-0.12f, 0.06f, t) * random.uniform(0.78f, 1.1f);
+        const float reach = radius * std::pow(1 - t, 0.85f) * smooth_step(-0.12f, 0.06f, t) *
+                            random.uniform(0.78f, 1.1f);
         const int branches = 4 + random.index(3);
         for (int b = 0; b < branches; ++b) {
             turn += 2.4f + random.uniform(-0.4f, 0.4f);
@@ -223,7 +227,8 @@ QuadMesh grow_spruce(float height, float radius, std::uint32_t seed) {
             const Vec3f out{std::cos(turn), 0, std::sin(turn)}, side{-out.z, 0, out.x};
             // Sags, then turns up at the tip.
             const auto along = [&](float u) {
-                return Vec3f{0, y, 0} + out * (u * far) + Vec3f{0, far * (0.18f * u - droop * u * (1.25f - 0.75f * u)), 0};
+                return Vec3f{0, y, 0} + out * (u * far) +
+                       Vec3f{0, far * (0.18f * u - droop * u * (1.25f - 0.75f * u)), 0};
             };
             add_tube(mesh, along(0), along(0.8f), 0.004f * far + 0.006f, 0.004f, 3, kBark);
             const int sprays = std::max(4, static_cast<int>(far * 22));
@@ -247,7 +252,9 @@ QuadMesh grow_hedge(float long_m, float high, float thick, std::uint32_t seed) {
     Random random(seed, "outdoors.hedge");
     QuadMesh mesh;
     const float a = 0.5f * long_m, b = 0.5f * thick - 0.1f, top = high - 0.1f;
-    const auto box = [&](Vec3f u, Vec3f v, Vec3f n) { mesh.quad(n - u - v, n + u - v, n + u + v, n - u + v, kDarkCore); };
+    const auto box = [&](Vec3f u, Vec3f v, Vec3f n) {
+        mesh.quad(n - u - v, n + u - v, n + u + v, n - u + v, kDarkCore);
+    };
     const Vec3f middle{0, 0.5f * top, 0};
     for (const float hand : {-1.f, 1.f}) {
         box({a, 0, 0}, {0, 0.5f * top, 0}, middle + Vec3f{0, 0, hand * b});
@@ -347,10 +354,12 @@ QuadMesh grow_fern(std::uint32_t seed) {
         const Vec3f out{std::cos(turn), 0, std::sin(turn)}, side{-out.z, 0, out.x};
         constexpr int kPairs = 15;
         for (int k = 1; k <= kPairs; ++k) {
-            const float u = static_cast<float>(k) / kPairs, wide = 0.22f * far * std::sin(kPi * (0.12f + 0.88f * u)) + 0.01f;
+            const float u = static_cast<float>(k) / kPairs,
+                        wide = 0.22f * far * std::sin(kPi * (0.12f + 0.88f * u)) + 0.01f;
             const Vec3f at = out * (far * u) + Vec3f{0, far * (1.3f * u - 1.05f * u * u), 0};
             for (const float hand : {-1.f, 1.f})
-                add_leaf(mesh, at, side * hand + out * 0.45f + Vec3f{0, -0.15f, 0}, {0, 1, 0}, wide, 0.035f, kPlainLeaf);
+                add_leaf(mesh, at, side * hand + out * 0.45f + Vec3f{0, -0.15f, 0}, {0, 1, 0}, wide, 0.035f,
+                         kPlainLeaf);
         }
     }
     return mesh;
@@ -370,7 +379,8 @@ QuadMesh grow_grass(float side_m, int blades, float high, float width, std::uint
     Random random(seed, "outdoors.grass");
     QuadMesh mesh;
     for (int k = 0; k < blades; ++k)
-        add_blade(mesh, {random.uniform(-0.5f, 0.5f) * side_m, 0, random.uniform(-0.5f, 0.5f) * side_m}, high, width, random);
+        add_blade(mesh, {random.uniform(-0.5f, 0.5f) * side_m, 0, random.uniform(-0.5f, 0.5f) * side_m}, high, width,
+                  random);
     return mesh;
 }
 

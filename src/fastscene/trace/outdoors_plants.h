@@ -11,11 +11,11 @@ struct TreeKind {
     float height_m, bare_m;  // bare: trunk below the crown
     float radius_m;          // of the crown
     Crown crown;
-    float leaf_m;            // length of a leaf, or of a needle
+    float leaf_m;  // length of a leaf, or of a needle
     int leaves;
     std::uint16_t bark = kBark;
-    bool needles = false;    // tufts of needles instead of leaves
-    float lean = 0.25f;      // how far the trunk wanders
+    bool needles = false;  // tufts of needles instead of leaves
+    float lean = 0.25f;    // how far the trunk wanders
 };
 // `bare`: in winter, twigs instead of leaves.
 QuadMesh grow_tree(const TreeKind& kind, std::uint32_t seed, bool bare = false);

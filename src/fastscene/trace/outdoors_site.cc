@@ -11,11 +11,11 @@ namespace {
 
 // Species, as a gardener would tell them apart: outline, density and size of leaf.
 constexpr std::array<TreeKind, 5> kSmall{
-    TreeKind{6.6f, 1.7f, 2.3f, Crown::round, 0.088f, 30000},                                       // field maple
-    TreeKind{9.f, 2.2f, 1.9f, Crown::ovate, 0.06f, 44000, kBirchBark, false, 0.35f},               // birch
-    TreeKind{4.8f, 1.3f, 2.2f, Crown::umbrella, 0.075f, 27000, kBark, false, 0.6f},                // apple
-    TreeKind{7.4f, 1.5f, 2.1f, Crown::ovate, 0.085f, 34000},                                       // lime
-    TreeKind{5.6f, 0.5f, 1.9f, Crown::round, 0.068f, 32000, kBark, false, 0.7f},                   // serviceberry
+    TreeKind{6.6f, 1.7f, 2.3f, Crown::round, 0.088f, 30000},                          // field maple
+    TreeKind{9.f, 2.2f, 1.9f, Crown::ovate, 0.06f, 44000, kBirchBark, false, 0.35f},  // birch
+    TreeKind{4.8f, 1.3f, 2.2f, Crown::umbrella, 0.075f, 27000, kBark, false, 0.6f},   // apple
+    TreeKind{7.4f, 1.5f, 2.1f, Crown::ovate, 0.085f, 34000},                          // lime
+    TreeKind{5.6f, 0.5f, 1.9f, Crown::round, 0.068f, 32000, kBark, false, 0.7f},      // serviceberry
 };
 constexpr std::array<TreeKind, 5> kTall{
     TreeKind{13.f, 2.4f, 4.6f, Crown::round, 0.16f, 46000},                       // oak
@@ -45,8 +45,8 @@ std::vector<std::uint32_t> spruces(Site& site, int count, float height) {
     std::vector<std::uint32_t> meshes;
     for (int k = 0; k < count; ++k) {
         const float tall = height * site.random.uniform(0.8f, 1.2f);
-        meshes.push_back(site.world.add(
-            grow_spruce(tall, tall * site.random.uniform(0.17f, 0.23f), site.random.next_u32())));
+        meshes.push_back(
+            site.world.add(grow_spruce(tall, tall * site.random.uniform(0.17f, 0.23f), site.random.next_u32())));
     }
     return meshes;
 }
@@ -55,9 +55,8 @@ void plant(Site& site, const std::vector<std::uint32_t>& kinds, Vec2f at, float 
     Random& r = site.random;
     const std::uint32_t mesh = kinds[static_cast<std::size_t>(r.index(static_cast<int>(kinds.size())))];
     const float wide = scale * r.uniform(0.88f, 1.14f), tall = scale * r.uniform(0.86f, 1.16f);
-    // Warm or cool, light or dark green; now and then a copper beech.
-    Vec3f tint = Vec3f{r.uniform(0.85f, 1.3f), 1.f, r.uniform(0.8f, 1.25f)} * r.uniform(0.72f, 1.15f);
-    if (r.chance(0.04f)) tint = {1.5f, 0.42f, 0.9f};
+    // Warm or cool, light or dark green.
+    const Vec3f tint = Vec3f{r.uniform(0.85f, 1.3f), 1.f, r.uniform(0.8f, 1.25f)} * r.uniform(0.72f, 1.15f);
     site.world.stand(mesh, at, site.turn(), {wide, tall, wide}, tint);
 }
 
@@ -79,7 +78,8 @@ void sow_grass(Site& site, float reach, float high, const std::function<bool(Vec
             // Where the lawn ends, blades are sown one by one.
             constexpr float kHalf_m = 0.5f * kPatch_m;
             int corners = 0;
-            for (const Vec2f off : {Vec2f{kHalf_m, kHalf_m}, {-kHalf_m, kHalf_m}, {kHalf_m, -kHalf_m}, {-kHalf_m, -kHalf_m}})
+            for (const Vec2f off :
+                 {Vec2f{kHalf_m, kHalf_m}, {-kHalf_m, kHalf_m}, {kHalf_m, -kHalf_m}, {-kHalf_m, -kHalf_m}})
                 corners += grows(at + off);
             if (corners == 0) continue;
             if (corners < 4) {
@@ -89,8 +89,8 @@ void sow_grass(Site& site, float reach, float high, const std::function<bool(Vec
                 }
                 continue;
             }
-            site.world.stand(patches[static_cast<std::size_t>(r.index(kKinds))], at, 0.5f * kPi * static_cast<float>(r.index(4)),
-                             {1, r.uniform(0.8f, 1.25f), 1},
+            site.world.stand(patches[static_cast<std::size_t>(r.index(kKinds))], at,
+                             0.5f * kPi * static_cast<float>(r.index(4)), {1, r.uniform(0.8f, 1.25f), 1},
                              tint * Vec3f{r.uniform(0.92f, 1.14f), 1.f, 1.f} * r.uniform(0.9f, 1.08f));
         }
     site.world.instances.push_back({site.world.add(std::move(edge)), {}, {}, tint});
@@ -123,7 +123,8 @@ void spread_ground(Site& site, float reach, int rings, int around) {
 }
 
 Vec3f lawn_albedo(Vec2f p, float footprint, std::uint32_t seed) {
-    const float mottle = fbm2(p * 0.35f, 4, footprint * 0.35f, seed + 3), fine = fbm2(p * 9.f, 3, footprint * 9.f, seed + 4);
+    const float mottle = fbm2(p * 0.35f, 4, footprint * 0.35f, seed + 3),
+                fine = fbm2(p * 9.f, 3, footprint * 9.f, seed + 4);
     return lerp(Vec3f{0.056f, 0.076f, 0.03f}, Vec3f{0.095f, 0.107f, 0.048f}, mottle) * (0.7f + 0.6f * fine);
 }
 

@@ -24,16 +24,19 @@ float off_cross_street(float right) {
 }
 
 Vec3f street_albedo(Vec2f q, float footprint, std::uint32_t seed, bool snow) {
-    const float off = off_street(q.y), aside = off_cross_street(q.x), grain = 0.85f + 0.3f * fbm2(q * 2.f, 5, 2 * footprint, seed);
+    const float off = off_street(q.y), aside = off_cross_street(q.x),
+                grain = 0.85f + 0.3f * fbm2(q * 2.f, 5, 2 * footprint, seed);
     const bool road = off < kRoadHalf_m || aside < kRoadHalf_m;
     if (snow && !road) return snow_albedo(q, footprint, seed);
     if (road) {
         const bool crossing = off < kRoadHalf_m && aside < kRoadHalf_m;
         const float along = off < kRoadHalf_m ? q.x : q.y, from = off < kRoadHalf_m ? off : aside;
-        const float dash = std::fmod(std::abs(along), 6.f) < 2.6f && !crossing ? line_cover(from, 0.07f, footprint) : 0.f;
+        const float dash = std::fmod(std::abs(along), 6.f) < 2.6f && !crossing ? line_cover(from, 0.07f, footprint)
+                                                                               : 0.f;
         // Worn wheel tracks, patches of newer asphalt.
         const float patch = lattice_unit(floor_int(q.x / 7), floor_int(q.y / 4), 3, seed) < 0.12f ? 0.75f : 1.f;
-        const Vec3f asphalt = Vec3f{0.085f, 0.086f, 0.09f} * (grain * patch * (1.08f - 0.16f * std::exp(-std::abs(from - 1.9f))));
+        const Vec3f asphalt = Vec3f{0.085f, 0.086f, 0.09f} *
+                              (grain * patch * (1.08f - 0.16f * std::exp(-std::abs(from - 1.9f))));
         return lerp(snow ? asphalt * 1.7f : asphalt, Vec3f{0.5f, 0.5f, 0.48f}, 0.8f * dash);
     }
     if (off < kStreetHalf_m + kDeep_m || aside < kStreetHalf_m) {
@@ -49,13 +52,16 @@ Vec3f street_albedo(Vec2f q, float footprint, std::uint32_t seed, bool snow) {
 // A parked car, 4.3 m along x.
 QuadMesh build_car(World& world, Vec3f paint) {
     QuadMesh mesh;
-    const std::uint16_t body = world.add({Finish::matt, paint}), tyre = world.add({Finish::matt, {0.02f, 0.02f, 0.022f}, {}, 0, false, false});
+    const std::uint16_t body = world.add({Finish::matt, paint}),
+                        tyre = world.add({Finish::matt, {0.02f, 0.02f, 0.022f}, {}, 0, false, false});
     // Cross-sections along the car: x, height, half width; the glasshouse narrows upward.
-    const auto loft = [&](std::initializer_list<Vec3f> low, std::initializer_list<Vec3f> high, std::uint16_t side, std::uint16_t top) {
+    const auto loft = [&](std::initializer_list<Vec3f> low, std::initializer_list<Vec3f> high, std::uint16_t side,
+                          std::uint16_t top) {
         const std::vector<Vec3f> a(low), b(high);
         for (std::size_t k = 0; k + 1 < a.size(); ++k) {
             const auto at = [](Vec3f s, float hand) { return Vec3f{s.x, s.y, hand * s.z}; };
-            for (const float hand : {-1.f, 1.f}) mesh.quad(at(a[k], hand), at(a[k + 1], hand), at(b[k + 1], hand), at(b[k], hand), side);
+            for (const float hand : {-1.f, 1.f})
+                mesh.quad(at(a[k], hand), at(a[k + 1], hand), at(b[k + 1], hand), at(b[k], hand), side);
             mesh.quad(at(b[k], -1), at(b[k + 1], -1), at(b[k + 1], 1), at(b[k], 1), top);
         }
     };
@@ -93,26 +99,30 @@ void build_rows(Site& site) {
     constexpr float kReach_m = 190.f, kClear_m = 24.f;  // free of buildings around the viewer's own
     for (int row = -kRows; row <= kRows; ++row)
         for (const float side : {-1.f, 1.f}) {
-            const float ahead = kStreet_m + kPeriod_m * static_cast<float>(row) + side * (kStreetHalf_m + 0.5f * kDeep_m);
+            const float ahead = kStreet_m + kPeriod_m * static_cast<float>(row) +
+                                side * (kStreetHalf_m + 0.5f * kDeep_m);
             std::size_t k = static_cast<std::size_t>(r.index(11));
             for (float right = -kReach_m; right < kReach_m;) {
                 const Kind& kind = kinds[k = (k + 1 + static_cast<std::size_t>(r.index(4))) % kinds.size()];
                 const float middle = right + 0.5f * kind.wide;
                 right += kind.wide + 0.02f;
                 if (off_cross_street(middle) < kStreetHalf_m + 0.5f * kind.wide) continue;
-                const Vec2f near{std::max(0.f, std::abs(middle) - 0.5f * kind.wide), std::max(0.f, std::abs(ahead) - 0.5f * kDeep_m)};
+                const Vec2f near{std::max(0.f, std::abs(middle) - 0.5f * kind.wide),
+                                 std::max(0.f, std::abs(ahead) - 0.5f * kDeep_m)};
                 if (length(near) < kClear_m && side < 0 && row == 0) continue;
                 if (length(near) < 10) continue;
-                site.world.stand(kind.mesh, site.place(middle, ahead), site.facing + (side > 0 ? 0 : kPi), {1, r.uniform(0.94f, 1.06f), 1});
+                site.world.stand(kind.mesh, site.place(middle, ahead), site.facing + (side > 0 ? 0 : kPi),
+                                 {1, r.uniform(0.94f, 1.06f), 1});
             }
         }
     std::vector<std::uint32_t> towers;
     for (int k = 0; k < 7; ++k)
-        towers.push_back(site.world.add(build_tower(site.world, r.uniform(18, 34), r.uniform(18, 30), r.uniform(38, 105), r.next_u32())));
+        towers.push_back(site.world.add(
+            build_tower(site.world, r.uniform(18, 34), r.uniform(18, 30), r.uniform(38, 105), r.next_u32())));
     for (int k = 0; k < 130; ++k) {
         const Vec2f at = site.polar(site.turn(), r.uniform(260, 1500));
-        site.world.stand(towers[static_cast<std::size_t>(r.index(7))], at, site.facing + (r.chance(0.5f) ? 0.f : 0.5f * kPi),
-                         {1, r.uniform(0.6f, 1.3f), 1});
+        site.world.stand(towers[static_cast<std::size_t>(r.index(7))], at,
+                         site.facing + (r.chance(0.5f) ? 0.f : 0.5f * kPi), {1, r.uniform(0.6f, 1.3f), 1});
     }
 }
 
@@ -139,7 +149,8 @@ void furnish_streets(Site& site) {
                     plant(site, trees, walk, r.uniform(0.75f, 1.05f));
                 }
                 if (r.chance(0.55f))
-                    site.world.stand(cars[static_cast<std::size_t>(r.index(6))], site.place(right + 4, street + side * (kRoadHalf_m - 1.05f)),
+                    site.world.stand(cars[static_cast<std::size_t>(r.index(6))],
+                                     site.place(right + 4, street + side * (kRoadHalf_m - 1.05f)),
                                      site.facing + r.uniform(-0.02f, 0.02f) + (r.chance(0.5f) ? kPi : 0.f));
             }
     }
@@ -147,7 +158,8 @@ void furnish_streets(Site& site) {
     for (int k = 0; k < 70; ++k) {
         const float right = r.uniform(-120, 120);
         const float ahead = kStreet_m + kPeriod_m * (static_cast<float>(r.index(5)) - 2.5f) + r.uniform(-6, 6);
-        if (off_cross_street(right) > kStreetHalf_m + 2 && std::hypot(right, ahead) > 13) plant(site, trees, site.place(right, ahead), r.uniform(0.8f, 1.25f));
+        if (off_cross_street(right) > kStreetHalf_m + 2 && std::hypot(right, ahead) > 13)
+            plant(site, trees, site.place(right, ahead), r.uniform(0.8f, 1.25f));
     }
 }
 
@@ -170,12 +182,14 @@ float mountain_height(Vec2f p, std::uint32_t seed) {
 float coast_height(Vec2f p, std::uint32_t seed) {
     const float reach = length(p), azimuth = std::atan2(p.x, p.y);
     const float shore = 36 + 9 * noise2({1.3f * std::cos(azimuth) + 4, 1.3f * std::sin(azimuth) + 4}, seed + 8);
-    const float dunes = smooth_step(4, 12, reach) * 1.5f * (fbm2(p * (1 / 9.f) + Vec2f{30, 30}, 3, 0, seed + 9) - 0.38f);
+    const float dunes = smooth_step(4, 12, reach) * 1.5f *
+                        (fbm2(p * (1 / 9.f) + Vec2f{30, 30}, 3, 0, seed + 9) - 0.38f);
     const float slope = 1.6f * smooth_step(shore - 22, shore, reach) + std::max(0.f, reach - shore) * 0.05f;
     float height = dunes * (1 - smooth_step(shore - 16, shore - 8, reach)) - std::min(slope, 6.f);
     // A cape, far away on one side.
     const float turn = azimuth - 2 * kPi * lattice_unit(1, 2, 3, seed);
-    const float cape = smooth_step(0.55f, 0.9f, std::cos(turn)) * smooth_step(900, 2200, reach) * (1 - smooth_step(4200, 5200, reach));
+    const float cape = smooth_step(0.55f, 0.9f, std::cos(turn)) * smooth_step(900, 2200, reach) *
+                       (1 - smooth_step(4200, 5200, reach));
     height += cape * (150 * fbm2(p * (1 / 700.f) + Vec2f{30, 30}, 5, 0, seed + 11) - 30);
     return height;
 }
@@ -208,17 +222,22 @@ void lay_out_mountains(Site& site) {
         if (snow) return snow_albedo(p, footprint, seed);
         const float reach = length(p), rough = fbm2(p * (1 / 90.f), 6, footprint / 90, seed + 5);
         const Vec3f rock = lerp(Vec3f{0.11f, 0.105f, 0.098f}, Vec3f{0.23f, 0.215f, 0.195f}, rough);
-        const Vec3f wood = Vec3f{0.022f, 0.036f, 0.018f} * (0.7f + 0.6f * fbm2(p * (1 / 14.f), 4, footprint / 14, seed + 6));
+        const Vec3f wood = Vec3f{0.022f, 0.036f, 0.018f} *
+                           (0.7f + 0.6f * fbm2(p * (1 / 14.f), 4, footprint / 14, seed + 6));
         // Meadow, then woods, then rock, then snow, by altitude with ragged borders; snow does not hold on walls.
         const float e = 25 + 0.03f * at.y;
-        const float slope = length(Vec2f{mountain_height(p + Vec2f{e, 0}, seed) - mountain_height(p - Vec2f{e, 0}, seed),
-                                         mountain_height(p + Vec2f{0, e}, seed) - mountain_height(p - Vec2f{0, e}, seed)}) / (2 * e);
+        const float slope = length(Vec2f{
+                                mountain_height(p + Vec2f{e, 0}, seed) - mountain_height(p - Vec2f{e, 0}, seed),
+                                mountain_height(p + Vec2f{0, e}, seed) - mountain_height(p - Vec2f{0, e}, seed)}) /
+                            (2 * e);
         const float ragged = 260 * (rough - 0.5f);
         Vec3f color = lerp(lawn_albedo(p, footprint, seed) * Vec3f{1.05f, 1.f, 0.9f}, wood,
-                           smooth_step(0.46f, 0.56f, noise2(p * (1 / 130.f) + Vec2f{90, 90}, seed + 7)) * smooth_step(180, 420, reach));
+                           smooth_step(0.46f, 0.56f, noise2(p * (1 / 130.f) + Vec2f{90, 90}, seed + 7)) *
+                               smooth_step(180, 420, reach));
         color = lerp(color, rock, smooth_step(250, 420, at.y + ragged));
         color = lerp(color, rock, smooth_step(0.75f, 1.05f, slope));
-        const float white = smooth_step(430, 620, at.y + ragged) * (1 - smooth_step(0.75f, 1.25f, slope + 0.5f * (rough - 0.5f)));
+        const float white = smooth_step(430, 620, at.y + ragged) *
+                            (1 - smooth_step(0.75f, 1.25f, slope + 0.5f * (rough - 0.5f)));
         return lerp(color, Vec3f{0.76f, 0.79f, 0.84f}, white);
     };
     Random& r = site.random;
@@ -229,7 +248,8 @@ void lay_out_mountains(Site& site) {
         plant(site, r.chance(0.1f) ? tall : dark, at, r.uniform(0.6f, 1.15f));
     }
     for (int k = 0; k < 2; ++k)
-        site.world.stand(site.world.add(build_house(site.world, r.next_u32())), site.polar(site.facing + r.uniform(-0.9f, 0.9f), r.uniform(70, 150)), site.turn());
+        site.world.stand(site.world.add(build_house(site.world, r.next_u32())),
+                         site.polar(site.facing + r.uniform(-0.9f, 0.9f), r.uniform(70, 150)), site.turn());
     sow_grass(site, 12, 0.13f, [](Vec2f p) { return length(p) > 3.2f; }, {1.1f, 1.f, 0.85f});
     spread_ground(site, 12000, 230, 720);
 }
@@ -242,21 +262,24 @@ void lay_out_sea(Site& site) {
     site.world.height = [seed](Vec2f p) { return coast_height(p, seed); };
     site.world.ground = [seed, snow](Vec3f at, float footprint) {
         const Vec2f p{at.x, at.z};
-        if (length(p) > 400) return Vec3f{0.06f, 0.07f, 0.04f} * (0.6f + 0.8f * fbm2(p * (1 / 60.f), 4, footprint / 60, seed));
+        if (length(p) > 400)
+            return Vec3f{0.06f, 0.07f, 0.04f} * (0.6f + 0.8f * fbm2(p * (1 / 60.f), 4, footprint / 60, seed));
         if (snow && at.y > kSeaLevel_m + 0.35f) return snow_albedo(p, footprint, seed);
-        const float ripples = fbm2({p.x * 1.1f, p.y * 4.f}, 5, footprint * 3, seed + 10), grain = fbm2(p * 25.f, 3, footprint * 25, seed + 12);
-        const Vec3f dry = Vec3f{0.4f, 0.34f, 0.25f} * (0.78f + 0.24f * ripples + 0.2f * grain);
+        const float ripples = fbm2({p.x * 1.1f, p.y * 4.f}, 5, footprint * 3, seed + 10),
+                    grain = fbm2(p * 25.f, 3, footprint * 25, seed + 12);
+        const Vec3f dry = Vec3f{0.29f, 0.25f, 0.185f} * (0.78f + 0.24f * ripples + 0.2f * grain);
         const float above = at.y - kSeaLevel_m + 0.12f * (noise2(p * 0.4f, seed + 13) - 0.5f);
         const Vec3f wet = lerp(dry * 0.45f, dry, smooth_step(0.1f, 0.45f, above));
         // Foam where waves run out.
-        const float foam = smooth_step(0.62f, 0.7f, noise2(p * 1.3f, seed + 14)) * (1 - smooth_step(0.f, 0.14f, std::abs(above - 0.02f)));
+        const float foam = smooth_step(0.62f, 0.7f, noise2(p * 1.3f, seed + 14)) *
+                           (1 - smooth_step(0.f, 0.14f, std::abs(above - 0.02f)));
         return lerp(wet, Vec3f{0.7f, 0.72f, 0.73f}, foam);
     };
     Random& r = site.random;
     QuadMesh water;
     constexpr float kHorizon_m = 30000;
-    water.quad({-kHorizon_m, kSeaLevel_m, -kHorizon_m}, {kHorizon_m, kSeaLevel_m, -kHorizon_m}, {kHorizon_m, kSeaLevel_m, kHorizon_m},
-               {-kHorizon_m, kSeaLevel_m, kHorizon_m}, kWater);
+    water.quad({-kHorizon_m, kSeaLevel_m, -kHorizon_m}, {kHorizon_m, kSeaLevel_m, -kHorizon_m},
+               {kHorizon_m, kSeaLevel_m, kHorizon_m}, {-kHorizon_m, kSeaLevel_m, kHorizon_m}, kWater);
     site.world.instances.push_back({site.world.add(std::move(water)), {}, {}});
     // Marram on the dunes, a few wind-bent pines and bushes.
     std::array<std::uint32_t, 3> tufts{};
@@ -265,11 +288,13 @@ void lay_out_sea(Site& site) {
         const Vec2f at = site.polar(site.turn(), 5 + 22 * r.uniform());
         if (noise2(at * 0.22f + Vec2f{40, 40}, seed + 15) < 0.5f) continue;
         const float s = r.uniform(0.6f, 1.4f);
-        site.world.stand(tufts[static_cast<std::size_t>(r.index(3))], at, site.turn(), {s, s, s}, Vec3f{1.7f, 1.35f, 1.5f} * r.uniform(0.8f, 1.1f));
+        site.world.stand(tufts[static_cast<std::size_t>(r.index(3))], at, site.turn(), {s, s, s},
+                         Vec3f{1.7f, 1.35f, 1.5f} * r.uniform(0.8f, 1.1f));
     }
     std::vector<std::uint32_t> pines;
     for (int k = 0; k < 3; ++k)
-        pines.push_back(site.world.add(grow_tree({r.uniform(6, 8.5f), 3.2f, 2.6f, Crown::umbrella, 0.17f, 3800, kBark, true, 0.9f}, r.next_u32())));
+        pines.push_back(site.world.add(grow_tree(
+            {r.uniform(6, 8.5f), 3.2f, 2.6f, Crown::umbrella, 0.17f, 3800, kBark, true, 0.9f}, r.next_u32())));
     const std::uint32_t bush = site.world.add(grow_shrub(0.9f, 0.9f, 0.06f, 0, r.next_u32()));
     for (int k = 0; k < 22; ++k) {
         const Vec2f at = site.polar(site.turn(), r.uniform(9, 21));
@@ -279,7 +304,9 @@ void lay_out_sea(Site& site) {
     }
     // Sails.
     QuadMesh boat;
-    const std::uint16_t hull = site.world.add({Finish::matt, {0.5f, 0.5f, 0.5f}, {}, 0, false, false}), sail = site.world.add({Finish::leaf, {0.6f, 0.59f, 0.56f}, {0.2f, 0.2f, 0.19f}, 0, false, false});
+    const std::uint16_t hull = site.world.add({Finish::matt, {0.5f, 0.5f, 0.5f}, {}, 0, false, false}),
+                        sail = site.world.add(
+                            {Finish::leaf, {0.6f, 0.59f, 0.56f}, {0.2f, 0.2f, 0.19f}, 0, false, false});
     boat.quad({-3.2f, 0.9f, -0.9f}, {3.8f, 1.1f, 0}, {2.9f, 0, 0}, {-3, 0, -0.7f}, hull);
     boat.quad({-3.2f, 0.9f, 0.9f}, {3.8f, 1.1f, 0}, {2.9f, 0, 0}, {-3, 0, 0.7f}, hull);
     boat.quad({-3.2f, 0.9f, -0.9f}, {-3.2f, 0.9f, 0.9f}, {3.8f, 1.1f, 0}, {3.8f, 1.1f, 0}, hull);

@@ -51,7 +51,8 @@ Vec3f paving(Vec2f q, float footprint, std::uint32_t seed) {
     const float x = (s.x - static_cast<float>(i)) * kSlab_m, y = (s.y - static_cast<float>(j)) * kSlab_m;
     const float off = std::min(std::min(x, kSlab_m - x), std::min(y, kSlab_m - y));
     const float joint = line_cover(off, 0.006f, footprint);
-    const float tone = 0.86f + 0.2f * lattice_unit(i, j, 2, seed) + 0.2f * (fbm2(q * 3.f, 5, footprint * 3, seed + 2) - 0.5f);
+    const float tone = 0.86f + 0.2f * lattice_unit(i, j, 2, seed) +
+                       0.2f * (fbm2(q * 3.f, 5, footprint * 3, seed + 2) - 0.5f);
     return Vec3f{0.26f, 0.245f, 0.22f} * tone * (1 - 0.65f * joint);
 }
 
@@ -98,7 +99,8 @@ void plant_borders(Site& site, const Plot& plot) {
             const float s = r.uniform(0.75f, 1.2f);
             if (border && deep < 1.25f) {
                 if (deep > 0.45f && r.chance(0.34f))
-                    site.world.stand(any(shrubs), site.place(q.x, q.y), site.turn(), {s, s * r.uniform(0.8f, 1.2f), s}, bloom(q));
+                    site.world.stand(any(shrubs), site.place(q.x, q.y), site.turn(), {s, s * r.uniform(0.8f, 1.2f), s},
+                                     bloom(q));
             } else if (r.chance(0.9f)) {
                 const float low = bed ? 0.72f : 1.f;
                 site.world.stand(any(clumps), site.place(q.x, q.y), site.turn(), {s * low, s * low, s * low}, bloom(q));
@@ -109,7 +111,8 @@ void plant_borders(Site& site, const Plot& plot) {
 void plant_hedge(Site& site) {
     constexpr float kPiece_m = 3.f, kHigh_m = 1.55f, kThick_m = 0.9f;
     std::array<std::uint32_t, 3> pieces{};
-    for (std::uint32_t& p : pieces) p = site.world.add(grow_hedge(kPiece_m + 0.1f, kHigh_m, kThick_m, site.random.next_u32()));
+    for (std::uint32_t& p : pieces)
+        p = site.world.add(grow_hedge(kPiece_m + 0.1f, kHigh_m, kThick_m, site.random.next_u32()));
     const auto run = [&](float half, const auto& put) {
         for (float at = -half + 0.5f * kPiece_m; at < half; at += kPiece_m)
             put(at, pieces[static_cast<std::size_t>(site.random.index(3))], site.random.chance(0.5f) ? kPi : 0.f);
@@ -117,7 +120,8 @@ void plant_hedge(Site& site) {
     const float far = kEnd_m + 0.5f * kThick_m, aside = kSide_m + 0.5f * kThick_m;
     for (const float hand : {-1.f, 1.f}) {
         run(kSide_m, [&](float at, std::uint32_t piece, float turn) {
-            site.world.stand(piece, site.place(at, hand * far), site.facing + turn, {1, site.random.uniform(0.97f, 1.03f), 1});
+            site.world.stand(piece, site.place(at, hand * far), site.facing + turn,
+                             {1, site.random.uniform(0.97f, 1.03f), 1});
         });
         run(kEnd_m, [&](float at, std::uint32_t piece, float turn) {
             site.world.stand(piece, site.place(hand * aside, at), site.facing + 0.5f * kPi + turn,
@@ -196,7 +200,8 @@ void lay_out_garden(Site& site) {
     for (int k = 0; k < kTrees; ++k) {
         const float azimuth = first + 2 * kPi * (static_cast<float>(k) + site.random.uniform(-0.3f, 0.3f)) / kTrees;
         const Vec2f at = site.polar(azimuth, site.random.uniform(9.5f, 16.f));
-        if (plot.inside(site.laid_out(at)) < 1.8f || plot.off_path(site.laid_out(at)) < 0.6f || !is_free(taken, at, 2)) continue;
+        if (plot.inside(site.laid_out(at)) < 1.8f || plot.off_path(site.laid_out(at)) < 0.6f || !is_free(taken, at, 2))
+            continue;
         plant(site, {trees[next++ % trees.size()]}, at);
     }
     spread_ground(site, 4200, 90, 360);
@@ -212,7 +217,8 @@ void lay_out_forest(Site& site) {
     site.world.ground = [seed, snow](Vec3f at, float footprint) {
         const Vec2f p{at.x, at.z};
         if (snow) return snow_albedo(p, footprint, seed);
-        const float moss = fbm2(p * 0.4f, 4, footprint * 0.4f, seed + 3), litter = fbm2(p * 16.f, 4, footprint * 16.f, seed + 4);
+        const float moss = fbm2(p * 0.4f, 4, footprint * 0.4f, seed + 3),
+                    litter = fbm2(p * 16.f, 4, footprint * 16.f, seed + 4);
         return lerp(Vec3f{0.125f, 0.09f, 0.06f}, Vec3f{0.06f, 0.078f, 0.03f}, smooth_step(0.42f, 0.62f, moss)) *
                (0.55f + 0.9f * litter);
     };
@@ -229,8 +235,12 @@ void lay_out_forest(Site& site) {
         for (int i = -15; i <= 15; ++i) {
             const Vec2f at{kApart_m * (static_cast<float>(i) + r.uniform(-0.42f, 0.42f)),
                            kApart_m * (static_cast<float>(j) + r.uniform(-0.42f, 0.42f))};
-            if (length(at) < 9.f || length(at) > 95 || r.chance(0.14f)) continue;
-            plant(site, r.chance(length(at) < 18 ? 0.08f : 0.26f) ? dark : r.chance(0.15f) ? young : woods, at, r.uniform(0.8f, 1.15f));
+            if (length(at) < 13.f || length(at) > 95 || r.chance(length(at) < 34 ? 0.42f : 0.1f)) continue;
+            plant(site,
+                  r.chance(length(at) < 22 ? 0.08f : 0.26f) ? dark
+                  : r.chance(0.15f)                         ? young
+                                                            : woods,
+                  at, r.uniform(0.8f, 1.15f));
         }
     if (!snow) {
         std::array<std::uint32_t, 3> ferns{};
@@ -241,7 +251,10 @@ void lay_out_forest(Site& site) {
             const float s = r.uniform(0.7f, 1.35f);
             site.world.stand(ferns[static_cast<std::size_t>(r.index(3))], at, site.turn(), {s, s, s});
         }
-        sow_grass(site, 12, 0.16f, [&](Vec2f p) { return length(p) > 3.5f && noise2(p * 0.5f + Vec2f{70, 70}, seed + 16) > 0.5f; },
+        sow_grass(site, 12, 0.16f,
+                  [&](Vec2f p) {
+                      return length(p) > 3.5f && noise2(p * 0.5f + Vec2f{70, 70}, seed + 16) > 0.5f;
+                  },
                   {0.9f, 0.85f, 0.8f});
     }
     spread_ground(site, 160, 60, 240);

@@ -42,7 +42,8 @@ std::vector<std::uint32_t> spruces(Site& site, int count, float height_m);
 void plant(Site& site, const std::vector<std::uint32_t>& kinds, Vec2f at, float scale = 1);
 
 // Covers the neighbourhood of the viewer with blades of grass where `grows` allows.
-void sow_grass(Site& site, float reach_m, float high_m, const std::function<bool(Vec2f)>& grows, Vec3f tint = {1, 1, 1});
+void sow_grass(Site& site, float reach_m, float high_m, const std::function<bool(Vec2f)>& grows,
+               Vec3f tint = {1, 1, 1});
 
 // The ground as a mesh in rings around the viewer, finer nearby.
 void spread_ground(Site& site, float reach_m, int rings, int around);

@@ -55,11 +55,12 @@ struct Tracer::Impl {
         sunny = sky_irradiance({0, 1, 0}) + sky.sun_irradiance * std::max(0.f, to_sun.y);
         bounced = sunny * (sky.snow                      ? Vec3f{0.5f, 0.52f, 0.56f}
                            : sky.view == Sky::View::city ? Vec3f{0.22f, 0.21f, 0.195f}
-                           : sky.view == Sky::View::sea  ? Vec3f{0.22f, 0.2f, 0.17f}
+                           : sky.view == Sky::View::sea  ? Vec3f{0.17f, 0.155f, 0.13f}
                                                          : Vec3f{0.11f, 0.105f, 0.07f});
         for (int j = 0; j <= kRises; ++j)
             for (int i = 0; i < kTurns; ++i) {
-                const float rise = kPi * (static_cast<float>(j) / kRises - 0.5f), turn = 2 * kPi * static_cast<float>(i) / kTurns;
+                const float rise = kPi * (static_cast<float>(j) / kRises - 0.5f),
+                            turn = 2 * kPi * static_cast<float>(i) / kTurns;
                 open[static_cast<std::size_t>(j)][static_cast<std::size_t>(i)] = sky_irradiance(
                     {std::cos(rise) * std::sin(turn), std::sin(rise), std::cos(rise) * std::cos(turn)});
             }
@@ -167,7 +168,8 @@ struct Tracer::Impl {
         int shut = 0;
         for (int k = 0; k < kWays; ++k) {
             const float half = 0.5f * static_cast<float>(k);
-            const Vec3f way = cosine_direction(normal, {std::fmod(shift.x + half, 1.f), std::fmod(shift.y + half, 1.f)});
+            const Vec3f way = cosine_direction(normal,
+                                               {std::fmod(shift.x + half, 1.f), std::fmod(shift.y + half, 1.f)});
             shut += way.y > 0 && blocked(from, way, kShadowReach_m);
         }
         sum += lerp(open_irradiance(normal), bounced * kShade, static_cast<float>(shut) / kWays);
@@ -208,17 +210,22 @@ struct Tracer::Impl {
         const auto rng = [&](int what) { return lattice_unit(room_u * 31 + what, room_v, wall, sky.seed); };
         const float x = u - kWide_m * static_cast<float>(room_u), y = v - kHigh_m * static_cast<float>(room_v);
         const float dx = dot(direction, across), dy = direction.y, dz = std::max(1e-3f, -dot(direction, normal));
-        const auto far = [](float p, float d, float size) { return d > 0 ? (size - p) / std::max(1e-4f, d) : p / std::max(1e-4f, -d); };
+        const auto far = [](float p, float d, float size) {
+            return d > 0 ? (size - p) / std::max(1e-4f, d) : p / std::max(1e-4f, -d);
+        };
         const float tx = far(x, dx, kWide_m), ty = far(y, dy, kHigh_m), tz = kDeep_m / dz, t = std::min({tx, ty, tz});
         const float deep = t * dz / kDeep_m;
-        Vec3f tone = t == ty ? (dy > 0 ? Vec3f{0.7f, 0.7f, 0.68f} : Vec3f{0.25f, 0.19f, 0.14f}) : Vec3f{0.55f, 0.5f, 0.44f};
+        Vec3f tone = t == ty ? (dy > 0 ? Vec3f{0.7f, 0.7f, 0.68f} : Vec3f{0.25f, 0.19f, 0.14f})
+                             : Vec3f{0.55f, 0.5f, 0.44f};
         tone = tone * Vec3f{0.8f + 0.4f * rng(1), 0.8f + 0.4f * rng(2), 0.8f + 0.4f * rng(3)};
         // Furniture: dark shapes along the lower wall.
         const float height = y + dy * t;
-        if (height < 0.5f + 1.3f * lattice_unit(floor_int((x + dx * t) * 1.6f) + 7, room_u, room_v, sky.seed)) tone = tone * 0.45f;
+        if (height < 0.5f + 1.3f * lattice_unit(floor_int((x + dx * t) * 1.6f) + 7, room_u, room_v, sky.seed))
+            tone = tone * 0.45f;
         const bool lit = dark && rng(4) > (sky.time == Sky::Time::night ? 0.6f : 0.52f);
         const Vec3f day = sunny * (0.028f * std::exp(-1.6f * deep));
-        const Vec3f lamp = Vec3f{0.5f, 0.33f, 0.16f} * (0.35f + 0.9f * rng(5)) * (sky.time == Sky::Time::night ? 0.5f : 0.8f);
+        const Vec3f lamp = Vec3f{0.5f, 0.33f, 0.16f} * (0.35f + 0.9f * rng(5)) *
+                           (sky.time == Sky::Time::night ? 0.36f : 0.8f);
         Vec3f inside = tone * (lit ? lamp * (1.1f - 0.5f * deep) : day);
         // Curtains and blinds right behind the pane.
         const float hang = rng(6);
@@ -236,7 +243,8 @@ struct Tracer::Impl {
     Vec3f glass(Vec3f at, Vec3f normal, Vec3f direction, Random& random) const {
         // Panes are never quite flat, nor parallel to each other.
         const Vec3f lean{lattice_unit(floor_int(at.x * 0.7f), floor_int(at.y * 0.5f), floor_int(at.z * 0.7f), 5) - 0.5f,
-                         lattice_unit(floor_int(at.x * 0.7f), floor_int(at.y * 0.5f), floor_int(at.z * 0.7f), 6) - 0.5f, 0};
+                         lattice_unit(floor_int(at.x * 0.7f), floor_int(at.y * 0.5f), floor_int(at.z * 0.7f), 6) - 0.5f,
+                         0};
         const Vec3f n = normalize(normal + lean * 0.025f);
         const float c = std::clamp(-dot(n, direction), 0.f, 1.f), mirror = 0.08f + 0.92f * std::pow(1 - c, 5.f);
         const Vec3f out = normalize(direction - n * (2 * dot(n, direction)));
@@ -282,10 +290,13 @@ struct Tracer::Impl {
             const float spread = rough + 0.003f, tan2 = (1 - half.y * half.y) / std::max(0.02f, half.y * half.y);
             const float dots = smooth_step(0.5f, 0.8f, noise2({at.x * 1.7f, at.z * 1.7f}, sky.seed + 60)) * 2.2f;
             const float shine = std::exp(-tan2 / spread) / (kPi * spread * 4 * std::max(0.06f, -direction.y));
-            reflected += sky.sun_irradiance * std::min(2.2f, shine * mix(1.f, dots, detail_fade(footprint, 0.6f)) * 0.25f);
+            reflected += sky.sun_irradiance *
+                         std::min(2.2f, shine * mix(1.f, dots, detail_fade(footprint, 0.6f)) * 0.25f);
         }
         const Vec3f deep = world.paints[kWater].albedo * sunny * (1 / kPi);
-        return reflected * mirror + deep * (1 - mirror);
+        // Slopes that face the viewer are seen more than their share, which the mean roughness leaves out.
+        constexpr float kFacing = 0.72f;
+        return reflected * (mirror * kFacing) + deep * (1 - mirror * kFacing);
     }
 
     Vec3f facade(Vec3f at, Vec3f normal, Vec3f direction, Vec3f wall, float footprint, Random& random) const {
@@ -297,7 +308,8 @@ struct Tracer::Impl {
         const Vec3f lit = wall * irradiance(at, normal, random) * (1 / kPi);
         const bool window = x > 0.2f && x < 0.82f && y > 0.22f && y < 0.82f;
         if (!window || footprint > 4 * kBay_m) return lit;
-        const Vec3f mirrored = dome.air(flipped(normalize(direction - normal * (2 * dot(normal, direction)) + Vec3f{0, 0.3f, 0})));
+        const Vec3f mirrored = dome.air(
+            flipped(normalize(direction - normal * (2 * dot(normal, direction)) + Vec3f{0, 0.3f, 0})));
         const float own = lattice_unit(i, j, static_cast<int>(dot(at, normal)), sky.seed);
         if (dark && own > 0.62f) return Vec3f{0.5f, 0.34f, 0.17f} * (0.18f + 0.5f * (own - 0.62f));
         return mirrored * (0.12f + 0.22f * own) + lit * 0.08f;
@@ -312,7 +324,9 @@ struct Tracer::Impl {
         switch (paint.finish) {
             case Finish::glass: return glass(at, hit.normal, direction, random);
             case Finish::water: return water(at, direction, hit.distance, width, random);
-            case Finish::light: return dark ? paint.albedo * (sky.time == Sky::Time::night ? 1.2f : 2.f) : paint.albedo * sunny * (0.6f / kPi);
+            case Finish::light:
+                return dark ? paint.albedo * (sky.time == Sky::Time::night ? 1.2f : 2.f)
+                            : paint.albedo * sunny * (0.6f / kPi);
             case Finish::facade: return facade(at, hit.normal, direction, paint.albedo, footprint, random);
             case Finish::ground: {
                 // Seen at a slant, a sample covers more; the geometric mean keeps some detail.
@@ -330,8 +344,11 @@ struct Tracer::Impl {
         }
         // Snow lies on what faces up.
         if (sky.snow && paint.takes_snow) {
-            const float lies = smooth_step(0.25f, 0.6f, std::abs(hit.normal.y) + 0.25f * (noise3(at * 3.f, sky.seed + 71) - 0.5f)) *
-                               (hit.normal.y > 0 || paint.finish == Finish::leaf ? 1.f : 0.f);
+            const bool leaf = paint.finish == Finish::leaf;
+            const float lies = (leaf ? 0.7f : 1.f) *
+                               smooth_step(leaf ? 0.f : 0.25f, leaf ? 1.f : 0.6f,
+                                           std::abs(hit.normal.y) + 0.25f * (noise3(at * 3.f, sky.seed + 71) - 0.5f)) *
+                               (hit.normal.y > 0 || leaf ? 1.f : 0.f);
             albedo = lerp(albedo, {0.76f, 0.78f, 0.82f}, lies), through = through * (1 - lies);
         }
         Vec3f out{};

@@ -1,5 +1,5 @@
-// Ray tracing of the small world around the house: sun with soft shadows, light of the sky with occlusion, light through
-// leaves, haze. Embree stays in outdoors_tracer.cc.
+// Ray tracing of the small world around the house: sun with soft shadows, light of the sky with occlusion, light
+// through leaves, haze. Embree stays in outdoors_tracer.cc.
 #pragma once
 
 #include <memory>

@@ -25,9 +25,9 @@ enum class Finish : std::uint8_t {
 struct Paint {
     Finish finish = Finish::matt;
     Vec3f albedo;
-    Vec3f through{};        // share of light that passes a leaf
-    float mottle = 0;       // contrast of the weathering, 0..1
-    bool tinted = false;    // multiplied by the instance's tint
+    Vec3f through{};      // share of light that passes a leaf
+    float mottle = 0;     // contrast of the weathering, 0..1
+    bool tinted = false;  // multiplied by the instance's tint
     bool takes_snow = true;
 };
 

@@ -51,14 +51,13 @@ Vec3f scattered(Vec3f direction, Vec3f to_sun) {
         const float height = std::max(0.f, length(at) - kEarth);
         const Depth here{step * std::exp(-height / kRayleighHeight), step * std::exp(-height / kMieHeight)};
         const Depth sun = optical_depth(at, to_sun);
-        const Vec3f arriving = transmittance({before.rayleigh + 0.5f * here.rayleigh + sun.rayleigh,
-                                              before.mie + 0.5f * here.mie + sun.mie});
+        const Vec3f arriving = transmittance(
+            {before.rayleigh + 0.5f * here.rayleigh + sun.rayleigh, before.mie + 0.5f * here.mie + sun.mie});
         before.rayleigh += here.rayleigh, before.mie += here.mie;
         rayleigh += arriving * here.rayleigh, mie += arriving * here.mie;
     }
     const float c = dot(direction, to_sun), g = kMieForward;
-    const float phase_rayleigh = 0.75f * (1 + c * c),
-                phase_mie = (1 - g * g) / std::pow(1 + g * g - 2 * g * c, 1.5f);
+    const float phase_rayleigh = 0.75f * (1 + c * c), phase_mie = (1 - g * g) / std::pow(1 + g * g - 2 * g * c, 1.5f);
     return kRayleigh * rayleigh * phase_rayleigh + mie * (kMie * phase_mie);
 }
 
@@ -77,7 +76,8 @@ SkyDome::SkyDome(const Sky& sky) : sky_(sky) {
         Vec3f mean{};
         for (int i = 0; i <= kAround; ++i) {
             const float turn = kPi * static_cast<float>(i) / kAround;
-            const Vec3f light = scattered(normalize(Vec3f{out * std::sin(turn), up + 0.01f, out * std::cos(turn)}), to_sun);
+            const Vec3f light = scattered(normalize(Vec3f{out * std::sin(turn), up + 0.01f, out * std::cos(turn)}),
+                                          to_sun);
             row[static_cast<std::size_t>(i)] = light;
             mean += light * ((i == 0 || i == kAround ? 0.5f : 1.f) / kAround);
         }
@@ -100,7 +100,8 @@ Vec3f SkyDome::air(Vec3f direction) const {
     const float level = std::hypot(direction.x, direction.z);
     const float cosine = level > 1e-5f ? (direction.x * sunward_.x + direction.z * sunward_.z) / level : 1.f;
     const float u = std::acos(std::clamp(cosine, -1.f, 1.f)) / kPi * kAround, v = up * kUp;
-    const auto i = static_cast<std::size_t>(std::min(kAround - 1.f, u)), j = static_cast<std::size_t>(std::min(kUp - 1.f, v));
+    const auto i = static_cast<std::size_t>(std::min(kAround - 1.f, u)),
+               j = static_cast<std::size_t>(std::min(kUp - 1.f, v));
     const float a = u - static_cast<float>(i), b = v - static_cast<float>(j);
     return even * lerp(lerp(course_[j][i], course_[j][i + 1], a), lerp(course_[j + 1][i], course_[j + 1][i + 1], a), b);
 }
@@ -138,15 +139,17 @@ Vec3f SkyDome::clouded(Vec3f direction, Vec3f behind) const {
     // The low sun colors the clouds.
     const float sun = luminance(sky_.sun_irradiance);
     const Vec3f hue = sun > 0 ? lerp(Vec3f{1, 1, 1}, sky_.sun_irradiance / sun, 0.8f) : Vec3f{1, 1, 1};
-    return lerp(behind, lerp(shaded, white * hue * (1.02f + 0.5f * shine), 0.3f + 0.7f * lit) * (1.05f - 0.2f * thick), 0.9f * cover);
+    return lerp(behind, lerp(shaded, white * hue * (1.02f + 0.5f * shine), 0.3f + 0.7f * lit) * (1.05f - 0.2f * thick),
+                0.9f * cover);
 }
 
 Vec3f SkyDome::at(Vec3f direction) const {
     const float up = -direction.y;
     Vec3f color = air(direction);
     if (sky_.time == Sky::Time::night && up > 0.05f && sky_.clouds < 0.8f) {
-        const Vec2f grid{std::atan2(direction.x, direction.z) * 160.f, std::asin(std::clamp(up, -1.f, 1.f)) * 160.f};
-        if (lattice_unit(floor_int(grid.x), floor_int(grid.y), 4, sky_.seed) > 0.993f) color += Vec3f{0.25f, 0.26f, 0.3f};
+        const Vec2f grid{std::atan2(direction.x, direction.z) * 560.f, std::asin(std::clamp(up, -1.f, 1.f)) * 560.f};
+        if (lattice_unit(floor_int(grid.x), floor_int(grid.y), 4, sky_.seed) > 0.9988f)
+            color += Vec3f{0.1f, 0.104f, 0.12f};
     }
     return clouded(direction, color);
 }

@@ -70,8 +70,8 @@ struct TracedRoom::Impl {
         const int samples = parts.pixel_samples > 0 ? parts.pixel_samples : params.pixel_samples;
         if (parts.paths) return path_traced_picture({room, bvh, lights()}, camera, parts, samples, look, run);
         FASTSCENE_CHECK(light.has_value());
-        return cached_picture({room, bvh, lights(), *light, parts.contacts, parts.frugal, parts.min_alpha}, camera, parts,
-                              samples, look, albedo, run);
+        return cached_picture({room, bvh, lights(), *light, parts.contacts, parts.frugal, parts.min_alpha}, camera,
+                              parts, samples, look, albedo, run);
     }
 
     // Metres along the ray to the virtual image, followed through all flat mirrors on the way.

@@ -17,10 +17,10 @@
 namespace fastscene {
 
 struct TraceParams {
-    float cell_m = 0.03f;     // size of an irradiance cache cell
-    int cell_samples = 192;   // paths gathered per cell
-    int pixel_samples = 16;   // camera rays per pixel
-    bool keep_noise = false;  // leave panoramas undenoised
+    float cell_m = 0.03f;         // size of an irradiance cache cell
+    int cell_samples = 192;       // paths gathered per cell
+    int pixel_samples = 16;       // camera rays per pixel
+    bool keep_noise = false;      // leave panoramas undenoised
     float outside_detail = 10.f;  // pixels per degree of the view through the windows, at the horizon
 };
 template <class V>
