@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "fastscene/geometry/sphere.h"
-#include "fastscene/trace/sky.h"
 
 namespace fastscene {
 namespace {
@@ -133,8 +132,8 @@ Look automatic_look(const Look& wish, const Sky& sky, const ImageColor& panorama
     return look;
 }
 
-Vec3f outside_as_seen(const Sky& sky, const Look& look, Vec3f direction) {
-    return sky_radiance(sky, direction) * (sky.seen * look.outside_seen);
+Vec3f outside_as_seen(const Sky& sky, const Look& look, Vec3f radiance) {
+    return radiance * (sky.seen * look.outside_seen);
 }
 
 Vec3f lamp_as_seen(const Look& look, Vec3f emission) {

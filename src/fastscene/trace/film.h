@@ -13,9 +13,8 @@ namespace fastscene {
 // of the direct sun is shown (Sky::sun_limit).
 Look automatic_look(const Look& wish, const Sky& sky, const ImageColor& panorama, const ImageColor& albedo = {});
 
-// The outside as the camera sees it in a direction (world frame, unit length). Illumination uses sky_radiance instead,
-// which is not adjusted.
-Vec3f outside_as_seen(const Sky& sky, const Look& look, Vec3f direction);
+// Radiance of the outside (outdoors.h) as the camera sees it. As illumination it is not adjusted.
+Vec3f outside_as_seen(const Sky& sky, const Look& look, Vec3f radiance);
 
 // The radiance of a lamp or flame that the camera sees directly, compressed so that its shape and hue do not clip to
 // white. Its illumination of the room is unaffected.

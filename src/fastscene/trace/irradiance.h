@@ -38,7 +38,8 @@ class IrradianceCache {
     // Places entries on all surfaces and gathers their light. Deterministic in run.seed. `viewpoints`: where cameras
     // will be. Entries that cannot be seen from around them get fewer paths, since they matter only through what they
     // light.
-    static IrradianceCache gather(const Room& room, const SceneBvh& bvh, const TraceParams& params, const Run& run,
+    static IrradianceCache gather(const Room& room, const SceneBvh& bvh, const Lights& lights,
+                                  const TraceParams& params, const Run& run,
                                   const std::vector<Vec3f>& viewpoints = {Vec3f{}});
 
     // Irradiance without direct sun at a surface point, interpolated between the entries around it. `normal`: unit

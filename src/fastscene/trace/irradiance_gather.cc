@@ -213,8 +213,9 @@ void IrradianceCache::gather_indirect(const Room& room, const SceneBvh& bvh, con
     for (const int step : {1, 2, 4, 1}) smooth(true, step, error);
 }
 
-IrradianceCache IrradianceCache::gather(const Room& room, const SceneBvh& bvh, const TraceParams& params,
-                                        const Run& run, const std::vector<Vec3f>& viewpoints) {
+IrradianceCache IrradianceCache::gather(const Room& room, const SceneBvh& bvh, const Lights& lights,
+                                        const TraceParams& params, const Run& run,
+                                        const std::vector<Vec3f>& viewpoints) {
     IrradianceCache cache;
     cache.cell_m_ = params.cell_m;
     // An odd offset keeps walls off the cell boundaries.
@@ -230,7 +231,6 @@ IrradianceCache IrradianceCache::gather(const Room& room, const SceneBvh& bvh, c
     cache.find_seen(bvh, viewpoints);
     cache.index();
 
-    const Lights lights(room);
     // Gathering is three quarters of the work: progress counts cells over all passes.
     Progress progress(run, "light", (static_cast<std::int64_t>(cache.cells_.size()) / 1024 + 1) * (kPasses + 1));
     cache.find_sun_patches(room, bvh, cache.light_by_sun(room, bvh, lights, run.seed), run.seed);

@@ -8,7 +8,7 @@
 #include "fastscene/scene/room.h"
 #include "fastscene/trace/light_tree.h"
 #include "fastscene/trace/scene_bvh.h"
-#include "fastscene/trace/sky.h"
+#include "fastscene/trace/outdoors.h"
 
 namespace fastscene {
 
@@ -19,7 +19,8 @@ struct DirectedLight {
 
 class Lights {
   public:
-    explicit Lights(const Room& room);
+    // `outside_detail`: pixels per degree of the view through windows (Outdoors); illumination does not need it.
+    explicit Lights(const Room& room, float outside_detail = 0);
 
     // A sampled direction to a lamp or window, and the radiance that arrives if nothing is in between.
     struct LightSample {
@@ -42,6 +43,8 @@ class Lights {
     // Large lamps (more than half a square metre) are not sampled; gathering rays find them.
     bool is_large(int mesh) const { return large_[static_cast<std::size_t>(mesh)]; }
 
+    const Outdoors& outdoors() const { return outdoors_; }
+
   private:
     // An emissive triangle, or a window.
     struct Emitter {
@@ -49,7 +52,7 @@ class Lights {
         std::int32_t portal = -1;
     };
     float portal_pdf(const Room& room, Vec3f position, Vec3f normal, Vec3f direction) const;
-    std::optional<SkyTable> sky_;    // only if there are portals
+    Outdoors outdoors_;
     std::vector<Emitter> emitters_;  // windows first
     std::optional<LightTree> tree_;  // of emitters_
     std::vector<std::int32_t>

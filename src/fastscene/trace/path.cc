@@ -5,7 +5,6 @@
 
 #include "fastscene/trace/film.h"
 #include "fastscene/trace/response.h"
-#include "fastscene/trace/sky.h"
 #include "fastscene/trace/surface.h"
 
 namespace fastscene {
@@ -97,8 +96,9 @@ Vec3f path_radiance(const PathScene& scene, Vec3f origin, Vec3f direction, float
                                          scene.lights.pdf(scene.room, arrival.from, arrival.normal, direction, hit));
         if (!hit)
             return sum + throughput *
-                             (clearly ? outside_as_seen(scene.room.sky, scene.room.look, direction)
-                                      : sky_radiance(scene.room.sky, direction)) *
+                             (clearly ? outside_as_seen(scene.room.sky, scene.room.look,
+                                                        scene.lights.outdoors().seen(direction))
+                                      : scene.lights.outdoors().light(direction)) *
                              mis_weight;
         travelled += hit.distance;
         const float slant = std::max(0.08f, std::abs(dot(hit.normal, direction)));

@@ -7,7 +7,6 @@
 
 #include "fastscene/scene/box.h"
 #include "fastscene/trace/response.h"
-#include "fastscene/trace/sky.h"
 #include "fastscene/trace/test_room.h"
 #include "fastscene/trace/trace.h"
 

@@ -5,7 +5,6 @@
 
 #include "fastscene/trace/film.h"
 #include "fastscene/trace/response.h"
-#include "fastscene/trace/sky.h"
 #include "fastscene/trace/surface.h"
 
 namespace fastscene {
@@ -22,8 +21,8 @@ Mirrored mirrored_radiance(const ShadeScene& scene, Vec3f origin, Vec3f directio
     const RayHit hit = sharp && mirrors > 0 ? scene.bvh.first_hit(origin, direction)
                                             : scene.bvh.first_lit(origin, direction);
     if (!hit)
-        return {sharp ? outside_as_seen(scene.room.sky, scene.room.look, direction)
-                      : sky_radiance(scene.room.sky, direction),
+        return {sharp ? outside_as_seen(scene.room.sky, scene.room.look, scene.lights.outdoors().seen(direction))
+                      : scene.lights.outdoors().light(direction),
                 {},
                 hit};
     const SurfacePointInfo s = surface_at(scene.room, hit, origin, direction, angle * hit.distance, false);
@@ -139,7 +138,7 @@ Shaded shade_from(const ShadeScene& scene, Vec3f origin, Vec3f direction, float 
     const RayHit hit = scene.bvh.first_hit(origin, direction);
     Shaded out{};
     if (!hit) {
-        out.radiance = outside_as_seen(scene.room.sky, scene.room.look, direction);
+        out.radiance = outside_as_seen(scene.room.sky, scene.room.look, scene.lights.outdoors().seen(direction));
         return out;
     }
     // On a slanted surface the footprint is stretched; the geometric mean of its axes keeps patterns sharp without

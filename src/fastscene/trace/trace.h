@@ -19,10 +19,11 @@
 namespace fastscene {
 
 struct TraceParams {
-    float cell_m = 0.03f;     // size of an irradiance cache cell
-    int cell_samples = 192;   // paths gathered per cell
-    int pixel_samples = 16;   // camera rays per pixel
-    bool keep_noise = false;  // leave panoramas undenoised
+    float cell_m = 0.03f;         // size of an irradiance cache cell
+    int cell_samples = 192;       // paths gathered per cell
+    int pixel_samples = 16;       // camera rays per pixel
+    bool keep_noise = false;      // leave panoramas undenoised
+    float outside_detail = 10.f;  // pixels per degree of the view through the windows, at the horizon
     std::string view_transform = "photo";
 };
 // Names of ViewTransform, in its order.
@@ -33,6 +34,8 @@ void visit_fields(TraceParams& p, V&& v) {
     v("cell-samples", p.cell_samples, Bounds{1, 65536}, "Light paths gathered per cell.");
     v("pixel-samples", p.pixel_samples, Bounds{1, 4096}, "Camera rays per pixel.");
     v("keep-noise", p.keep_noise, "Do not denoise the panorama.");
+    v("outside-detail", p.outside_detail, Bounds{0, 40},
+      "Pixels per degree of the view through the windows; 0: a blurred one.");
     v("view-transform", p.view_transform, Choices{{kViewTransforms.begin(), kViewTransforms.end()}},
       "How scene light becomes display color. photo: a photograph's contrast, highlights roll off into white; soft: "
       "less "
