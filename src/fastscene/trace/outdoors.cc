@@ -18,7 +18,7 @@ constexpr EquirectSize kTable{512, 256};
 constexpr float kTop = 0.96f;          // radians: height up to which the band reaches, and depth
 constexpr float kStretch = 0.3f;       // radians: rows lie 1.4 times as far apart at this height as at the horizon
 constexpr float kSteepest = 1.36f;     // radians from a window's normal: its reveal hides the rest
-constexpr int kFewest = 3, kMost = 7;  // samples per pixel
+constexpr int kFewest = 3, kMost = 5;  // samples per pixel
 constexpr float kEven = 0.06f;         // relative difference below which two samples do
 
 Vec3f outward_of(const Portal& p) { return -normalize(cross(p.edge_u, p.edge_v)); }
