@@ -62,7 +62,8 @@ float restrained(float times, float doubling) { return times > 1 ? (1 + doubling
 
 }  // namespace
 
-Look automatic_look(const Look& wish, const Sky& sky, const ImageColor& panorama, const ImageColor& albedo) {
+Look automatic_look(const Look& wish, const Sky& sky, const ImageColor& panorama, const ImageColor& albedo,
+                    std::optional<float> outside) {
     if (!wish.automatic) return wish;
     constexpr float kLeast = 1e-5f,
                     kLeastAlbedo = 0.02f;  // darker surfaces say nothing about the illumination: sky, lamps, mirrors
@@ -117,10 +118,12 @@ Look automatic_look(const Look& wish, const Sky& sky, const ImageColor& panorama
     }
     // A bright room gets a short exposure, which would leave the sunny garden outside as dark as dusk: the outside is
     // lifted as a whole.
-    constexpr float kMostLift = 4.f;
-    look.outside_seen = std::clamp(
-        sky.ground_least / std::max(1e-4f, luminance(sky.ground) * sky.seen * std::exp2(look.exposure_ev)), 1.f,
-        kMostLift);
+    constexpr float kMostLift = 7.f;        // sky.seen = 0.13 times that: nearly all of the light
+    constexpr float kShadeOfGround = 0.5f;  // a view with trees and their shade may be darker than open ground
+    const float level = outside ? *outside : luminance(sky.ground),
+                least = sky.ground_least * (outside ? kShadeOfGround : 1.f);
+    look.outside_seen = std::clamp(least / std::max(1e-4f, level * sky.seen * std::exp2(look.exposure_ev)), 1.f,
+                                   kMostLift);
     // A room with few lamps gets a long exposure, which would turn the night outside into day: the outside is dimmed.
     constexpr float kNightMost = 0.09f, kDuskMost = 0.28f;  // of the sky at the horizon, 1 = white by the room's light
     if (night || dusk)

@@ -18,7 +18,7 @@ constexpr EquirectSize kTable{512, 256};
 constexpr float kTop = 0.96f;          // radians: height up to which the band reaches, and depth
 constexpr float kStretch = 0.3f;       // radians: rows lie 1.4 times as far apart at this height as at the horizon
 constexpr float kSteepest = 1.36f;     // radians from a window's normal: its reveal hides the rest
-constexpr int kFewest = 3, kMost = 7;  // samples per pixel
+constexpr int kFewest = 3, kMost = 5;  // samples per pixel
 constexpr float kEven = 0.06f;         // relative difference below which two samples do
 
 Vec3f outward_of(const Portal& p) { return -normalize(cross(p.edge_u, p.edge_v)); }
@@ -182,6 +182,22 @@ Vec3f Outdoors::light(Vec3f direction) const {
     const Vec2f p = pixel_of_direction(direction, kTable);
     return table_.at(std::clamp(static_cast<int>(p.x), 0, kTable.width - 1),
                      std::clamp(static_cast<int>(p.y), 0, kTable.height - 1));
+}
+
+float Outdoors::brightness() const {
+    constexpr int kAzimuths = 360;
+    constexpr float kLow_deg = -20, kHigh_deg = 8, kStep_deg = 2, kLeast = 1e-5f;
+    double sum = 0, count = 0;
+    for (int a = 0; a < kAzimuths; ++a)
+        for (float h = kLow_deg; h <= kHigh_deg; h += kStep_deg) {
+            const float azimuth = 2 * kPi * static_cast<float>(a) / kAzimuths, height = h * kPi / 180;
+            const Vec3f direction{std::sin(azimuth) * std::cos(height), -std::sin(height),
+                                  std::cos(azimuth) * std::cos(height)};
+            if (!band_.covers(band_.position(direction))) continue;
+            sum += std::log2(std::max(kLeast, luminance(seen(direction))));
+            ++count;
+        }
+    return count > 0 ? static_cast<float>(std::exp2(sum / count)) : luminance(ground_);
 }
 
 Vec3f Outdoors::seen(Vec3f direction) const {

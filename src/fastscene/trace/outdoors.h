@@ -25,6 +25,8 @@ class Outdoors {
     // The same at 0.7 degrees per pixel: for illumination, which needs no leaves and window panes. Its mean over any
     // larger solid angle is the same.
     Vec3f light(Vec3f direction) const;
+    // Geometric mean of the luminance about the horizon, as the windows show it: what a photographer would expose for.
+    float brightness() const;
     std::size_t bytes() const;
 
   private:

@@ -213,7 +213,7 @@ void lay_out_city(Site& site) {
 
 void lay_out_mountains(Site& site) {
     site.world.eye_m = 5.f;
-    site.world.clear_m *= 4;  // thin air
+    site.world.clear_m *= 7;  // thin air
     const std::uint32_t seed = site.sky.seed;
     const bool snow = site.sky.snow;
     site.world.height = [seed](Vec2f p) { return mountain_height(p, seed); };
@@ -243,8 +243,8 @@ void lay_out_mountains(Site& site) {
     Random& r = site.random;
     const std::vector<std::uint32_t> dark = spruces(site, 6, 13), tall = tall_trees(site, 2);
     for (int k = 0; k < 900; ++k) {
-        const Vec2f at = site.polar(site.turn(), 22 + 480 * r.uniform() * r.uniform());
-        if (noise2(at * (1 / 42.f) + Vec2f{30, 30}, seed + 31) < 0.5f) continue;
+        const Vec2f at = site.polar(site.turn(), 38 + 520 * r.uniform() * r.uniform());
+        if (noise2(at * (1 / 42.f) + Vec2f{30, 30}, seed + 31) < 0.56f) continue;
         plant(site, r.chance(0.1f) ? tall : dark, at, r.uniform(0.6f, 1.15f));
     }
     for (int k = 0; k < 2; ++k)

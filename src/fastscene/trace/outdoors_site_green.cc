@@ -240,7 +240,7 @@ void lay_out_forest(Site& site) {
                   r.chance(length(at) < 22 ? 0.08f : 0.26f) ? dark
                   : r.chance(0.15f)                         ? young
                                                             : woods,
-                  at, r.uniform(0.8f, 1.15f));
+                  at, r.uniform(0.62f, 0.92f));
         }
     if (!snow) {
         std::array<std::uint32_t, 3> ferns{};

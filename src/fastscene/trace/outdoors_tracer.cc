@@ -261,6 +261,12 @@ struct Tracer::Impl {
         return seen * mirror + behind_glass(at, normal, direction) * (1 - mirror);
     }
 
+    // Brightness of the glitter, as a share of the sun's irradiance, without an edge where it saturates.
+    static float rolled_off(float share) {
+        constexpr float kMost = 2.2f;
+        return share / (1 + share / kMost);
+    }
+
     Vec3f water(Vec3f at, Vec3f direction, float distance, float width, Random& random) const {
         // Waves as slopes: resolved ones nearby, and beyond the sample's width a mean roughness.
         const float footprint = distance * width / std::max(0.02f, -direction.y);
@@ -290,8 +296,7 @@ struct Tracer::Impl {
             const float spread = rough + 0.003f, tan2 = (1 - half.y * half.y) / std::max(0.02f, half.y * half.y);
             const float dots = smooth_step(0.5f, 0.8f, noise2({at.x * 1.7f, at.z * 1.7f}, sky.seed + 60)) * 2.2f;
             const float shine = std::exp(-tan2 / spread) / (kPi * spread * 4 * std::max(0.06f, -direction.y));
-            reflected += sky.sun_irradiance *
-                         std::min(2.2f, shine * mix(1.f, dots, detail_fade(footprint, 0.6f)) * 0.25f);
+            reflected += sky.sun_irradiance * rolled_off(shine * mix(1.f, dots, detail_fade(footprint, 0.6f)) * 0.25f);
         }
         const Vec3f deep = world.paints[kWater].albedo * sunny * (1 / kPi);
         // Slopes that face the viewer are seen more than their share, which the mean roughness leaves out.

@@ -137,7 +137,8 @@ void TracedRoom::gather_light(const TraceParams& params, const Run& run, const s
     const auto name = std::find(kViewTransforms.begin(), kViewTransforms.end(), params.view_transform);
     FASTSCENE_CHECK(name != kViewTransforms.end());
     impl_->room.look.transform = static_cast<ViewTransform>(name - kViewTransforms.begin());
-    impl_->room.look = automatic_look(impl_->room.look, impl_->room.sky, small, albedo);
+    impl_->room.look = automatic_look(impl_->room.look, impl_->room.sky, small, albedo,
+                                      impl_->lights().outdoors().brightness());
 }
 
 Shot TracedRoom::panorama(const Rigid& world_from_pano, EquirectSize size, const ShotParts& parts,

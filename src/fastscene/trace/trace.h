@@ -37,9 +37,8 @@ void visit_fields(TraceParams& p, V&& v) {
     v("outside-detail", p.outside_detail, Bounds{0, 40},
       "Pixels per degree of the view through the windows; 0: a blurred one.");
     v("view-transform", p.view_transform, Choices{{kViewTransforms.begin(), kViewTransforms.end()}},
-      "How scene light becomes display color. photo: a photograph's contrast, highlights roll off into white; soft: "
-      "less "
-      "contrast, for editing afterwards; linear: clipped at white.");
+      "How scene light becomes display color. photo: a photograph's contrast, with highlights that roll off into "
+      "white; soft: less contrast, for editing afterwards; linear: clipped at white.");
 }
 
 // Per-pixel results of a rendering. Each image is empty unless requested in ShotParts.
