@@ -196,6 +196,25 @@ float coast_height(Vec2f p, std::uint32_t seed) {
 
 constexpr float kSeaLevel_m = -1.55f;
 
+void set_sail(Site& site) {
+    Random& r = site.random;
+    QuadMesh boat;
+    const std::uint16_t hull = site.world.add({Finish::matt, {0.5f, 0.5f, 0.5f}, {}, 0, false, false}),
+                        sail = site.world.add(
+                            {Finish::leaf, {0.6f, 0.59f, 0.56f}, {0.2f, 0.2f, 0.19f}, 0, false, false});
+    boat.quad({-3.2f, 0.9f, -0.9f}, {3.8f, 1.1f, 0}, {2.9f, 0, 0}, {-3, 0, -0.7f}, hull);
+    boat.quad({-3.2f, 0.9f, 0.9f}, {3.8f, 1.1f, 0}, {2.9f, 0, 0}, {-3, 0, 0.7f}, hull);
+    boat.quad({-3.2f, 0.9f, -0.9f}, {-3.2f, 0.9f, 0.9f}, {3.8f, 1.1f, 0}, {3.8f, 1.1f, 0}, hull);
+    boat.quad({0.5f, 1.8f, 0}, {-2.9f, 1.9f, 0.7f}, {0.4f, 10, 0.1f}, {0.4f, 10, 0.1f}, sail);
+    boat.quad({0.7f, 1.6f, 0}, {3.5f, 1.4f, 0}, {0.5f, 8.6f, 0.3f}, {0.5f, 8.6f, 0.3f}, sail);
+    const std::uint32_t sailing = site.world.add(std::move(boat));
+    for (int k = 0; k < 7; ++k) {
+        const Vec2f at = site.polar(site.turn(), r.uniform(220, 1300));
+        site.world.stand(sailing, at, site.turn());
+        site.world.instances.back().at.y = kSeaLevel_m;
+    }
+}
+
 }  // namespace
 
 void lay_out_city(Site& site) {
@@ -302,22 +321,7 @@ void lay_out_sea(Site& site) {
         if (k % 2) site.world.stand(bush, at, site.turn(), {s, s, s});
         else if (k < 12) plant(site, pines, at, r.uniform(0.8f, 1.1f));
     }
-    // Sails.
-    QuadMesh boat;
-    const std::uint16_t hull = site.world.add({Finish::matt, {0.5f, 0.5f, 0.5f}, {}, 0, false, false}),
-                        sail = site.world.add(
-                            {Finish::leaf, {0.6f, 0.59f, 0.56f}, {0.2f, 0.2f, 0.19f}, 0, false, false});
-    boat.quad({-3.2f, 0.9f, -0.9f}, {3.8f, 1.1f, 0}, {2.9f, 0, 0}, {-3, 0, -0.7f}, hull);
-    boat.quad({-3.2f, 0.9f, 0.9f}, {3.8f, 1.1f, 0}, {2.9f, 0, 0}, {-3, 0, 0.7f}, hull);
-    boat.quad({-3.2f, 0.9f, -0.9f}, {-3.2f, 0.9f, 0.9f}, {3.8f, 1.1f, 0}, {3.8f, 1.1f, 0}, hull);
-    boat.quad({0.5f, 1.8f, 0}, {-2.9f, 1.9f, 0.7f}, {0.4f, 10, 0.1f}, {0.4f, 10, 0.1f}, sail);
-    boat.quad({0.7f, 1.6f, 0}, {3.5f, 1.4f, 0}, {0.5f, 8.6f, 0.3f}, {0.5f, 8.6f, 0.3f}, sail);
-    const std::uint32_t sailing = site.world.add(std::move(boat));
-    for (int k = 0; k < 7; ++k) {
-        const Vec2f at = site.polar(site.turn(), r.uniform(220, 1300));
-        site.world.stand(sailing, at, site.turn());
-        site.world.instances.back().at.y = kSeaLevel_m;
-    }
+    set_sail(site);
     spread_ground(site, 6000, 120, 360);
 }
 
