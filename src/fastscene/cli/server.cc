@@ -5,6 +5,7 @@
 
 #include "fastscene/base/error.h"
 #include "fastscene/base/file.h"
+#include "fastscene/cli/local_request.h"
 #include "fastscene/io/viewer.h"
 #include "fastscene/pipeline/best_view.h"
 #include "fastscene/pipeline/request.h"
@@ -25,6 +26,23 @@ std::string settings_of(const RunFolder& folder) {
     return viewer_settings({title_of(recorded_run(folder).request.source), {}, target, 75.f});
 }
 
+std::vector<std::string> headers_named(const httplib::Request& request, const std::string& name) {
+    std::vector<std::string> values;
+    for (auto [at, end] = request.headers.equal_range(name); at != end; ++at) values.push_back(at->second);
+    return values;
+}
+
+// Before all routes, those to files among them.
+void refuse_other_sites(httplib::Server& server) {
+    server.set_pre_routing_handler([](const httplib::Request& request, httplib::Response& response) {
+        const auto why = refusal(headers_named(request, "Host"), headers_named(request, "Origin"));
+        if (!why) return httplib::Server::HandlerResponse::Unhandled;
+        response.status = 403;
+        response.set_content("Refused: " + *why + ".\n", "text/plain; charset=utf-8");
+        return httplib::Server::HandlerResponse::Handled;
+    });
+}
+
 }  // namespace
 
 void serve_scene(const RunFolder& folder, const std::optional<std::filesystem::path>& viewer_dir, int port,
@@ -33,6 +51,7 @@ void serve_scene(const RunFolder& folder, const std::optional<std::filesystem::p
         throw Error("{}: {}", folder.viewer_html().string(), viewer_remedy());
     httplib::Server server;
     server.set_tcp_nodelay(true);
+    refuse_other_sites(server);
     // By default the library would let two servers share a port silently.
     server.set_socket_options([](socket_t socket) {
         const int yes = 1;
