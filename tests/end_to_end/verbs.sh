@@ -180,6 +180,11 @@ get /splat/scene.compressed.ply part 0-9
 head -1 part | grep -q ' 206 ' || fail "the server said to a range: $(head -1 part)"
 get / page
 head -1 page | grep -qE ' (200|302) ' || fail "the server said: $(head -1 page)"
+if [ -f run/viewer.html ]; then
+  touch run/viewer.html
+  get / page
+  grep -q '^Location: /viewer.html' page || fail "the server opens not the run's own page, which bounds the walk"
+fi
 get /../../../../etc/passwd outside
 head -1 outside | grep -qE ' 40[0-9] ' || fail "the server left its folder: $(head -1 outside)"
 get /run.json rebound '' evil.example

@@ -26,6 +26,14 @@ std::string settings_of(const RunFolder& folder) {
     return viewer_settings({title_of(recorded_run(folder).request.source), {}, target, 75.f});
 }
 
+// The run's own page, which holds visitors to the walkable floor. The viewer's folder shows splats that were trained
+// since it was made.
+bool own_page_is_current(const RunFolder& folder) {
+    namespace fs = std::filesystem;
+    return fs::exists(folder.viewer_html()) &&
+           fs::last_write_time(folder.viewer_html()) >= fs::last_write_time(folder.scene_compressed_ply());
+}
+
 std::vector<std::string> headers_named(const httplib::Request& request, const std::string& name) {
     std::vector<std::string> values;
     for (auto [at, end] = request.headers.equal_range(name); at != end; ++at) values.push_back(at->second);
@@ -62,8 +70,9 @@ void serve_scene(const RunFolder& folder, const std::optional<std::filesystem::p
         // Splats of photographs are shown upright, whatever the axes of their model.
         const std::string splats = first_glance_of_capture(folder) ? "/splat/viewer.compressed.ply"
                                                                    : "/splat/scene.compressed.ply";
-        response.set_redirect(viewer_dir ? "/viewer/index.html?settings=/settings.json&content=" + splats
-                                         : "/viewer.html");
+        response.set_redirect(viewer_dir && !own_page_is_current(folder)
+                                  ? "/viewer/index.html?settings=/settings.json&content=" + splats
+                                  : "/viewer.html");
     });
     server.Get("/settings.json", [&](const httplib::Request&, httplib::Response& response) {
         response.set_content(settings, "application/json");
