@@ -77,6 +77,8 @@ void serve_scene(const RunFolder& folder, const std::optional<std::filesystem::p
     server.Get("/settings.json", [&](const httplib::Request&, httplib::Response& response) {
         response.set_content(settings, "application/json");
     });
+    // Browsers ask for an icon; an answer keeps an error out of the console.
+    server.Get("/favicon.ico", [](const httplib::Request&, httplib::Response& response) { response.status = 204; });
     server.set_file_extension_and_mimetype_mapping("ply", "application/octet-stream");
     if (viewer_dir) server.set_mount_point("/viewer", viewer_dir->string());
     server.set_mount_point("/", folder.root.string());
