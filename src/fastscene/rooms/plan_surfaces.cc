@@ -56,7 +56,7 @@ void choose_ceiling(const PromptSpec& spec, Plan& plan) {
     Random rng(hash_name(spec.text) ^ std::bit_cast<std::uint32_t>(plan.width), "ceiling");
     const float boards = rng.uniform(), tray = rng.uniform(), spots = rng.uniform();
     plan.recessed_lights = wish_for(spec, "recessed_lights") != nullptr;
-    if (speaks_of("ceiling") || !spec.everything.kind.empty()) return;
+    if (room_type(spec.room).ceiling || speaks_of("ceiling") || !spec.everything.kind.empty()) return;
     const bool wet = room_type(spec.room).wet, flat = !(plan.knee > 0) && !plan.beams && !plan.coffers;
     const Style& style = plan.style;
     if (boards < style.ceiling_boards_probability && !wet) {
