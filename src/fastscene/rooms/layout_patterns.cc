@@ -77,9 +77,7 @@ float yaw_towards(int wall) {
     return kYaw[static_cast<std::size_t>(wall)];
 }
 // Of the plan's box along a direction of an axis.
-float extent_of(const Plan& plan, Vec2f axis) {
-    return std::abs(axis.x) * plan.width + std::abs(axis.y) * plan.depth;
-}
+float extent_of(const Plan& plan, Vec2f axis) { return std::abs(axis.x) * plan.width + std::abs(axis.y) * plan.depth; }
 
 // A seat drawn up to the front of a piece, looking at it.
 void seat_before(Placement& p, Pattern& seats, int at, float gap, float aside) {
@@ -171,8 +169,8 @@ void place_tables(Placement& p, const RecipeStep& step, int) {
     const Vec3f size = tables.piece().size_m;
     const int along = std::max(1, static_cast<int>(size.x / 0.62f));
     const bool heads = step.seats > 2 * along;
-    const float way = step.pitch_m > 0 ? step.pitch_m : kLeastClear,
-                wide = size.x + (heads ? 2 * kSeatDeep : 0.1f), deep = size.z + 2 * kSeatDeep;
+    const float way = step.pitch_m > 0 ? step.pitch_m : kLeastClear, wide = size.x + (heads ? 2 * kSeatDeep : 0.1f),
+                deep = size.z + 2 * kSeatDeep;
     const float width = plan.width - 2 * step.side_m, depth = plan.depth - step.front_m - step.rear_m;
     const int columns = static_cast<int>((width + way) / (wide + way)),
               rows = static_cast<int>((depth + way * 0.5f) / (deep + way * 0.5f));
@@ -181,8 +179,8 @@ void place_tables(Placement& p, const RecipeStep& step, int) {
         for (int i = 0; i < columns; ++i) {
             if (!tables.open() || (step.most > 0 && placed >= step.most)) return;
             const float x = width * ((static_cast<float>(i) + 0.5f) / static_cast<float>(columns) - 0.5f),
-                        z = plan.depth / 2 - step.front_m - depth * (static_cast<float>(j) + 0.5f) /
-                                                                static_cast<float>(rows);
+                        z = plan.depth / 2 - step.front_m -
+                            depth * (static_cast<float>(j) + 0.5f) / static_cast<float>(rows);
             if (is_in_a_way(p.layout(), {x, z}, std::max(size.x, size.z) / 2)) continue;
             const Piece table = tables.piece();
             const float side = heads ? kSeatDeep : 0.f;

@@ -353,13 +353,13 @@ Plan make_plan(PromptSpec& spec, Random& rng) {
     suggest_style(spec);
     if (spec.style.empty()) {
         const bool bright = spec.light == "bright" || spec.weather == "sunny" || spec.mood == "airy";
-        std::vector<std::string> choice = styles_for(
-            spec.mood == "cozy"                                            ? StyleMood::cozy
-            : room_type(spec.room).for_children || spec.mood == "colorful" ? StyleMood::children
-            : spec.light == "neon"                                         ? StyleMood::neon
-            : !spec.colors.empty()                                         ? StyleMood::colored
-            : bright                                                       ? StyleMood::bright
-                                                                           : StyleMood::usual);
+        std::vector<std::string> choice = styles_for(spec.mood == "cozy" ? StyleMood::cozy
+                                                     : room_type(spec.room).for_children || spec.mood == "colorful"
+                                                         ? StyleMood::children
+                                                     : spec.light == "neon" ? StyleMood::neon
+                                                     : !spec.colors.empty() ? StyleMood::colored
+                                                     : bright               ? StyleMood::bright
+                                                                            : StyleMood::usual);
         if (!room_type(spec.room).styles.empty()) choice = room_type(spec.room).styles;
         spec.style = choice[static_cast<std::size_t>(rng.index(static_cast<int>(choice.size())))];
         spec.assumed.push_back("style: " + spec.style);

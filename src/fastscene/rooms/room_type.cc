@@ -44,38 +44,13 @@ std::vector<std::string> things(const TomlTable& table, std::string_view key) {
 }
 
 const std::vector<std::string>& keys_of_types() {
-    static const std::vector<std::string> keys{"name",
-                                               "title",
-                                               "words",
-                                               "words_near",
-                                               "rank",
-                                               "wet",
-                                               "for_children",
-                                               "deep_paints",
-                                               "next_rooms",
-                                               "next_door",
-                                               "second_room",
-                                               "styles",
-                                               "look_at",
-                                               "surfaces",
-                                               "kind_of",
-                                               "guess_rank",
-                                               "main_thing",
-                                               "own_things",
-                                               "table",
-                                               "table_when_near",
-                                               "cooks",
-                                               "upright_chairs",
-                                               "per_person",
-                                               "most_people",
-                                               "mess",
-                                               "meanings",
-                                               "size",
-                                               "shape",
-                                               "windows",
-                                               "touches",
-                                               "furnished_as",
-                                               "recipe"};
+    static const std::vector<std::string> keys{
+        "name",         "title",           "words",      "words_near",     "rank",        "wet",
+        "for_children", "deep_paints",     "next_rooms", "next_door",      "second_room", "styles",
+        "look_at",      "surfaces",        "kind_of",    "guess_rank",     "main_thing",  "own_things",
+        "table",        "table_when_near", "cooks",      "upright_chairs", "per_person",  "most_people",
+        "mess",         "meanings",        "size",       "shape",          "windows",     "touches",
+        "furnished_as", "recipe"};
     return keys;
 }
 
@@ -172,10 +147,9 @@ class TypeReader {
     void read_windows() {
         if (!top_.has("windows")) return;
         constexpr double kHighestSill = 2;
-        const TomlTable t = table("windows",
-                                  {"size", "count", "second_probability", "first_on_far_wall", "least_sill_m",
-                                   "sill_beyond_doorway_m", "outlook", "outlook_probability", "walls", "every_m",
-                                   "width_m", "sill_m", "head_m", "arched"});
+        const TomlTable t = table("windows", {"size", "count", "second_probability", "first_on_far_wall",
+                                              "least_sill_m", "sill_beyond_doorway_m", "outlook", "outlook_probability",
+                                              "walls", "every_m", "width_m", "sill_m", "head_m", "arched"});
         RoomWindows& w = t_.windows;
         read_regular_windows(t);
         if (t.has("size")) w.size = file_fields::choice<WindowSize>(t, "size");
@@ -239,9 +213,9 @@ class TypeReader {
     }
 
     void read_touches() {
-        const TomlTable t = table(
-            "touches", {"pieces", "pieces_per_m2", "sills", "shelves", "wall_shelf_probability", "mirror_probability",
-                        "clock_probability", "picture_probability", "curtains", "chandeliers", "floor_lamp", "lived_in"});
+        const TomlTable t = table("touches", {"pieces", "pieces_per_m2", "sills", "shelves", "wall_shelf_probability",
+                                              "mirror_probability", "clock_probability", "picture_probability",
+                                              "curtains", "chandeliers", "floor_lamp", "lived_in"});
         t_.lived_in = t.flag("lived_in", true);
         t_.pieces = things(t, "pieces");
         t_.pieces_per_m2 = share(t, "pieces_per_m2");

@@ -29,7 +29,7 @@ struct RoomWindows {
     std::vector<int> walls;  // empty: there are none
     float every_m = 2.4f, width_m = 1.4f, sill_m = 0.9f, head_m = 2.3f;
     bool arched = false;
-    std::optional<Sky::View> outlook;     // what they show; nothing: as the style has it
+    std::optional<Sky::View> outlook;  // what they show; nothing: as the style has it
     float outlook_probability = 0;
 };
 
@@ -89,9 +89,9 @@ struct RoomType {
     std::string furnished_as;        // a type whose recipe it shares; empty: it has its own
     std::vector<RecipeStep> recipe;  // what stands in it
 
-    float height_low_m = 0, height_high_m = 0;  // 0: as the style has it
+    float height_low_m = 0, height_high_m = 0;     // 0: as the style has it
     std::optional<Material> floor, wall, ceiling;  // nothing: as the style has them
-    bool lived_in = true;  // plants, baskets, books and vases stand about, as at home
+    bool lived_in = true;                          // plants, baskets, books and vases stand about, as at home
     float width_low_m = 0, width_high_m = 0, depth_low_m = 0, depth_high_m = 0;  // usual inside sizes
     // How often rooms of the type have a feature.
     float breast_probability = 0, corner_probability = 0, bay_probability = 0, alcove_probability = 0,

@@ -38,13 +38,14 @@ Body counter_body(Kit& k, Vec3f usual, bool main_is_wood, Material worktop) {
 // A glass case on a counter or on the floor: shelves with what is sold, lit.
 void case_of(Kit& k, Vec3f at, Vec3f s, const std::string& what) {
     const int pane = k.material(glass()), metal = k.material(k.style.metal),
-              white = color(k, "shelf", {0.72f, 0.71f, 0.68f}, 0.4f), strip = k.material(glow("case light", {5, 4.6f, 3.8f}));
-    const std::array<int, 4> pastry{color(k, "croissant", {0.5f, 0.27f, 0.08f}, 0.6f),
-                                    color(k, "chocolate", {0.07f, 0.03f, 0.015f}, 0.4f),
-                                    color(k, "cream", {0.72f, 0.64f, 0.48f}, 0.5f),
-                                    color(k, "berry", {0.45f, 0.03f, 0.05f}, 0.35f)};
-    const std::array<int, 4> deli{color(k, "cheese", {0.66f, 0.48f, 0.14f}, 0.5f), color(k, "ham", {0.5f, 0.16f, 0.13f}, 0.5f),
-                                  color(k, "salami", {0.24f, 0.05f, 0.05f}, 0.6f), color(k, "olives", {0.14f, 0.16f, 0.05f}, 0.3f)};
+              white = color(k, "shelf", {0.72f, 0.71f, 0.68f}, 0.4f),
+              strip = k.material(glow("case light", {5, 4.6f, 3.8f}));
+    const std::array<int, 4> pastry{
+        color(k, "croissant", {0.5f, 0.27f, 0.08f}, 0.6f), color(k, "chocolate", {0.07f, 0.03f, 0.015f}, 0.4f),
+        color(k, "cream", {0.72f, 0.64f, 0.48f}, 0.5f), color(k, "berry", {0.45f, 0.03f, 0.05f}, 0.35f)};
+    const std::array<int, 4> deli{
+        color(k, "cheese", {0.66f, 0.48f, 0.14f}, 0.5f), color(k, "ham", {0.5f, 0.16f, 0.13f}, 0.5f),
+        color(k, "salami", {0.24f, 0.05f, 0.05f}, 0.6f), color(k, "olives", {0.14f, 0.16f, 0.05f}, 0.3f)};
     const auto& food = what == "deli" ? deli : pastry;
     for (const float sx : {-1.f, 1.f})
         for (const float sz : {-1.f, 1.f})
@@ -62,7 +63,8 @@ void case_of(Kit& k, Vec3f at, Vec3f s, const std::string& what) {
         for (float x = -0.5f * s.x + 0.12f; x < 0.5f * s.x - 0.08f; x += 0.15f) {
             const int kind = food[static_cast<std::size_t>(k.rng.index(4))];
             for (float z = -0.5f * s.z + 0.1f; z < 0.5f * s.z - 0.06f; z += 0.13f) {
-                if (what == "deli" && k.rng.chance(0.5f)) block(k, kind, at + Vec3f{x, y + 0.004f, z}, {0.12f, 0.07f, 0.1f});
+                if (what == "deli" && k.rng.chance(0.5f))
+                    block(k, kind, at + Vec3f{x, y + 0.004f, z}, {0.12f, 0.07f, 0.1f});
                 else k.add(shapes::ball({0, 0, 0}, {0.055f, 0.032f, 0.045f}, 8), kind, at + Vec3f{x, y + 0.036f, z});
             }
         }
@@ -114,7 +116,8 @@ void build_cafe_counter(Kit& k) {
     if (wide > 0.5f) case_of(k, {x - 0.75f - 0.5f * wide, y, 0.05f}, {wide, 0.42f, 0.5f}, "pastry");
     till(k, {x - 0.35f, y, 0});
     const std::array<Vec2f, 4> jar{Vec2f{0.06f, 0}, {0.065f, 0.02f}, {0.065f, 0.2f}, {0.05f, 0.23f}};
-    k.add(shapes::lathe(jar, 14, true), color(k, "coffee beans", {0.05f, 0.025f, 0.012f}, 0.4f), {-x + 1.05f, y, 0.15f});
+    k.add(shapes::lathe(jar, 14, true), color(k, "coffee beans", {0.05f, 0.025f, 0.012f}, 0.4f),
+          {-x + 1.05f, y, 0.15f});
     k.top(y, -x + 1.25f, 0.1f, 0.1f, 0.2f);
 }
 
@@ -179,7 +182,8 @@ void build_reception_desk(Kit& k) {
         k.board(wood, {x, 0.1f, 0.5f * s.z - 0.004f}, {0.04f, s.y - 0.18f, 0.02f}, 0.004f);
     k.board(metal, {0, 0, 0.5f * s.z - 0.07f}, {s.x - 0.04f, 0.08f, 0.06f});
     k.board(top, {0, s.y - 0.04f, 0.5f * s.z - 0.13f}, {s.x + 0.04f, 0.04f, 0.32f}, 0.006f);
-    for (const float sx : {-1.f, 1.f}) k.board(wood, {sx * (0.5f * s.x - 0.03f), 0, -0.05f}, {0.06f, s.y - 0.04f, s.z - 0.1f});
+    for (const float sx : {-1.f, 1.f})
+        k.board(wood, {sx * (0.5f * s.x - 0.03f), 0, -0.05f}, {0.06f, s.y - 0.04f, s.z - 0.1f});
     k.board(wood, {0, 0.72f, -0.1f}, {s.x - 0.12f, 0.03f, s.z - 0.25f});
     k.merge(k.small("monitor"), {-0.2f * s.x, 0.75f, -0.05f}, 180);
     k.top(s.y, 0.15f * s.x, 0.5f * s.z - 0.13f, 0.3f * s.x, 0.12f);
@@ -190,8 +194,9 @@ void build_reception_desk(Kit& k) {
 void build_buffet(Kit& k) {
     const Vec3f s = k.wanted({2.8f, 0.9f, 0.8f});
     const int cloth = k.main(plain("table cloth", {0.72f, 0.7f, 0.66f}, 0.9f)), metal = k.material(steel());
-    const std::array<int, 4> food{color(k, "vegetables", {0.12f, 0.25f, 0.04f}, 0.6f), color(k, "pasta", {0.6f, 0.4f, 0.12f}, 0.6f),
-                                  color(k, "stew", {0.3f, 0.08f, 0.03f}, 0.4f), color(k, "rice", {0.7f, 0.66f, 0.56f}, 0.8f)};
+    const std::array<int, 4> food{
+        color(k, "vegetables", {0.12f, 0.25f, 0.04f}, 0.6f), color(k, "pasta", {0.6f, 0.4f, 0.12f}, 0.6f),
+        color(k, "stew", {0.3f, 0.08f, 0.03f}, 0.4f), color(k, "rice", {0.7f, 0.66f, 0.56f}, 0.8f)};
     k.board(cloth, {0, 0.01f, 0}, {s.x, s.y - 0.01f, s.z}, 0.012f);
     const int dishes = std::max(2, static_cast<int>((s.x - 0.2f) / 0.6f));
     for (int i = 0; i < dishes; ++i) {

@@ -12,7 +12,8 @@ namespace {
 // A garment on a hanger, seen from its side: shoulders at the top, hanging cloth.
 void garment(Kit& k, int cloth, int metal, Vec3f at, float length) {
     Mesh m = shapes::slab(4, 8, 0.03f, [&](float u, float v) {
-        const float wide = 0.42f * (v > 0.9f ? 1.f - 4.f * (v - 0.9f) : 1.f), sway = 0.012f * std::sin(9.f * u + 2.f * v);
+        const float wide = 0.42f * (v > 0.9f ? 1.f - 4.f * (v - 0.9f) : 1.f),
+                    sway = 0.012f * std::sin(9.f * u + 2.f * v);
         return Vec3f{sway, -length + length * v - 0.07f, wide * (u - 0.5f)};
     });
     k.add(std::move(m), cloth, at);
@@ -32,7 +33,9 @@ void build_clothes_rack(Kit& k) {
     k.rod(metal, {-x, s.y - 0.02f, 0}, {x, s.y - 0.02f, 0}, 0.014f, -1, 10);
     std::array<int, 6> cloths{};
     for (std::size_t i = 0; i < cloths.size(); ++i) {
-        Material m = tinted(k.style.fabric, i == 0 ? Vec3f{0.05f, 0.055f, 0.07f} : i == 1 ? Vec3f{0.68f, 0.66f, 0.6f} : k.accent());
+        Material m = tinted(k.style.fabric, i == 0   ? Vec3f{0.05f, 0.055f, 0.07f}
+                                            : i == 1 ? Vec3f{0.68f, 0.66f, 0.6f}
+                                                     : k.accent());
         cloths[i] = k.material(std::move(m));
     }
     int same = 0, cloth = cloths[0];
@@ -54,25 +57,28 @@ void build_mannequin(Kit& k) {
     k.add(shapes::prism(shapes::circle(0.2f, 24), 0, 0.02f), metal);
     k.rod(metal, {0, 0.02f, 0}, {0, 0.6f, 0}, 0.012f);
     const bool dress = k.rng.chance(0.5f);
-    const std::array<Limb, 5> upper{Limb{{0, 1.0f, 0}, {0, 1.4f, 0}, 0.12f, 0.125f}, {{0, 1.44f, 0}, {0, 1.52f, 0}, 0.05f, 0.045f},
+    const std::array<Limb, 5> upper{Limb{{0, 1.0f, 0}, {0, 1.4f, 0}, 0.12f, 0.125f},
+                                    {{0, 1.44f, 0}, {0, 1.52f, 0}, 0.05f, 0.045f},
                                     {{0, 1.62f, 0.01f}, {0, 1.68f, 0}, 0.08f, 0.085f},
                                     {{-0.18f, 1.41f, 0}, {-0.23f, 0.95f, 0.05f}, 0.045f, 0.03f},
                                     {{0.18f, 1.41f, 0}, {0.23f, 0.95f, 0.05f}, 0.045f, 0.03f}};
     k.add(shapes::skin(upper, 0.05f, 0.035f), skin);
     if (dress) {
-        const std::array<Vec2f, 7> skirt{Vec2f{0.3f, 0.45f}, {0.27f, 0.6f}, {0.2f, 0.9f}, {0.135f, 1.05f}, {0.15f, 1.3f},
-                                         {0.17f, 1.4f},      {0.09f, 1.46f}};
+        const std::array<Vec2f, 7> skirt{Vec2f{0.3f, 0.45f}, {0.27f, 0.6f}, {0.2f, 0.9f},  {0.135f, 1.05f},
+                                         {0.15f, 1.3f},      {0.17f, 1.4f}, {0.09f, 1.46f}};
         Mesh m = shapes::lathe(skirt, 22, true);
         for (Vec3f& p : m.positions) p.z *= 0.75f;
         k.add(std::move(m), cloth);
         for (const float sx : {-1.f, 1.f}) k.rod(skin, {sx * 0.08f, 0.05f, 0}, {sx * 0.09f, 0.5f, 0}, 0.04f, 0.055f);
     } else {
-        const std::array<Vec2f, 5> coat{Vec2f{0.2f, 0.82f}, {0.155f, 1.05f}, {0.17f, 1.3f}, {0.19f, 1.41f}, {0.08f, 1.47f}};
+        const std::array<Vec2f, 5> coat{
+            Vec2f{0.2f, 0.82f}, {0.155f, 1.05f}, {0.17f, 1.3f}, {0.19f, 1.41f}, {0.08f, 1.47f}};
         Mesh m = shapes::lathe(coat, 22, true);
         for (Vec3f& p : m.positions) p.z *= 0.68f;
         k.add(std::move(m), cloth);
         const int trousers = color(k, "trousers", {0.04f, 0.045f, 0.06f}, 0.9f);
-        for (const float sx : {-1.f, 1.f}) k.rod(trousers, {sx * 0.09f, 0.06f, 0}, {sx * 0.085f, 0.86f, 0}, 0.07f, 0.095f, 14);
+        for (const float sx : {-1.f, 1.f})
+            k.rod(trousers, {sx * 0.09f, 0.06f, 0}, {sx * 0.085f, 0.86f, 0}, 0.07f, 0.095f, 14);
     }
     k.piece.clearance_front_m = 0.4f;
 }
@@ -89,8 +95,9 @@ void build_clothes_table(Kit& k) {
         for (int i = 0; i < 4; ++i) {
             const int pile = 3 + k.rng.index(4), cloth = cloths[static_cast<std::size_t>(k.rng.index(4))];
             for (int h = 0; h < pile; ++h)
-                k.board(cloth, {-0.5f * s.x + s.x * (static_cast<float>(i) + 0.5f) / 4, s.y + 0.032f * static_cast<float>(h),
-                                (static_cast<float>(j) - 0.5f) * 0.38f},
+                k.board(cloth,
+                        {-0.5f * s.x + s.x * (static_cast<float>(i) + 0.5f) / 4, s.y + 0.032f * static_cast<float>(h),
+                         (static_cast<float>(j) - 0.5f) * 0.38f},
                         {0.27f, 0.03f, 0.31f}, 0.012f);
         }
     k.piece.clearance_front_m = 0.6f;
@@ -100,9 +107,9 @@ void build_clothes_table(Kit& k) {
 void build_produce_stand(Kit& k) {
     const Vec3f s = k.wanted({1.6f, 1.05f, 0.9f});
     const int wood = k.main(materials::timber("natural", 0.8f));
-    static constexpr std::array<Vec3f, 8> kFruit{Vec3f{0.45f, 0.03f, 0.03f}, {0.65f, 0.26f, 0.02f}, {0.62f, 0.5f, 0.06f},
-                                                 {0.14f, 0.3f, 0.04f}, {0.2f, 0.04f, 0.14f}, {0.5f, 0.06f, 0.04f},
-                                                 {0.08f, 0.2f, 0.03f}, {0.42f, 0.28f, 0.14f}};
+    static constexpr std::array<Vec3f, 8> kFruit{
+        Vec3f{0.45f, 0.03f, 0.03f}, {0.65f, 0.26f, 0.02f}, {0.62f, 0.5f, 0.06f}, {0.14f, 0.3f, 0.04f},
+        {0.2f, 0.04f, 0.14f},       {0.5f, 0.06f, 0.04f},  {0.08f, 0.2f, 0.03f}, {0.42f, 0.28f, 0.14f}};
     const int start = k.rng.index(8);
     for (int row = 0; row < 2; ++row) {
         const float y = row == 0 ? 0.45f : 0.75f, z = row == 0 ? 0.22f : -0.22f;
@@ -110,7 +117,8 @@ void build_produce_stand(Kit& k) {
         for (int i = 0; i < 4; ++i) {
             const float w = s.x / 4, x = -0.5f * s.x + w * (static_cast<float>(i) + 0.5f);
             const int fruit = color(k, "fruit", kFruit[static_cast<std::size_t>(start + 3 * row + i) % 8], 0.35f);
-            for (const float sx : {-1.f, 1.f}) k.board(wood, {x + sx * (0.5f * w - 0.012f), y, z}, {0.016f, 0.13f, 0.42f}, 0.002f);
+            for (const float sx : {-1.f, 1.f})
+                k.board(wood, {x + sx * (0.5f * w - 0.012f), y, z}, {0.016f, 0.13f, 0.42f}, 0.002f);
             for (const float sz : {-1.f, 1.f}) k.board(wood, {x, y, z + sz * 0.2f}, {w - 0.02f, 0.13f, 0.016f}, 0.002f);
             for (int a = 0; a < 4; ++a)
                 for (int b = 0; b < 4; ++b)
@@ -125,9 +133,11 @@ void build_produce_stand(Kit& k) {
 // Buckets of cut flowers on steps.
 void build_flower_stand(Kit& k) {
     const Vec3f s = k.wanted({1.5f, 1.0f, 0.95f});
-    const int wood = k.main(k.style.wood), zinc = k.material(*material_named("steel")), leaf = color(k, "stems", {0.06f, 0.17f, 0.04f}, 0.7f);
-    static constexpr std::array<Vec3f, 7> kPetals{Vec3f{0.6f, 0.05f, 0.08f}, {0.7f, 0.45f, 0.04f}, {0.62f, 0.3f, 0.42f}, {0.72f, 0.7f, 0.64f},
-                                                  {0.3f, 0.12f, 0.45f}, {0.7f, 0.22f, 0.04f}, {0.65f, 0.12f, 0.3f}};
+    const int wood = k.main(k.style.wood), zinc = k.material(*material_named("steel")),
+              leaf = color(k, "stems", {0.06f, 0.17f, 0.04f}, 0.7f);
+    static constexpr std::array<Vec3f, 7> kPetals{Vec3f{0.6f, 0.05f, 0.08f}, {0.7f, 0.45f, 0.04f}, {0.62f, 0.3f, 0.42f},
+                                                  {0.72f, 0.7f, 0.64f},      {0.3f, 0.12f, 0.45f}, {0.7f, 0.22f, 0.04f},
+                                                  {0.65f, 0.12f, 0.3f}};
     for (int row = 0; row < 3; ++row) {
         const float y = 0.12f + 0.22f * static_cast<float>(row), z = 0.3f - 0.3f * static_cast<float>(row);
         k.board(wood, {0, 0, z}, {s.x, y, 0.3f}, 0.006f);
@@ -158,11 +168,15 @@ void build_display_case(Kit& k) {
     const float h = s.y - 0.74f;
     for (const float sx : {-1.f, 1.f})
         for (const float sz : {-1.f, 1.f})
-            k.board(metal, {sx * (0.5f * s.x - 0.008f), 0.72f, sz * (0.5f * s.z - 0.008f)}, {0.016f, h + 0.02f, 0.016f}, 0.002f);
-    for (const float sz : {-1.f, 1.f}) k.board(metal, {0, s.y - 0.016f, sz * (0.5f * s.z - 0.008f)}, {s.x, 0.016f, 0.016f}, 0.002f);
-    for (const float sx : {-1.f, 1.f}) k.board(metal, {sx * (0.5f * s.x - 0.008f), s.y - 0.016f, 0}, {0.016f, 0.016f, s.z}, 0.002f);
+            k.board(metal, {sx * (0.5f * s.x - 0.008f), 0.72f, sz * (0.5f * s.z - 0.008f)}, {0.016f, h + 0.02f, 0.016f},
+                    0.002f);
+    for (const float sz : {-1.f, 1.f})
+        k.board(metal, {0, s.y - 0.016f, sz * (0.5f * s.z - 0.008f)}, {s.x, 0.016f, 0.016f}, 0.002f);
+    for (const float sx : {-1.f, 1.f})
+        k.board(metal, {sx * (0.5f * s.x - 0.008f), s.y - 0.016f, 0}, {0.016f, 0.016f, s.z}, 0.002f);
     k.board(pane, {0, s.y - 0.008f, 0}, {s.x - 0.03f, 0.005f, s.z - 0.03f}, 0.001f);
-    for (const float sz : {-1.f, 1.f}) k.board(pane, {0, 0.74f, sz * (0.5f * s.z - 0.006f)}, {s.x - 0.03f, h - 0.02f, 0.004f}, 0.001f);
+    for (const float sz : {-1.f, 1.f})
+        k.board(pane, {0, 0.74f, sz * (0.5f * s.z - 0.006f)}, {s.x - 0.03f, h - 0.02f, 0.004f}, 0.001f);
     for (int i = 0; i < 5; ++i) {
         const Vec3f at{-0.5f * s.x + s.x * (static_cast<float>(i) + 0.5f) / 5, 0.74f, k.rng.uniform(-0.08f, 0.08f)};
         if (i % 2 == 0) {

@@ -13,10 +13,10 @@ constexpr int kColors = 6;
 
 // Colors of labels and covers: bright ones, and white between.
 std::array<int, kColors> labels(Kit& k, float roughness) {
-    static constexpr std::array<Vec3f, 10> kInks{Vec3f{0.55f, 0.06f, 0.05f}, {0.06f, 0.16f, 0.45f}, {0.7f, 0.45f, 0.05f},
-                                                 {0.08f, 0.32f, 0.12f},      {0.72f, 0.7f, 0.66f},  {0.62f, 0.2f, 0.04f},
-                                                 {0.04f, 0.3f, 0.36f},       {0.35f, 0.08f, 0.3f},  {0.6f, 0.55f, 0.4f},
-                                                 {0.12f, 0.12f, 0.13f}};
+    static constexpr std::array<Vec3f, 10> kInks{
+        Vec3f{0.55f, 0.06f, 0.05f}, {0.06f, 0.16f, 0.45f}, {0.7f, 0.45f, 0.05f}, {0.08f, 0.32f, 0.12f},
+        {0.72f, 0.7f, 0.66f},       {0.62f, 0.2f, 0.04f},  {0.04f, 0.3f, 0.36f}, {0.35f, 0.08f, 0.3f},
+        {0.6f, 0.55f, 0.4f},        {0.12f, 0.12f, 0.13f}};
     std::array<int, kColors> out{};
     const int first = k.rng.index(static_cast<int>(kInks.size()));
     for (int i = 0; i < kColors; ++i)
@@ -108,8 +108,8 @@ void block(Kit& k, int material, Vec3f base_center, Vec3f size) {
 }
 
 void bottle(Kit& k, int glass, int cap, Vec3f at, float h, float r) {
-    const std::array<Vec2f, 5> body{Vec2f{r, 0}, {r, 0.6f * h}, {0.4f * r, 0.78f * h}, {0.36f * r, 0.95f * h},
-                                    {0.36f * r, 0.955f * h}};
+    const std::array<Vec2f, 5> body{
+        Vec2f{r, 0}, {r, 0.6f * h}, {0.4f * r, 0.78f * h}, {0.36f * r, 0.95f * h}, {0.36f * r, 0.955f * h}};
     k.add(shapes::lathe(body, 9, true), glass, at);
     const std::array<Vec2f, 2> lid{Vec2f{0.42f * r, 0}, {0.42f * r, 0.06f * h}};
     k.add(shapes::lathe(lid, 8), cap, at + Vec3f{0, 0.94f * h, 0});
@@ -158,9 +158,7 @@ void stock(Kit& k, Goods goods, float x0, float x1, float y, float room_y, float
             case Goods::bottles:
                 bottle(k, ink, sole, {x, y, z - 0.05f}, std::min(room_y - 0.02f, 0.29f), 0.036f);
                 break;
-            case Goods::cartons:
-                block(k, ink, {x, y, z - 0.05f}, {0.08f, std::min(room_y - 0.02f, 0.2f), 0.1f});
-                break;
+            case Goods::cartons: block(k, ink, {x, y, z - 0.05f}, {0.08f, std::min(room_y - 0.02f, 0.2f), 0.1f}); break;
             case Goods::boxes: {
                 const float h = std::min(room_y - 0.05f, k.rng.uniform(0.22f, 0.38f));
                 block(k, crusts[2], {x, y, z - 0.2f}, {step - 0.04f, h, 0.34f});

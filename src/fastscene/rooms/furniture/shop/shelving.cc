@@ -11,8 +11,8 @@ namespace {
 struct Shelving {
     Vec3f size;
     int rows;
-    bool wood;          // else powder-coated steel
-    bool lettered;      // a colored board above says what is sold
+    bool wood;            // else powder-coated steel
+    bool lettered;        // a colored board above says what is sold
     float first = 0.12f;  // height of the lowest shelf
 };
 
@@ -22,8 +22,7 @@ void wall_shelving(Kit& k, const Shelving& like, Goods goods) {
     const int body = k.main(like.wood ? k.style.wood : plain("shelf steel", {0.62f, 0.62f, 0.6f}, 0.45f));
     const int edge = like.wood ? body : color(k, "price rail", {0.75f, 0.74f, 0.7f}, 0.35f);
     k.board(body, {0, 0, -0.5f * s.z + 0.01f}, {s.x, s.y, 0.02f}, 0.003f);
-    for (const float sx : {-1.f, 1.f})
-        k.board(body, {sx * (0.5f * s.x - 0.014f), 0, 0}, {0.028f, s.y, s.z}, 0.003f);
+    for (const float sx : {-1.f, 1.f}) k.board(body, {sx * (0.5f * s.x - 0.014f), 0, 0}, {0.028f, s.y, s.z}, 0.003f);
     k.board(body, {0, 0, 0}, {s.x - 0.06f, like.first, s.z - 0.04f}, 0.003f);
     const float top = like.lettered ? s.y - 0.2f : s.y, step = (top - like.first) / static_cast<float>(like.rows);
     for (int i = 0; i < like.rows; ++i) {
@@ -68,8 +67,8 @@ void island(Kit& k, Vec3f usual, int rows, bool wood, Goods goods) {
 }  // namespace
 
 void build_grocery_shelf(Kit& k) {
-    const Goods goods = std::array{Goods::packets, Goods::cans, Goods::jars, Goods::cartons, Goods::bottles}[
-        static_cast<std::size_t>(k.rng.index(5))];
+    const Goods goods = std::array{Goods::packets, Goods::cans, Goods::jars, Goods::cartons,
+                                   Goods::bottles}[static_cast<std::size_t>(k.rng.index(5))];
     wall_shelving(k, {{1.25f, 2.1f, 0.45f}, 5, false, true}, goods);
 }
 void build_grocery_island(Kit& k) {
@@ -104,8 +103,10 @@ void build_pallet_rack(Kit& k) {
         for (const float sz : {-1.f, 1.f})
             k.board(upright, {sx * (0.5f * s.x - 0.04f), 0, sz * (0.5f * s.z - 0.04f)}, {0.08f, s.y, 0.08f}, 0.004f);
         for (int i = 0; i < 5; ++i) {
-            const float y = s.y * (static_cast<float>(i) + 0.1f) / 5, z = (i % 2 == 0 ? 1.f : -1.f) * (0.5f * s.z - 0.05f);
-            k.rod(upright, {sx * (0.5f * s.x - 0.04f), y, -z}, {sx * (0.5f * s.x - 0.04f), y + s.y / 5.2f, z}, 0.014f, -1, 6);
+            const float y = s.y * (static_cast<float>(i) + 0.1f) / 5,
+                        z = (i % 2 == 0 ? 1.f : -1.f) * (0.5f * s.z - 0.05f);
+            k.rod(upright, {sx * (0.5f * s.x - 0.04f), y, -z}, {sx * (0.5f * s.x - 0.04f), y + s.y / 5.2f, z}, 0.014f,
+                  -1, 6);
         }
     }
     const int levels = std::max(2, static_cast<int>(s.y / 1.25f));
@@ -150,8 +151,11 @@ void build_bottle_shelf(Kit& k) {
     for (const float sx : {-1.f, 1.f})
         k.board(wood, {sx * (0.5f * s.x - 0.03f), 0.93f, -0.5f * s.z + 0.12f}, {0.06f, s.y - 0.95f, 0.22f}, 0.008f);
     k.board(wood, {0, s.y - 0.09f, -0.5f * s.z + 0.14f}, {s.x + 0.02f, 0.09f, 0.28f}, 0.012f);
-    static constexpr std::array<Vec3f, 5> kGlass{Vec3f{0.05f, 0.12f, 0.05f}, {0.2f, 0.09f, 0.02f}, {0.4f, 0.42f, 0.4f},
-                                                 {0.28f, 0.03f, 0.03f}, {0.04f, 0.08f, 0.16f}};
+    static constexpr std::array<Vec3f, 5> kGlass{Vec3f{0.05f, 0.12f, 0.05f},
+                                                 {0.2f, 0.09f, 0.02f},
+                                                 {0.4f, 0.42f, 0.4f},
+                                                 {0.28f, 0.03f, 0.03f},
+                                                 {0.04f, 0.08f, 0.16f}};
     std::array<int, 5> glasses{};
     for (std::size_t i = 0; i < glasses.size(); ++i) glasses[i] = color(k, "bottle glass", kGlass[i], 0.08f);
     const int cap = color(k, "cap", {0.5f, 0.4f, 0.16f}, 0.3f), label = color(k, "label", {0.66f, 0.6f, 0.46f}, 0.7f);
@@ -186,7 +190,8 @@ void build_drinks_fridge(Kit& k) {
         stock(k, i % 2 == 0 ? Goods::bottles : Goods::cans, -0.5f * s.x + 0.06f, 0.5f * s.x - 0.06f, y + 0.012f, 0.34f,
               0.5f * s.z - 0.1f, s.z - 0.2f);
     }
-    k.rod(metal, {0.5f * s.x - 0.07f, 0.8f, 0.5f * s.z + 0.02f}, {0.5f * s.x - 0.07f, 1.3f, 0.5f * s.z + 0.02f}, 0.011f);
+    k.rod(metal, {0.5f * s.x - 0.07f, 0.8f, 0.5f * s.z + 0.02f}, {0.5f * s.x - 0.07f, 1.3f, 0.5f * s.z + 0.02f},
+          0.011f);
     for (const float y : {0.82f, 1.28f})
         k.rod(metal, {0.5f * s.x - 0.07f, y, 0.5f * s.z - 0.02f}, {0.5f * s.x - 0.07f, y, 0.5f * s.z + 0.02f}, 0.008f);
     k.piece.against_wall = true;
@@ -205,12 +210,12 @@ void build_wine_rack(Kit& k) {
     const float w = cell * static_cast<float>(columns), h = cell * static_cast<float>(rows);
     for (int i = 0; i <= columns; ++i)
         for (const float sz : {-1.f, 1.f})
-            k.board(wood, {-0.5f * w + cell * static_cast<float>(i), 0, sz * (0.5f * s.z - 0.03f)}, {0.02f, h + 0.06f, 0.03f},
-                    0.003f);
+            k.board(wood, {-0.5f * w + cell * static_cast<float>(i), 0, sz * (0.5f * s.z - 0.03f)},
+                    {0.02f, h + 0.06f, 0.03f}, 0.003f);
     for (int j = 0; j <= rows; ++j)
         k.board(wood, {0, 0.03f + cell * static_cast<float>(j), 0}, {w + 0.02f, 0.014f, s.z - 0.01f}, 0.003f);
-    const std::array<Vec2f, 6> body{Vec2f{0.034f, 0}, {0.037f, 0.01f}, {0.037f, 0.19f}, {0.015f, 0.235f}, {0.014f, 0.25f},
-                                    {0.014f, 0.251f}};
+    const std::array<Vec2f, 6> body{Vec2f{0.034f, 0}, {0.037f, 0.01f}, {0.037f, 0.19f},
+                                    {0.015f, 0.235f}, {0.014f, 0.25f}, {0.014f, 0.251f}};
     const std::array<Vec2f, 2> foil{Vec2f{0.0165f, 0.25f}, {0.0165f, 0.305f}};
     for (int j = 0; j < rows; ++j)
         for (int i = 0; i < columns; ++i) {

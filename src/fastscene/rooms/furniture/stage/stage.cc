@@ -11,7 +11,8 @@ namespace fastscene::furniture {
 
 // A folding seat with arms, for rows.
 void build_cinema_seat(Kit& k) {
-    const int cloth = k.main(tinted(k.style.fabric, {0.28f, 0.02f, 0.025f})), dark = color(k, "frame", {0.025f, 0.025f, 0.025f}, 0.5f);
+    const int cloth = k.main(tinted(k.style.fabric, {0.28f, 0.02f, 0.025f})),
+              dark = color(k, "frame", {0.025f, 0.025f, 0.025f}, 0.5f);
     k.soft(cloth, {0, 0.4f, 0.06f}, {0.46f, 0.12f, 0.44f}, {0.04f, 0.015f, 0.001f, 4});
     Mesh back = shapes::soft_box({0.48f, 0.62f, 0.11f}, {0.04f, 0.018f, 0.001f, 4, k.seed()});
     shapes::turn(back, {1, 0, 0}, -10);
@@ -31,7 +32,8 @@ void build_stage(Kit& k) {
     const int count = std::max(4, static_cast<int>(s.z / 0.14f));
     for (int i = 0; i < count; ++i) {
         const float w = s.z / static_cast<float>(count);
-        k.board(boards, {0, s.y - 0.03f, -0.5f * s.z + w * (static_cast<float>(i) + 0.5f)}, {s.x, 0.03f, w - 0.003f}, 0.002f);
+        k.board(boards, {0, s.y - 0.03f, -0.5f * s.z + w * (static_cast<float>(i) + 0.5f)}, {s.x, 0.03f, w - 0.003f},
+                0.002f);
     }
     k.top(s.y, 0, 0, 0.45f * s.x, 0.42f * s.z);
     k.piece.clearance_front_m = 0.9f;
@@ -43,17 +45,20 @@ void build_stage_curtain(Kit& k) {
     const Vec3f s = k.wanted({1.2f, 2.6f, 0.2f});
     const int cloth = k.main(tinted(k.style.fabric, {0.3f, 0.02f, 0.025f})), gold = k.material(*material_named("gold"));
     const int folds = std::max(4, static_cast<int>(s.x / 0.16f));
-    k.add(shapes::slab(folds * 8, 6, 0.012f, [&](float u, float v) {
-              const float wave = std::sin(kTau * static_cast<float>(folds) * u);
-              return Vec3f{s.x * (u - 0.5f), s.y * v, 0.06f * wave * (1.1f - 0.3f * v)};
-          }), cloth);
+    k.add(shapes::slab(folds * 8, 6, 0.012f,
+                       [&](float u, float v) {
+                           const float wave = std::sin(kTau * static_cast<float>(folds) * u);
+                           return Vec3f{s.x * (u - 0.5f), s.y * v, 0.06f * wave * (1.1f - 0.3f * v)};
+                       }),
+          cloth);
     k.rod(gold, {-0.5f * s.x, 0.16f, 0.075f}, {0.5f * s.x, 0.16f, 0.075f}, 0.012f, -1, 6);
     k.piece.against_wall = true;
 }
 
 void build_drum_kit(Kit& k) {
-    const int shell = k.main(plain("drum lacquer", {0.32f, 0.02f, 0.02f}, 0.15f)), head = color(k, "drum head", {0.72f, 0.71f, 0.67f}, 0.6f),
-              metal = k.material(steel()), brass = k.material(*material_named("brass"));
+    const int shell = k.main(plain("drum lacquer", {0.32f, 0.02f, 0.02f}, 0.15f)),
+              head = color(k, "drum head", {0.72f, 0.71f, 0.67f}, 0.6f), metal = k.material(steel()),
+              brass = k.material(*material_named("brass"));
     const auto drum = [&](Vec3f at, float r, float h, float tilt) {
         const std::array<Vec2f, 2> wall{Vec2f{r, 0}, {r, h}}, skin{Vec2f{r * 0.98f, h}, {r * 0.98f, h + 0.006f}};
         Mesh body = shapes::lathe(wall, 24), top = shapes::lathe(skin, 24), rim = shapes::ring(r + 0.004f, 0.016f, 24);
@@ -61,12 +66,13 @@ void build_drum_kit(Kit& k) {
         for (Mesh* m : {&body, &top, &rim}) shapes::turn(*m, {1, 0, 0}, tilt);
         k.add(std::move(body), shell, at), k.add(std::move(top), head, at), k.add(std::move(rim), metal, at);
     };
-    drum({0, 0.29f, 0.05f}, 0.28f, 0.4f, 90);                    // bass drum, to the front
+    drum({0, 0.29f, 0.05f}, 0.28f, 0.4f, 90);  // bass drum, to the front
     drum({-0.2f, 0.62f, 0.12f}, 0.15f, 0.2f, -18), drum({0.2f, 0.62f, 0.12f}, 0.16f, 0.22f, -18);
     drum({0.55f, 0.22f, -0.25f}, 0.2f, 0.36f, 0), drum({-0.5f, 0.5f, -0.3f}, 0.18f, 0.14f, 0);
     for (const float a : {0.f, 2.1f, 4.2f}) {
         k.rod(metal, {-0.5f, 0.5f, -0.3f}, {-0.5f + 0.22f * std::cos(a), 0, -0.3f + 0.22f * std::sin(a)}, 0.01f, -1, 6);
-        k.rod(metal, {0.55f + 0.19f * std::cos(a), 0.3f, -0.25f + 0.19f * std::sin(a)}, {0.55f + 0.22f * std::cos(a), 0, -0.25f + 0.22f * std::sin(a)}, 0.01f, -1, 6);
+        k.rod(metal, {0.55f + 0.19f * std::cos(a), 0.3f, -0.25f + 0.19f * std::sin(a)},
+              {0.55f + 0.22f * std::cos(a), 0, -0.25f + 0.22f * std::sin(a)}, 0.01f, -1, 6);
     }
     const auto cymbal = [&](Vec3f at, float r) {
         const std::array<Vec2f, 4> p{Vec2f{r, 0}, {0.3f * r, 0.02f}, {0.15f * r, 0.05f}, {0.01f, 0.055f}};
@@ -74,7 +80,9 @@ void build_drum_kit(Kit& k) {
         shapes::turn(m, {0, 0, 1}, 8);
         k.add(std::move(m), brass, at);
         k.rod(metal, {at.x, 0.4f, at.z}, at, 0.01f, -1, 8);
-        for (const float a : {0.5f, 2.6f, 4.7f}) k.rod(metal, {at.x, 0.42f, at.z}, at + Vec3f{0.25f * std::cos(a), -at.y, 0.25f * std::sin(a)}, 0.009f, -1, 6);
+        for (const float a : {0.5f, 2.6f, 4.7f})
+            k.rod(metal, {at.x, 0.42f, at.z}, at + Vec3f{0.25f * std::cos(a), -at.y, 0.25f * std::sin(a)}, 0.009f, -1,
+                  6);
     };
     cymbal({-0.62f, 1.05f, 0.15f}, 0.22f), cymbal({0.66f, 1.1f, 0.1f}, 0.25f), cymbal({-0.78f, 0.86f, -0.25f}, 0.18f);
     const std::array<Vec2f, 4> seat{Vec2f{0.16f, 0}, {0.17f, 0.02f}, {0.17f, 0.07f}, {0.15f, 0.08f}};
@@ -84,12 +92,15 @@ void build_drum_kit(Kit& k) {
 }
 
 void build_guitar_amp(Kit& k) {
-    const int body = k.main(plain("amplifier vinyl", {0.03f, 0.03f, 0.03f}, 0.7f)), grill = color(k, "speaker cloth", {0.09f, 0.085f, 0.08f}, 0.95f),
+    const int body = k.main(plain("amplifier vinyl", {0.03f, 0.03f, 0.03f}, 0.7f)),
+              grill = color(k, "speaker cloth", {0.09f, 0.085f, 0.08f}, 0.95f),
               metal = k.material(*material_named("brass")), knob = color(k, "knob", {0.6f, 0.58f, 0.5f}, 0.3f);
     k.board(body, {0, 0, 0}, {0.66f, 0.62f, 0.3f}, 0.02f);
     k.board(grill, {0, 0.05f, 0.15f}, {0.58f, 0.42f, 0.012f}, 0.004f);
     k.board(metal, {0, 0.5f, 0.15f}, {0.58f, 0.08f, 0.01f}, 0.003f);
-    for (int i = 0; i < 7; ++i) k.rod(knob, {-0.22f + 0.07f * static_cast<float>(i), 0.54f, 0.155f}, {-0.22f + 0.07f * static_cast<float>(i), 0.54f, 0.175f}, 0.013f, 0.011f, 10);
+    for (int i = 0; i < 7; ++i)
+        k.rod(knob, {-0.22f + 0.07f * static_cast<float>(i), 0.54f, 0.155f},
+              {-0.22f + 0.07f * static_cast<float>(i), 0.54f, 0.175f}, 0.013f, 0.011f, 10);
     for (const float sx : {-1.f, 1.f}) k.board(metal, {sx * 0.31f, 0, 0.13f}, {0.045f, 0.045f, 0.05f}, 0.006f);
     k.board(body, {0, 0.62f, 0}, {0.2f, 0.025f, 0.03f}, 0.01f);
     k.top(0.62f, 0, 0, 0.25f, 0.1f);
@@ -98,26 +109,34 @@ void build_guitar_amp(Kit& k) {
 
 // An electric guitar leaning in its stand.
 void build_guitar_stand(Kit& k) {
-    const int body = k.main(plain("guitar lacquer", k.accent(), 0.12f)), neck = k.material(materials::timber("oak", 0.4f)),
-              metal = k.material(steel()), black = color(k, "stand", {0.02f, 0.02f, 0.02f}, 0.5f), plate = color(k, "pickguard", {0.7f, 0.68f, 0.62f}, 0.3f);
-    for (const float sx : {-1.f, 1.f}) k.rod(black, {0, 0.45f, -0.12f}, {sx * 0.24f, 0, -0.2f}, 0.011f, -1, 8), k.rod(black, {sx * 0.1f, 0.28f, -0.06f}, {sx * 0.1f, 0.26f, 0.1f}, 0.012f, -1, 8);
+    const int body = k.main(plain("guitar lacquer", k.accent(), 0.12f)),
+              neck = k.material(materials::timber("oak", 0.4f)), metal = k.material(steel()),
+              black = color(k, "stand", {0.02f, 0.02f, 0.02f}, 0.5f),
+              plate = color(k, "pickguard", {0.7f, 0.68f, 0.62f}, 0.3f);
+    for (const float sx : {-1.f, 1.f})
+        k.rod(black, {0, 0.45f, -0.12f}, {sx * 0.24f, 0, -0.2f}, 0.011f, -1, 8),
+            k.rod(black, {sx * 0.1f, 0.28f, -0.06f}, {sx * 0.1f, 0.26f, 0.1f}, 0.012f, -1, 8);
     k.rod(black, {0, 0.28f, -0.08f}, {0, 0, 0.2f}, 0.011f, -1, 8);
     k.rod(black, {-0.1f, 0.28f, -0.06f}, {0.1f, 0.28f, -0.06f}, 0.011f, -1, 8);
     k.rod(black, {0, 0.28f, -0.08f}, {0, 0.72f, -0.14f}, 0.011f, -1, 8);
     std::vector<Vec2f> outline;
     for (int i = 0; i < 40; ++i) {
-        const float a = kTau * static_cast<float>(i) / 40.f, r = 0.165f + 0.03f * std::cos(2 * a) * (std::sin(a) > 0 ? 0.9f : 1.2f) - 0.02f * std::cos(4 * a);
+        const float a = kTau * static_cast<float>(i) / 40.f,
+                    r = 0.165f + 0.03f * std::cos(2 * a) * (std::sin(a) > 0 ? 0.9f : 1.2f) - 0.02f * std::cos(4 * a);
         outline.push_back({r * 0.95f * std::cos(a), r * 1.25f * std::sin(a)});
     }
     std::reverse(outline.begin(), outline.end());
-    Mesh slab = shapes::prism(outline, -0.022f, 0.022f, 0.008f), guard = shapes::prism(shapes::rounded_rectangle(0.12f, 0.22f, 0.05f), 0.022f, 0.026f, 0.001f);
+    Mesh slab = shapes::prism(outline, -0.022f, 0.022f, 0.008f),
+         guard = shapes::prism(shapes::rounded_rectangle(0.12f, 0.22f, 0.05f), 0.022f, 0.026f, 0.001f);
     for (Mesh* m : {&slab, &guard}) shapes::turn(*m, {1, 0, 0}, 78);
     k.add(std::move(slab), body, {0, 0.5f, 0}), k.add(std::move(guard), plate, {0.02f, 0.5f, 0});
     k.rod(neck, {0, 0.62f, -0.02f}, {0, 1.12f, -0.13f}, 0.024f, 0.02f, 8);
     Mesh head = shapes::box({0.08f, 0.17f, 0.016f}, 0.004f);
     shapes::turn(head, {1, 0, 0}, -16);
     k.add(std::move(head), neck, {0, 1.2f, -0.15f});
-    for (int i = 0; i < 6; ++i) k.rod(metal, {-0.012f + 0.005f * static_cast<float>(i), 0.42f, 0.045f}, {-0.012f + 0.005f * static_cast<float>(i), 1.14f, -0.105f}, 0.001f, -1, 4);
+    for (int i = 0; i < 6; ++i)
+        k.rod(metal, {-0.012f + 0.005f * static_cast<float>(i), 0.42f, 0.045f},
+              {-0.012f + 0.005f * static_cast<float>(i), 1.14f, -0.105f}, 0.001f, -1, 4);
     k.piece.clearance_front_m = 0.3f;
 }
 
@@ -132,10 +151,13 @@ void build_microphone(Kit& k) {
 // A desk of faders, screens and two loudspeakers.
 void build_mixing_desk(Kit& k) {
     const Vec3f s = k.wanted({2.0f, 0.85f, 0.95f});
-    const int wood = k.main(k.style.wood), dark = color(k, "console", {0.06f, 0.062f, 0.066f}, 0.4f), fader = color(k, "fader", {0.66f, 0.66f, 0.64f}, 0.4f),
+    const int wood = k.main(k.style.wood), dark = color(k, "console", {0.06f, 0.062f, 0.066f}, 0.4f),
+              fader = color(k, "fader", {0.66f, 0.66f, 0.64f}, 0.4f),
               cone = color(k, "cone", {0.03f, 0.03f, 0.03f}, 0.7f);
-    const std::array<int, 3> caps{color(k, "red cap", {0.5f, 0.05f, 0.04f}), color(k, "blue cap", {0.05f, 0.15f, 0.5f}), color(k, "yellow cap", {0.6f, 0.45f, 0.05f})};
-    for (const float sx : {-1.f, 1.f}) k.board(wood, {sx * (0.5f * s.x - 0.03f), 0, 0}, {0.06f, s.y - 0.08f, s.z - 0.05f}, 0.008f);
+    const std::array<int, 3> caps{color(k, "red cap", {0.5f, 0.05f, 0.04f}), color(k, "blue cap", {0.05f, 0.15f, 0.5f}),
+                                  color(k, "yellow cap", {0.6f, 0.45f, 0.05f})};
+    for (const float sx : {-1.f, 1.f})
+        k.board(wood, {sx * (0.5f * s.x - 0.03f), 0, 0}, {0.06f, s.y - 0.08f, s.z - 0.05f}, 0.008f);
     k.board(wood, {0, s.y - 0.2f, 0}, {s.x - 0.1f, 0.06f, s.z - 0.06f}, 0.006f);
     Mesh slope = shapes::box({s.x - 0.14f, 0.05f, 0.6f}, 0.008f);
     shapes::turn(slope, {1, 0, 0}, 8);
