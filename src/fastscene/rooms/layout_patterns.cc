@@ -13,6 +13,7 @@ namespace {
 constexpr float kOffWall = 0.02f;      // of what stands with its back at a wall
 constexpr float kSeatDeep = 0.62f;     // floor that a seat at a table takes
 constexpr float kLeastClear = 0.9f;    // a piece that wants so much floor before it is gone to: tables keep off
+constexpr float kDrawnUp = 0.02f;      // between a desk and its chair
 constexpr float kLeastCounter = 1.1f;  // metres
 
 // The pieces of one pattern: what was asked for first, then as many as the pattern has.
@@ -139,7 +140,7 @@ void place_rows(Placement& p, const RecipeStep& step, int) {
                 return p.layout().stand_at(piece, ahead * at + right * column, stands, o, {});
             });
             if (!index) continue;
-            if (!step.seat.empty()) seat_before(p, seats, *index, -0.16f, 0);
+            if (!step.seat.empty()) seat_before(p, seats, *index, kDrawnUp, 0);
             follow_steps(step.then, p, *index);
         }
     }

@@ -123,10 +123,11 @@ const LexiconTable& lexicon_table() {
         LexiconTable out = lexicon_file();
         // What a style's own file says goes before the nearest style that the lexicon knows.
         for (const auto& [word, style] : style_words()) out.words.insert_or_assign(word, Word{WordKind::style, style});
-        // A room type's file likewise; what a room's word adds ("speakeasy": its style) it still adds.
+        // A room type's file likewise; what a word adds ("speakeasy": its style) it still adds.
         const auto names_room = [&](const std::string& word, const RoomType& type, bool exact) {
             const auto at = out.words.find(word);
-            std::string adds = at != out.words.end() && at->second.kind == WordKind::room ? at->second.adds : "";
+            const bool keeps = at != out.words.end() && at->second.kind == WordKind::room && word != type.title;
+            std::string adds = keeps ? at->second.adds : "";
             out.words.insert_or_assign(word, Word{WordKind::room, type.name, exact, std::move(adds)});
         };
         for (const RoomType& type : all_room_types()) {
