@@ -251,7 +251,7 @@ std::optional<int> Layout::stand_at(const Piece& piece, Vec2f at, float yaw, con
 }
 
 std::optional<int> Layout::hang_at(const Piece& piece, int wall, float u, const PromptObject& from) {
-    constexpr float kOffWall = 0.004f, kBelowCeiling = 0.05f;
+    constexpr float kOffWall = 0.004f, kBelowCeiling = 0.2f;
     const WallFace face = plan_.wall(wall);
     Placed p;
     p.piece = piece;

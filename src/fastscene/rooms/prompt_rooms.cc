@@ -61,7 +61,7 @@ bool comes_with_another(const Matches& m) {
 void qualify_rooms(Matches& m) {
     for (std::size_t i = 0; i + 1 < m.size(); ++i) {
         const RoomType* type = m[i].is(WordKind::room) && !m[i].negated ? find_room_type(m[i].word->meaning) : nullptr;
-        if (!type || type->next_door) continue;
+        if (!type || type->next_door || type->sloped_ceiling || type->high_ceiling) continue;
         const bool likened = is_one_of(m[i + 1].words, {"like", "style", "styled", "inspired", "themed"});
         const std::size_t next = likened ? i + 2 : i + 1;
         if (next >= m.size() || !m[next].is(WordKind::room) || m[next].negated || m[next].comma) continue;

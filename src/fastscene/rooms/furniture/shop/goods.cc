@@ -84,6 +84,18 @@ void loaf(Kit& k, const std::array<int, 3>& crusts, Vec3f at) {
     lump(k, crust, at, k.rng.chance(0.5f) ? Vec3f{0.15f, 0.1f, 0.27f} : Vec3f{0.19f, 0.12f, 0.2f});
 }
 
+// Books by the hundred: plain boxes, of which one sees the backs.
+void spines(Kit& k, const std::array<int, kColors>& colors, Vec3f from, float x1, float tallest, float depth) {
+    constexpr float kLeastDeep = 0.12f, kMostDeep = 0.2f;
+    for (float x = from.x; x < x1 - 0.05f;) {
+        const float wide = k.rng.uniform(0.022f, 0.05f), high = std::min(tallest, k.rng.uniform(0.19f, 0.29f)),
+                    deep = std::min(depth - 0.01f, k.rng.uniform(kLeastDeep, kMostDeep));
+        block(k, colors[static_cast<std::size_t>(k.rng.index(kColors))],
+              {x + 0.5f * wide, from.y, from.z - 0.5f * deep}, {wide - 0.002f, high, deep});
+        x += k.rng.chance(0.04f) ? wide + 0.08f : wide;
+    }
+}
+
 float step_of(Goods goods) {
     switch (goods) {
         case Goods::shoes: return 0.21f;
@@ -116,13 +128,13 @@ void bottle(Kit& k, int glass, int cap, Vec3f at, float h, float r) {
 }
 
 void stock(Kit& k, Goods goods, float x0, float x1, float y, float room_y, float z_front, float depth) {
-    if (goods == Goods::books) return books(k, {x0, y, z_front - depth}, x1 - x0, room_y - 0.02f, depth);
     const std::array<int, kColors> c = labels(k, goods == Goods::toys ? 0.7f : 0.45f);
     const auto any = [&] { return c[static_cast<std::size_t>(k.rng.index(kColors))]; };
     const std::array<int, 3> crusts{color(k, "crust", {0.36f, 0.17f, 0.06f}, 0.8f),
                                     color(k, "dark crust", {0.2f, 0.09f, 0.035f}, 0.8f),
                                     color(k, "roll", {0.5f, 0.3f, 0.12f}, 0.7f)};
     const int sole = color(k, "sole", {0.62f, 0.6f, 0.56f}, 0.8f);
+    if (goods == Goods::books) return spines(k, c, {x0, y, z_front - 0.02f}, x1, room_y - 0.02f, depth);
     const float step = step_of(goods);
     int same = 0, ink = any();
     for (float x = x0 + 0.5f * step; x + 0.5f * step <= x1 + 0.001f; x += step) {
