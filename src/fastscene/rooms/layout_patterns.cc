@@ -10,7 +10,7 @@
 namespace fastscene::furnishing {
 namespace {
 
-constexpr float kOffWall = 0.035f;     // of what stands with its back at a wall
+constexpr float kOffWall = 0.05f;      // of what stands with its back at a wall
 constexpr float kSeatDeep = 0.62f;     // floor that a seat at a table takes
 constexpr float kLeastClear = 0.9f;    // a piece that wants so much floor before it is gone to: tables keep off
 constexpr float kDrawnUp = 0.02f;      // between a desk and its chair
