@@ -28,6 +28,7 @@ struct Placed {
     int below = -1;  // index of the table it stands under
     int with =
         -1;  // index of the piece it was placed by (beside, before, above, under it): where that goes it goes too
+    bool fixed = false;     // a part of a pattern: it stays where it was put
     bool flat = false;      // rugs: one may stand on them
     bool overhead = false;  // lamps that hang: one may stand below them
 };
@@ -105,6 +106,10 @@ class Layout {
                                      const Spare& spare = {});
     std::optional<int> angled_towards(Vec2f target, const PieceRequest& request, const PromptObject& from = {});
     int around(int table, const PieceRequest& request, int count, const PromptObject& from = {});
+    // Parts of patterns. Here and nowhere else, with free floor about it; and on this wall, its middle at `u`.
+    std::optional<int> stand_at(const Piece& piece, Vec2f at, float yaw, const PromptObject& from, const Spare& spare,
+                                bool with_clearance = false);
+    std::optional<int> hang_at(const Piece& piece, int wall, float u, const PromptObject& from);
     // Rugs: under a piece, shifted towards its front; or with the middle anywhere.
     std::optional<int> under(int anchor, const PieceRequest& request, float shift_front_m,
                              const PromptObject& from = {});

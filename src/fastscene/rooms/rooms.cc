@@ -187,7 +187,12 @@ void add_piece(const Placed& placed, float lamps, Room& room) {
 }
 
 // Looks at the piece that names the room, else along the room's longer side.
-Vec3f view_direction(const FurnishedRoom& room, Vec3f camera) {
+Vec3f view_direction(const FurnishedRoom& room, const std::string& type, Vec3f camera) {
+    for (const Placed& p : room.placed) {
+        const Vec3f to = p.position - camera;
+        if (p.piece.kind == room_type(type).look_at && std::hypot(to.x, to.z) > 0.4f)
+            return normalize(Vec3f{to.x, 0, to.z});
+    }
     for (const char* kind : {"bed", "bed_single", "canopy_bed", "four_poster_bed", "floor_bed", "bunk_bed", "loft_bed",
                              "cabin_bed", "crib", "sofa", "loveseat", "dining_table", "kitchen_counter", "bathtub",
                              "desk", "sideboard", "washing_machine"})
@@ -385,7 +390,7 @@ Room room_of(PromptSpec& spec, const FurnishedRoom& furnished, const Run& run) {
     count_placed(furnished, spec);
 
     // World: x right, y down, z where the camera looks; a proper rotation of the room frame, nothing is mirrored.
-    const Vec3f camera = furnished.camera, forward = view_direction(furnished, camera), down{0, -1, 0};
+    const Vec3f camera = furnished.camera, forward = view_direction(furnished, spec.room, camera), down{0, -1, 0};
     const Mat3f rotation{cross(down, forward), down, forward};
     const Rigid world_from_room{rotation, -(rotation * camera)};
     turn_into_world(world_from_room, room);
