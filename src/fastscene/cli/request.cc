@@ -3,6 +3,7 @@
 #include "fastscene/cli/checks.h"
 #include "fastscene/pipeline/cached_weights.h"
 #include "fastscene/pipeline/share.h"
+#include "fastscene/rooms/document.h"
 
 namespace fastscene::cli {
 void add_param_flags(CLI::App& app, const std::shared_ptr<RequestFlags>& flags, const std::string& last_stage) {
@@ -67,8 +68,8 @@ SceneSource starting_source(const CLI::App& verb, const RequestFlags& flags) {
     const SceneSource source = source_of(flags.source, painted);
     const auto given = [&](std::string_view flag) { return flags.source.contains(flag); };
     const bool picture = !picture_of(source).empty();
-    if (!painted && !picture && !given("prompt"))
-        throw UsageError("{}: expected a prompt in quotes, or --panorama FILE", verb.get_name());
+    if (!painted && !picture && !given("prompt") && !given("--room"))
+        throw UsageError("{}: expected a prompt in quotes, --room FILE or --panorama FILE", verb.get_name());
     if (larger && !painted && !picture)
         throw UsageError(
             "--panorama-upscale: expected together with --panorama diffusion360 or --panorama FILE, found alone");
@@ -79,6 +80,13 @@ SceneSource starting_source(const CLI::App& verb, const RequestFlags& flags) {
     if (painted && prompt_of(source).find_first_not_of(" \t\r\n") == std::string::npos)
         throw UsageError("{}: expected a prompt in quotes, found none", verb.get_name());
     return source;
+}
+
+// A document's own, unless another one was asked for.
+std::uint64_t seed_of(const SceneSource& source, const CLI::App& verb, const RequestFlags& flags) {
+    if (const auto* room = std::get_if<DocumentSource>(&source); room && verb.count("--seed") == 0)
+        return read_document(room->document, room->room.string()).seed.value_or(0);
+    return number_from<std::uint64_t>("--seed", flags.seed);
 }
 
 SceneRequest starting_request(const CLI::App& verb, const RequestFlags& flags, const std::string& last_stage) {
@@ -125,10 +133,11 @@ Verb add_starting_verb(CLI::App& app, const std::string& name, const std::string
 
     return {verb, [flags, last_stage, verb](const Session& session) {
                 SceneRequest request = starting_request(*verb, *flags, last_stage);
-                const Run run = session.run(number_from<std::uint64_t>("--seed", flags->seed));
+                const Run run = session.run(seed_of(request.source, *verb, *flags));
                 use_cached_weights(request, run);
                 // The prompt is validated before it becomes a folder's name.
-                if (has_room(request.source)) read_prompt(prompt_of(request.source), request.params.panorama);
+                if (std::holds_alternative<PromptSource>(request.source))
+                    read_prompt(prompt_of(request.source), request.params.panorama);
                 const std::filesystem::path picture = picture_of(request.source);
                 const std::string title = picture.empty() ? prompt_of(request.source) : picture.stem().string();
                 const RunFolder folder{flags->out.empty() ? std::filesystem::path("out") / slug_of(title)

@@ -70,6 +70,8 @@ void add_source_flags(CLI::App& app, SourceTexts& texts) {
 SceneSource source_of(const SourceTexts& texts, bool painted) {
     const auto picture = texts.find(kPicture);
     if (painted) return filled<PaintingSource>(texts, "--panorama diffusion360");
+    if (texts.contains("--room"))
+        return document_source(std::get<DocumentSource>(filled<DocumentSource>(texts, "--room")).room);
     if (picture != texts.end() && !picture->second.empty()) return filled<PictureSource>(texts, "--panorama FILE");
     return filled<PromptSource>(texts, "alone");
 }

@@ -20,7 +20,7 @@ using namespace dataset;
 
 constexpr float kDegree = std::numbers::pi_v<float> / 180;
 
-struct Plan {
+struct DatasetPlan {
     DatasetRequest request;
     fs::path folder;
     std::uint64_t seed;
@@ -44,7 +44,7 @@ struct Plan {
 };
 
 // Settings that two calls on the same folder must share. The number of pictures may grow.
-Json description(const Plan& plan) {
+Json description(const DatasetPlan& plan) {
     const DatasetParams& p = plan.request.params;
     return {{"format", "fastscene dataset 1"},
             {"seed", plan.seed},
@@ -62,7 +62,7 @@ Json description(const Plan& plan) {
             {"classes", nyu40_names()}};
 }
 
-void settle_description(const Plan& plan) {
+void settle_description(const DatasetPlan& plan) {
     const fs::path path = plan.folder / "dataset.json";
     const Json wanted = description(plan);
     if (!fs::exists(path)) write_json(path, wanted);
@@ -96,7 +96,7 @@ struct Camera {
     Pinhole pinhole;  // for perspective views
 };
 
-Camera random_camera(const Plan& plan, const TracedRoom& room, int view, Random& rng) {
+Camera random_camera(const DatasetPlan& plan, const TracedRoom& room, int view, Random& rng) {
     const bool over_things = rng.chance(static_cast<float>(plan.request.params.over_things));
     const Vec3f place = view == 0 ? Vec3f{} : random_place(room, over_things, rng);
     const float yaw = rng.uniform(0.f, 360.f) * kDegree, fov_deg = rng.uniform(50.f, 100.f);
@@ -108,13 +108,13 @@ Camera random_camera(const Plan& plan, const TracedRoom& room, int view, Random&
     return {{rotation, place}, Pinhole::with_fov(plan.request.width, plan.request.height, fov_deg)};
 }
 
-Random rng_of(const Plan& plan, int picture) {
+Random rng_of(const DatasetPlan& plan, int picture) {
     return {plan.seed, "dataset picture", static_cast<std::uint64_t>(picture)};
 }
 
 // Camera positions of all pictures of a room, including existing ones, so that the light does not depend on which are
 // missing.
-std::vector<Vec3f> eyes_in(const Plan& plan, const TracedRoom& room, int first, int count) {
+std::vector<Vec3f> eyes_in(const DatasetPlan& plan, const TracedRoom& room, int first, int count) {
     std::vector<Vec3f> viewpoints;
     for (int k = 0; k < count; ++k) {
         Random rng = rng_of(plan, first + k);
@@ -165,7 +165,8 @@ Json instances_json(const Room& room, const Image<std::int32_t>& object) {
     return out;
 }
 
-void make_picture(const Plan& plan, const TracedRoom& room, const std::string& prompt, int picture, const Run& run) {
+void make_picture(const DatasetPlan& plan, const TracedRoom& room, const std::string& prompt, int picture,
+                  const Run& run) {
     const DatasetRequest& request = plan.request;
     Random rng = rng_of(plan, picture);
     const Camera camera = random_camera(plan, room, picture % request.params.views, rng);
@@ -232,7 +233,7 @@ void check_request(const DatasetRequest& request) {
 }
 
 // A list with one line per picture, for data loaders. Written by whichever process completes the set.
-void write_index(const Plan& plan) {
+void write_index(const DatasetPlan& plan) {
     std::string lines;
     for (int i = 0; i < plan.request.count; ++i)
         lines += fs::relative(plan.file(i, ".json"), plan.folder).string() + "\n";
@@ -243,9 +244,9 @@ void write_index(const Plan& plan) {
 
 DatasetState make_dataset(const DatasetRequest& request, const fs::path& folder, const Run& run) {
     check_request(request);
-    const Plan plan{request, folder, run.seed,
-                    request.params.camera == "panorama" ||
-                        (request.params.camera == "auto" && request.width == 2 * request.height)};
+    const DatasetPlan plan{request, folder, run.seed,
+                           request.params.camera == "panorama" ||
+                               (request.params.camera == "auto" && request.width == 2 * request.height)};
     make_directories(folder / "claims");
     settle_description(plan);
 

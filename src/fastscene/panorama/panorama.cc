@@ -1,5 +1,6 @@
 #include "fastscene/panorama/panorama.h"
 
+#include "fastscene/rooms/document.h"
 #include "fastscene/rooms/pack.h"
 #include "fastscene/trace/standable.h"
 
@@ -33,10 +34,36 @@ std::vector<Vec3f> places_to_look_from(const TracedRoom& room) {
 
 }  // namespace
 
-std::shared_ptr<TracedRoom> make_traced_room(PromptSpec& prompt, const PanoramaParams& params, const Run& run) {
-    auto room = std::make_shared<TracedRoom>(make_room(prompt, run));
-    room->gather_light(params.trace, run, places_to_look_from(*room));
+DocumentRoom known_room(const RoomOrigin& origin, const PanoramaParams& params, const Run& run) {
+    if (!origin.document.empty())
+        return furnish_document(read_document(origin.document, "room.json"), "room.json", furniture_pack(params), run);
+    DocumentRoom room{read_prompt(origin.prompt, params), {}, run.seed};
+    room.furnished = furnish_room(room.spec, run);
     return room;
+}
+
+namespace {
+
+std::shared_ptr<TracedRoom> lit(Room room, const PanoramaParams& params, const Run& run) {
+    auto traced = std::make_shared<TracedRoom>(std::move(room));
+    traced->gather_light(params.trace, run, places_to_look_from(*traced));
+    return traced;
+}
+
+}  // namespace
+
+std::shared_ptr<TracedRoom> make_traced_room(PromptSpec& prompt, const PanoramaParams& params, const Run& run) {
+    return lit(make_room(prompt, run), params, run);
+}
+
+std::shared_ptr<TracedRoom> make_traced_room(const RoomOrigin& origin, const PanoramaParams& params, const Run& run) {
+    DocumentRoom room = known_room(origin, params, run);
+    return lit(room_of(room), params, run);
+}
+
+TracedRoom make_unlit_room(const RoomOrigin& origin, const PanoramaParams& params, const Run& run) {
+    DocumentRoom room = known_room(origin, params, run);
+    return TracedRoom(room_of(room));
 }
 
 ShotParts panorama_parts(const TraceParams& trace) {
@@ -51,18 +78,19 @@ ShotParts panorama_parts(const TraceParams& trace) {
             .noise = 0.012f};
 }
 
-RoomPanorama panorama_from_prompt(const std::string& prompt, const PanoramaParams& params, const Run& run) {
+RoomPanorama panorama_of_room(const RoomOrigin& origin, const PanoramaParams& params, const Run& run) {
     if (params.width % 2 != 0)
         throw UsageError("--panorama-width: expected an even number of pixels, found {}", params.width);
     RoomPanorama made;
-    made.prompt = read_prompt(prompt, params);
-    made.room = make_traced_room(made.prompt, params, run);
+    DocumentRoom room = known_room(origin, params, run);
+    made.room = lit(room_of(room), params, run);
+    made.prompt = room.spec;
     if (made.prompt.pack)
         for (const std::string& reason : made.prompt.pack->damage()) run.warn(reason);
     Shot shot = made.room->panorama({}, {params.width, params.width / 2}, panorama_parts(params.trace), run);
     made.panorama.color = std::move(shot.color);
     made.panorama.range = std::move(shot.range);
-    made.object_of_pixel = std::move(shot.object);
+    made.file = room_file_json(document_of(room), made.room->room(), shot.object);
     return made;
 }
 

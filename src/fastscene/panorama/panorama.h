@@ -17,6 +17,8 @@
 
 namespace fastscene {
 
+struct DocumentRoom;  // rooms/document.h
+
 template <class V>
 void visit_fields(Diffusion360Settings& p, V&& v) {
     v("steps", p.steps, Bounds{1, 1000}, "diffusion360: number of sampling steps.");
@@ -64,18 +66,28 @@ std::shared_ptr<const FurniturePack> furniture_pack(const PanoramaParams& params
 PromptSpec read_prompt(const std::string& prompt, const PanoramaParams& params,
                        std::vector<std::string>* complaints = nullptr);
 
+// What a known room is made from: a prompt, or the text of a document (rooms/document.h).
+struct RoomOrigin {
+    std::string prompt, document;
+};
+// The room before it becomes triangles; of a prompt by run.seed, of a document by its own seed, if it has one.
+DocumentRoom known_room(const RoomOrigin& origin, const PanoramaParams& params, const Run& run);
+
 // Backend "rooms". The traced room is kept for the depth stage and for ground truth.
 struct RoomPanorama {
     Panorama panorama;  // with exact range
     PromptSpec prompt;
-    Image<std::int32_t> object_of_pixel;
+    Json file;  // panorama/room.json
     std::shared_ptr<TracedRoom> room;
 };
 // The room alone, with its light gathered. Deterministic, so that metrics can recreate the room.
 std::shared_ptr<TracedRoom> make_traced_room(PromptSpec& prompt, const PanoramaParams& params, const Run& run);
 // Render settings of its panoramas; ground truth is rendered with the same.
 ShotParts panorama_parts(const TraceParams& trace);
-RoomPanorama panorama_from_prompt(const std::string& prompt, const PanoramaParams& params, const Run& run);
+std::shared_ptr<TracedRoom> make_traced_room(const RoomOrigin& origin, const PanoramaParams& params, const Run& run);
+// … without its light.
+TracedRoom make_unlit_room(const RoomOrigin& origin, const PanoramaParams& params, const Run& run);
+RoomPanorama panorama_of_room(const RoomOrigin& origin, const PanoramaParams& params, const Run& run);
 
 // Backend "diffusion360".
 struct PaintingSource {

@@ -26,8 +26,8 @@ std::vector<HoleRow> hole_table_of_run(const fs::path& run_dir, bool truth, cons
     if (!has_room(source))
         throw UsageError("--truth: expected a scene from a prompt: the picture of {} has no known room to compare with",
                          run_dir.string());
-    PromptSpec prompt = read_prompt(prompt_of(source), recorded.request.params.panorama);
-    const TracedRoom room(make_room(prompt, {recorded.seed, run.events, run.stop}));
+    const TracedRoom room = make_unlit_room(origin_of(source), recorded.request.params.panorama,
+                                            {recorded.seed, run.events, run.stop});
     check_same_room(room, range, run_dir);
     return hole_table(range, run, [&](Vec3f from, Vec3f direction) { return room.distance(from, direction); });
 }

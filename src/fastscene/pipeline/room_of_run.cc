@@ -16,11 +16,11 @@ PanoramaParams panorama_of_run(const RecordedRun& recorded, int least_cell_sampl
 
 namespace {
 
-PromptSpec prompt_of_run(const RunFolder& folder, const SceneRequest& request, const PanoramaParams& panorama) {
+RoomOrigin origin_of_run(const RunFolder& folder, const SceneRequest& request) {
     if (!has_room(request.source))
         throw UsageError("{}: expected a scene from a prompt, found one from a picture, which has no known room",
                          folder.root.string());
-    return read_prompt(prompt_of(request.source), panorama);
+    return origin_of(request.source);
 }
 
 // An estimated range cannot verify the room.
@@ -34,16 +34,17 @@ void check_room(const TracedRoom& room, const RunFolder& folder, const SceneRequ
 std::shared_ptr<const TracedRoom> room_of_run(const RunFolder& folder, const RecordedRun& recorded,
                                               int least_cell_samples, const Run& run) {
     const PanoramaParams panorama = panorama_of_run(recorded, least_cell_samples);
-    PromptSpec prompt = prompt_of_run(folder, recorded.request, panorama);
-    auto room = make_traced_room(prompt, panorama, Run{recorded.seed, run.events, run.stop});
+    const RoomOrigin origin = origin_of_run(folder, recorded.request);
+    auto room = make_traced_room(origin, panorama, Run{recorded.seed, run.events, run.stop});
     check_room(*room, folder, recorded.request);
     return room;
 }
 
 std::shared_ptr<const TracedRoom> unlit_room_of_run(const RunFolder& folder, const RecordedRun& recorded,
                                                     const Run& run) {
-    PromptSpec prompt = prompt_of_run(folder, recorded.request, recorded.request.params.panorama);
-    auto room = std::make_shared<const TracedRoom>(make_room(prompt, Run{recorded.seed, run.events, run.stop}));
+    const RoomOrigin origin = origin_of_run(folder, recorded.request);
+    auto room = std::make_shared<const TracedRoom>(
+        make_unlit_room(origin, recorded.request.params.panorama, Run{recorded.seed, run.events, run.stop}));
     check_room(*room, folder, recorded.request);
     return room;
 }

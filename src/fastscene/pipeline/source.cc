@@ -1,5 +1,8 @@
 #include "fastscene/pipeline/source.h"
 
+#include "fastscene/rooms/document.h"
+#include "fastscene/rooms/lexicon.h"
+
 namespace fastscene {
 namespace fs = std::filesystem;
 namespace {
@@ -31,6 +34,18 @@ fs::path weights_of(const SceneSource& source) {
 }
 fs::path more_of(const SceneSource& source) { return member_of(source, &PictureSource::more); }
 
+RoomOrigin origin_of(const SceneSource& source) {
+    if (const auto* document = std::get_if<DocumentSource>(&source)) return {document->prompt, document->document};
+    return {prompt_of(source), {}};
+}
+
+DocumentSource document_source(const fs::path& file) { return document_source(load_document(file), file); }
+
+DocumentSource document_source(const RoomDocument& document, const fs::path& file) {
+    return {document.prompt.empty() ? room_title(document.type) : document.prompt, file,
+            document_json(document).dump()};
+}
+
 std::string panorama_backend(const SceneSource& source) {
     return std::visit(
         Overloaded{[](const PictureSource&) { return "image"; }, [](const PaintingSource&) { return "diffusion360"; },
@@ -45,6 +60,7 @@ std::string title_of(const SceneSource& source) {
 
 std::string what_is_behind(const SceneSource& source) {
     return std::visit(Overloaded{[](const PromptSource&) { return std::string("a prompt"); },
+                                 [](const DocumentSource& one) { return "the room " + one.room.string(); },
                                  [](const PictureSource& one) { return "the picture " + one.picture.string(); },
                                  [](const PaintingSource&) { return std::string("a painted panorama"); },
                                  [](const CaptureSource& one) { return "the photographs of " + one.source.string(); }},

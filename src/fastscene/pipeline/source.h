@@ -17,6 +17,14 @@ namespace fastscene {
 struct PromptSource {
     std::string prompt;
 };
+struct RoomDocument;  // rooms/document.h
+
+// A room as a document (rooms/document.h), built as it is.
+struct DocumentSource {
+    std::string prompt;          // the words it came from, or its type
+    std::filesystem::path room;  // the file, in messages
+    std::string document;        // its text, kept in run.json
+};
 // A panorama provided by the user.
 struct PictureSource {
     std::string prompt;  // describes its content, for upscaling
@@ -35,7 +43,7 @@ struct CaptureSource {
     std::filesystem::path masks;   // empty: next to the model, if there are any
 };
 
-using SceneSource = std::variant<PromptSource, PictureSource, PaintingSource, CaptureSource>;
+using SceneSource = std::variant<PromptSource, DocumentSource, PictureSource, PaintingSource, CaptureSource>;
 
 // `flag`: the command line flag, or empty for the positional argument; `kind`: its argument's type; `called`: name in
 // messages.
@@ -55,6 +63,12 @@ inline constexpr std::string_view kWeightsSentence =
 template <class V>
 void visit_fields(PromptSource& s, V&& v) {
     v("prompt", s.prompt, source_flags::kPrompt, source_flags::kPromptSentence);
+}
+template <class V>
+void visit_fields(DocumentSource& s, V&& v) {
+    v("room", s.room, SourceFlag{"--room", "FILE", "room"},
+      "Build the room of this document instead of a prompt's: a room.json of `rooms plan`, of a run, or written by "
+      "hand (docs/room-document.md).");
 }
 template <class V>
 void visit_fields(PictureSource& s, V&& v) {
@@ -90,6 +104,7 @@ void visit_fields(CaptureSource& s, V&& v) {
 template <class V>
 void visit_starting_sources(V&& v) {
     v(PromptSource{}, std::string_view("a prompt alone"));
+    v(DocumentSource{}, std::string_view("--room"));
     v(PictureSource{}, std::string_view("--panorama FILE"));
     v(PaintingSource{}, std::string_view("--panorama diffusion360"));
 }
@@ -102,7 +117,13 @@ template <class... F>
 Overloaded(F...) -> Overloaded<F...>;
 
 // Whether the panorama was rendered from a known room.
-inline bool has_room(const SceneSource& source) { return std::holds_alternative<PromptSource>(source); }
+inline bool has_room(const SceneSource& source) {
+    return std::holds_alternative<PromptSource>(source) || std::holds_alternative<DocumentSource>(source);
+}
+RoomOrigin origin_of(const SceneSource& source);
+// Throws Error naming file and place if there is no such document, or if it is none.
+DocumentSource document_source(const std::filesystem::path& file);
+DocumentSource document_source(const RoomDocument& document, const std::filesystem::path& file);
 // Empty if there is none.
 std::string prompt_of(const SceneSource& source);
 void set_prompt(SceneSource& source, const std::string& prompt);  // photographs have no prompt

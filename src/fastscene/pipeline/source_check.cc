@@ -9,6 +9,7 @@
 #include "fastscene/panorama/more_panoramas.h"
 #include "fastscene/panorama/picture_check.h"
 #include "fastscene/pipeline/resolve.h"
+#include "fastscene/rooms/document.h"
 
 namespace fastscene {
 namespace fs = std::filesystem;
@@ -82,6 +83,10 @@ void check(const PromptSource& source, const Checking& with) {
         if (complaint.starts_with("no furniture pack") && with.params.panorama.assets != "all")
             with.run.note(complaint);
         else with.run.warn(complaint);
+}
+
+void check(const DocumentSource& source, const Checking& with) {
+    known_room({source.prompt, source.document}, with.params.panorama, with.run);
 }
 
 void check(const PaintingSource& source, const Checking& with) {

@@ -31,6 +31,9 @@ struct ReadFields {
         file = run.value(std::string(name), std::string());
     }
 };
+DocumentSource read_room(const Json& run) {
+    return {run.at("prompt"), run.at("room").get<std::string>(), run.at("document").dump()};
+}
 template <class Source>
 Source read_fields(const Json& run) {
     Source source;
@@ -57,6 +60,7 @@ void add_more(const fs::path& list, SourceFiles& files, Hash& hash) {
 std::string content_of(const fs::path& file, SourceFiles& files) { return Hash().add(files.bytes(file)).hex(); }
 
 void add_identity(const PromptSource& source, SourceFiles&, Hash& hash) { hash.add("prompt").add(source.prompt); }
+void add_identity(const DocumentSource& source, SourceFiles&, Hash& hash) { hash.add("room").add(source.document); }
 void add_identity(const PictureSource& source, SourceFiles& files, Hash& hash) {
     hash.add("picture");
     add_file(source.picture, files, hash);
@@ -88,6 +92,7 @@ Json contents(const PaintingSource& source, SourceFiles& files) {
     return out;
 }
 Json contents(const PromptSource&, SourceFiles&) { return Json::object(); }
+Json contents(const DocumentSource& source, SourceFiles&) { return {{"room", Hash().add(source.document).hex()}}; }
 Json contents(const CaptureSource&, SourceFiles&) { return Json::object(); }
 
 std::string content(const Json& run, const std::string& name) {
@@ -117,6 +122,8 @@ Json json_of_source(const SceneSource& source) {
                                   {"source", one.source.string()},
                                   {"images", whole_path(one.images)},
                                   {"masks", whole_path(one.masks)}};
+            } else if constexpr (std::is_same_v<decltype(one), DocumentSource>) {
+                out = {{"prompt", one.prompt}, {"room", whole_path(one.room)}, {"document", Json::parse(one.document)}};
             } else {
                 out = std::move(fields);
             }
@@ -127,6 +134,7 @@ Json json_of_source(const SceneSource& source) {
 
 SceneSource source_from_json(const Json& run) {
     if (run.contains("capture")) return read_fields<CaptureSource>(run.at("capture"));
+    if (run.contains("document")) return read_room(run);
     if (!run.value("picture", "").empty()) return read_fields<PictureSource>(run);
     if (!run.value("weights", "").empty()) return read_fields<PaintingSource>(run);
     return read_fields<PromptSource>(run);

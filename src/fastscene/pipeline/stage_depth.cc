@@ -90,8 +90,7 @@ void make_depth(const SceneSource& source, const PanoramaParams& panorama, const
     EstimatedRange found{{}, {{"backend", backend}}};
     if (backend == kExactDepth) {
         // The room is laid out again instead of being kept: it is fast, and what a resumed run would do.
-        PromptSpec prompt = read_prompt(prompt_of(source), panorama);
-        const TracedRoom room(make_room(prompt, run));
+        const TracedRoom room = make_unlit_room(origin_of(source), panorama, run);
         found.range = exact_range(room, size, run);
         if (const ImageF mirrored = exact_mirrored_range(room, size, run); !mirrored.empty())
             save_exr(out / folder.depth_mirrored_range().filename(), mirrored);

@@ -7,12 +7,12 @@ namespace {
 
 // Shares of the run time, between those of a draft and of a standard run, and the number of progress tasks per stage.
 // Measured; used only for the estimated remaining time.
-struct Plan {
+struct StagePlan {
     std::string_view stage;
     double share;
     double first_work;  // share of the stage's time spent in its first task
 };
-constexpr Plan kPlan[] = {
+constexpr StagePlan kPlan[] = {
     {"panorama", 0.35, 0.75}, {"depth", 0.01, 1}, {"walk", 0.11, 1}, {"views", 0.07, 1}, {"splat", 0.46, 1}};
 
 }  // namespace
@@ -20,7 +20,7 @@ constexpr Plan kPlan[] = {
 StageEvents::StageEvents(std::string_view stage, std::string_view last_stage, EventSink* sink)
     : stage_(stage), sink_(sink) {
     double total = 0;
-    for (const Plan& plan : kPlan) {
+    for (const StagePlan& plan : kPlan) {
         if (plan.stage == stage) begin_ = total, share_ = plan.share;
         total += plan.share;
         if (plan.stage == last_stage) break;
@@ -36,7 +36,7 @@ double StageEvents::overall(const ProgressEvent& event) {
         ++works_before_;
     }
     double first = 1;
-    for (const Plan& plan : kPlan)
+    for (const StagePlan& plan : kPlan)
         if (plan.stage == stage_) first = plan.first_work;
     // Each task takes that share of what the previous ones left, so progress never goes back.
     const double left_over = std::pow(1 - first, works_before_);

@@ -44,10 +44,14 @@ struct Making {
     PaintingMemory memory() const { return {RunFolder{run_folder}.painting(), code_version("panorama")}; }
 };
 
-Made made_from(const PromptSource& source, const Making& with) {
-    RoomPanorama made = panorama_from_prompt(source.prompt, with.params, with.run);
-    return {std::move(made.panorama.color), to_json(made.prompt), room_json(made.room->room(), made.object_of_pixel),
-            std::move(made.room)};
+Made made_from_room(const RoomOrigin& origin, const Making& with) {
+    RoomPanorama made = panorama_of_room(origin, with.params, with.run);
+    return {std::move(made.panorama.color), to_json(made.prompt), std::move(made.file), std::move(made.room)};
+}
+
+Made made_from(const PromptSource& source, const Making& with) { return made_from_room({source.prompt, {}}, with); }
+Made made_from(const DocumentSource& source, const Making& with) {
+    return made_from_room({source.prompt, source.document}, with);
 }
 
 Made made_from(const PaintingSource& source, const Making& with) {

@@ -41,8 +41,7 @@ void make_walk(const SceneSource& source, const PanoramaParams& panorama, const 
     check_walk(source, depth, asked);
     const WalkParams params = walk_of(source, depth, asked);
     if (looks_into_room(params) && !room) {
-        PromptSpec prompt = read_prompt(prompt_of(source), panorama);
-        room = make_traced_room(prompt, panorama, run);
+        room = make_traced_room(origin_of(source), panorama, run);
         check_same_room(*room, load_float(folder.depth_range()), folder.root);
     }
     WalkAdvice advice;

@@ -7,17 +7,6 @@
 #include "fastscene/rooms/materials.h"
 
 namespace fastscene {
-
-template <>
-inline constexpr std::array<std::string_view, 48> kNamesOf<Pattern>{
-    "plain",     "plaster",  "wood",       "planks",  "herringbone", "parquet",    "tile",        "checker",
-    "subway",    "brick",    "concrete",   "marble",  "terrazzo",    "fabric",     "knit",        "carpet",
-    "leather",   "rug",      "stripes",    "damask",  "floral",      "wicker",     "metal",       "art",
-    "book",      "leaf",     "grass",      "bark",    "screen",      "dots",       "zigzag",      "twill",
-    "geometric", "diamonds", "lattice",    "stars",   "gingham",     "plaid",      "houndstooth", "patchwork",
-    "leopard",   "zebra",    "camouflage", "paisley", "encaustic",   "laid tiles", "peeling",     "image"};
-static_assert(kNamesOf<Pattern>.size() == static_cast<std::size_t>(Pattern::image) + 1);
-
 namespace file_fields {
 namespace {
 

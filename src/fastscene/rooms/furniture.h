@@ -20,6 +20,7 @@ namespace fastscene {
 
 class FurniturePack;
 struct PackModel;
+struct PieceRequest;
 
 enum class Mount : std::uint8_t { floor, wall, ceiling, surface };
 
@@ -43,6 +44,9 @@ struct Piece {
     int main_material = 0;            // the one that color and material wishes change
     std::string form;                 // where a room should have each only once: "monstera", "eucalyptus"; else empty
     std::string source = "built-in";  // or the model of the furniture pack, with author and license
+    // What make_piece was asked for; its style is one of styles(), or null for the room's own.
+    std::shared_ptr<const PieceRequest> made_from{};
+    Mount made_mount = Mount::floor;  // as it was made; a layout may stand up what hangs
 };
 
 struct PieceRequest {

@@ -5,6 +5,7 @@
 #include <limits>
 #include <numbers>
 
+#include "fastscene/base/check.h"
 #include "fastscene/base/is_one_of.h"
 #include "fastscene/rooms/catalogue.h"
 #include "fastscene/rooms/layout_relations.h"
@@ -190,6 +191,13 @@ std::optional<int> Layout::keep(Placed placed, const PromptObject& from) {
     return static_cast<int>(placed_.size()) - 1;
 }
 
+void Layout::begin_with(std::vector<Placed> fixed) {
+    FASTSCENE_CHECK(placed_.empty());
+    placed_ = std::move(fixed);
+    for (Placed& p : placed_) p.fixed = true;
+    find_ways();
+}
+
 void Layout::undo(std::size_t mark) {
     if (placed_.size() == mark) return;
     placed_.resize(mark);
@@ -250,6 +258,11 @@ std::string Layout::accent_of(const std::string& kind) const {
 }
 
 PieceRequest Layout::request(std::string kind, const PromptObject* wish) {
+    if (sample_ && wish && (wish->kind == kind || sample_->kind == kind)) {
+        PieceRequest again = *sample_;
+        if (!again.style) again.style = &plan_.style;
+        return again;
+    }
     PieceRequest r;
     r.kind = std::move(kind);
     r.style = &plan_.style;

@@ -28,10 +28,14 @@ struct Placed {
     int below = -1;  // index of the table it stands under
     int with =
         -1;  // index of the piece it was placed by (beside, before, above, under it): where that goes it goes too
-    bool fixed = false;     // a part of a pattern: it stays where it was put
     bool flat = false;      // rugs: one may stand on them
     bool overhead = false;  // lamps that hang: one may stand below them
+    bool fixed = false;     // given, or a part of a pattern: it stays where it is
 };
+
+// A thing that hangs on walls set upright on a top (a picture on the mantelpiece), or a flat one that stands hung on a
+// wall with its back against it.
+void mount_as(Piece& piece, Mount mount);
 
 Footprint footprint_of(const Placed& placed, float margin_m = 0.f);
 // The box of what of a piece reaches above a height: of a bed its head alone; nothing, if all of it is lower.
@@ -144,6 +148,11 @@ class Layout {
     // Says that one piece was placed by another.
     void join(int piece, int anchor) { placed_[static_cast<std::size_t>(piece)].with = anchor; }
 
+    // Before anything is placed: what stands already, and stays there.
+    void begin_with(std::vector<Placed> fixed);
+    // Pieces of its class are made as this one was, which moves; null: as wished again.
+    void make_as(std::shared_ptr<const PieceRequest> sample) { sample_ = std::move(sample); }
+
     // A wish for a piece that the furniture pack has, or has better, is served from there; another builder may stand
     // in.
     PieceRequest request(std::string kind, const PromptObject* wish = nullptr);
@@ -203,6 +212,7 @@ class Layout {
     std::vector<WallFace> faces_;
     std::vector<Placed> placed_;
     const PromptObject* insisted_ = nullptr;
+    std::shared_ptr<const PieceRequest> sample_;
     Ways ways_;
 };
 
@@ -222,10 +232,21 @@ struct FurnishedRoom {
     std::vector<Placed> placed_next;
     int hidden_wishes = 0;  // pieces asked for of which the camera sees hardly anything
     AnnealReport annealed;
+    Vec3f looks{0, 0, 1};                // where the camera looks: level, unit
+    std::optional<float> lamps;          // share of their light that lamps give; nothing: as the hour asks
+    std::optional<Vec3f> towards_sun{};  // unit; nothing: where it shines through the first window
 };
 // The room a prompt asks for, before it becomes triangles. Fills spec.assumed and spec.not_placed. Deterministic in
 // (spec, run.seed).
 FurnishedRoom furnish_room(PromptSpec& spec, const Run& run, const AnnealParams& annealing = {});
+// What furnish_room assumes when the prompt does not say it: the hour; once the plan is made, what the windows show.
+void assume_time(PromptSpec& spec, std::uint64_t seed);
+void assume_outlook(PromptSpec& spec, const Style& style, std::uint64_t seed);
+// At the piece that names the room, else along the room's longer side.
+Vec3f usual_look(const FurnishedRoom& room, const std::string& type);
+// The room behind the doorway, if the plan has one: its own type, the same style and hour; of what was asked for, what
+// belongs there.
+void furnish_next(PromptSpec& spec, const Run& run, const AnnealParams& annealing, FurnishedRoom& room);
 // … and as triangles.
 Room room_of(PromptSpec& spec, const FurnishedRoom& furnished, const Run& run);
 

@@ -40,7 +40,7 @@ class Annealer {
         for (int i = 0; i < static_cast<int>(placed.size()); ++i) {
             const int root = root_of(i);
             int& g = group_of[static_cast<std::size_t>(root)];
-            if (g < 0 && !stays(at(root))) {
+            if (g < 0 && !stays(at(root)) && !has_fixed(root)) {
                 g = static_cast<int>(groups_.size());
                 groups_.push_back({root, {}, false, 0});
                 settle_at_wall(groups_.back());
@@ -86,6 +86,12 @@ class Annealer {
             i = up;
         }
         return i;
+    }
+    // Whether the piece, or one that would move with it, is fixed.
+    bool has_fixed(int root) {
+        for (int i = 0; i < static_cast<int>(placed_.size()); ++i)
+            if (at(i).fixed && root_of(i) == root) return true;
+        return false;
     }
     // A piece with its back at a wall keeps it there.
     void settle_at_wall(Group& g) {
@@ -218,7 +224,7 @@ void Layout::improve() {
     for (const Placed& p : placed_) {
         Placed b = {};
         b.wish = p.wish, b.position = p.position, b.yaw = p.yaw, b.on = p.on, b.sill = p.sill, b.with = p.with,
-        b.below = p.below, b.flat = p.flat, b.overhead = p.overhead;
+        b.below = p.below, b.flat = p.flat, b.overhead = p.overhead, b.fixed = p.fixed;
         b.piece.kind = p.piece.kind, b.piece.size_m = p.piece.size_m, b.piece.mount = p.piece.mount,
         b.piece.surfaces = p.piece.surfaces;
         b.piece.clearance_front_m = p.piece.clearance_front_m, b.piece.clearance_side_m = p.piece.clearance_side_m;

@@ -72,8 +72,10 @@ void Layout::take_away(std::vector<int> pieces) {
         std::vector<int> whole{top};
         for (int i = 0; i < static_cast<int>(placed_.size()); ++i)
             if (bears(top, i)) whole.push_back(i);
-        if (std::all_of(whole.begin(), whole.end(),
-                        [&](int i) { return placed_[static_cast<std::size_t>(i)].wish.kind.empty(); }))
+        if (std::all_of(whole.begin(), whole.end(), [&](int i) {
+                const Placed& p = placed_[static_cast<std::size_t>(i)];
+                return p.wish.kind.empty() && !p.fixed;
+            }))
             gone.insert(whole.begin(), whole.end());
     }
     if (gone.empty()) return;
@@ -117,7 +119,7 @@ void Furnisher::reveal() {
         const std::vector<int> unseen = l_.unseen(eye);
         if (unseen.empty()) return;
         for (const int i : unseen)
-            if (at(i).on >= 0) l_.show(i, eye, round > 0 && at(i).wish.relation.empty());
+            if (at(i).on >= 0 && !at(i).fixed) l_.show(i, eye, round > 0 && at(i).wish.relation.empty());
         std::set<int> hiders;
         const std::vector<int> still = l_.unseen(eye);
         const Sight sight(l_.plan(), l_.placed());

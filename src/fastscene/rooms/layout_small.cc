@@ -11,19 +11,6 @@
 namespace fastscene {
 namespace {
 
-// A thing that hangs on walls set upright on a top: a clock or a picture on the mantelpiece.
-void stand_up(Piece& piece) {
-    for (Mesh& m : piece.meshes) shapes::move(m, {0, 0, -piece.size_m.z / 2});
-    piece.mount = Mount::surface;
-}
-
-// A flat thing that stands hung on a wall, with its back against it.
-void hang_up(Piece& piece, float height) {
-    for (Mesh& m : piece.meshes) shapes::move(m, {0, 0, piece.size_m.z / 2});
-    piece.mount = Mount::wall;
-    piece.hang_height_m = height;
-}
-
 // A rail runs along the nearest beam, below it; a lamp with a plate goes between two beams; what hangs by a rod or a
 // cord that meets a beam hangs from that.
 void hang_among_beams(const Plan& plan, Placed& p) {
@@ -40,6 +27,15 @@ void hang_among_beams(const Plan& plan, Placed& p) {
 }
 
 }  // namespace
+
+void mount_as(Piece& piece, Mount mount) {
+    const float half = piece.size_m.z / 2;
+    if (mount == Mount::surface && piece.mount == Mount::wall)
+        for (Mesh& m : piece.meshes) shapes::move(m, {0, 0, -half});
+    if (mount == Mount::wall && piece.mount != Mount::wall)
+        for (Mesh& m : piece.meshes) shapes::move(m, {0, 0, half});
+    piece.mount = mount;
+}
 
 bool Layout::free_on_top(const Placed& p, int self) const {
     constexpr float kBeams = 0.25f;  // what hangs from the ceiling is in no box
@@ -59,7 +55,7 @@ std::optional<int> Layout::on_top(int anchor, const PieceRequest& request, const
     p.piece = make_piece(request);
     p.on = anchor;
     const bool leans = p.piece.mount == Mount::wall, asked = !from.kind.empty();
-    if (leans) stand_up(p.piece);
+    if (leans) mount_as(p.piece, Mount::surface);
     const Vec3f front = front_of(a.yaw), right = right_of(a.yaw), size = p.piece.size_m;
     // One machine on the other: what is no larger than what carries it may reach beyond the free part of its top.
     const bool stacks = asked && size.x <= a.piece.size_m.x + 0.02f && size.z <= a.piece.size_m.z + 0.02f;
@@ -147,7 +143,7 @@ std::optional<int> Layout::on_sill(const PieceRequest& request, std::optional<in
 std::optional<int> Layout::on_floor_near(Vec2f at, const PieceRequest& request, const PromptObject& from) {
     Placed p;
     p.piece = make_piece(request);
-    p.piece.mount = Mount::floor;
+    mount_as(p.piece, Mount::floor);
     for (int tries = 0; tries < 24; ++tries) {
         const float far = tries < 12 ? 0.7f : 1.6f;
         p.position = {at.x + rng_.uniform(-far, far), 0.013f, at.y + rng_.uniform(-far, far)};  // it may lie on a rug
@@ -188,7 +184,8 @@ std::optional<int> Layout::on_wall(const PieceRequest& request, std::optional<in
         PieceRequest hung = request;
         hung.pattern = kHungScreen;
         p.piece = make_piece(hung);
-        hang_up(p.piece, 0.95f);
+        mount_as(p.piece, Mount::wall);
+        p.piece.hang_height_m = 0.95f;
     }
     const Vec3f size = p.piece.size_m;
     const float top = plan_.height - (plan_.beams ? kBeamDepth : 0.f);
@@ -248,7 +245,7 @@ std::optional<int> Layout::over_opening(const std::string& kind, const PieceRequ
                                         const PromptObject& from) {
     Placed p;
     p.piece = make_piece(request);
-    if (p.piece.mount == Mount::surface) hang_up(p.piece, 0);
+    if (p.piece.mount == Mount::surface) mount_as(p.piece, Mount::wall), p.piece.hang_height_m = 0;
     if (p.piece.mount != Mount::wall) return {};
     constexpr float kCasing = 0.09f;
     for (const Opening& o : plan_.openings) {

@@ -51,23 +51,6 @@ constexpr Daylight kDaylight[] = {
      {0.0008f, 0.0008f, 0.001f}},
 };
 
-// The hour, when the prompt does not say it. First of all: the lamps, and how many there are, hang on it.
-void assume_time(PromptSpec& spec, std::uint64_t seed) {
-    if (spec.time == "evening" && is_one_of(spec.weather, {"overcast", "rainy", "snowy"})) {
-        // Behind clouds the low sun gives no light.
-        spec.time = "dusk";
-        spec.assumed.push_back("time: dusk, as the evening is " + spec.weather);
-    }
-    if (!spec.time.empty()) return;
-    const bool late = Random(seed, "time:" + spec.text).chance(0.5f);
-    if (spec.light == "neon") spec.time = "night";
-    else
-        spec.time = spec.light == "lamps on" || spec.light == "dim" ? "dusk"
-                    : spec.mood == "cozy"                           ? (late ? "evening" : "morning")
-                                                                    : "day";
-    spec.assumed.push_back("time: " + spec.time);
-}
-
 // What the windows show, when the prompt does not say it: it goes with the style.
 Sky::View outlook_of(PromptSpec& spec, const Style& style, Random& rng) {
     const float draw = rng.uniform();
@@ -82,6 +65,8 @@ Sky::View outlook_of(PromptSpec& spec, const Style& style, Random& rng) {
     const auto at = std::find(names.begin(), names.end(), spec.outlook);
     return at == names.end() ? Sky::View::garden : static_cast<Sky::View>(at - names.begin());
 }
+
+Random light_draws(const PromptSpec& spec, std::uint64_t seed) { return Random(seed, "light:" + spec.text); }
 
 // The sun stands where it shines through the first window, a little from the side, so that its patch falls on the
 // floor.
@@ -186,24 +171,6 @@ void add_piece(const Placed& placed, float lamps, Room& room) {
     }
 }
 
-// Looks at the piece that names the room, else along the room's longer side.
-Vec3f view_direction(const FurnishedRoom& room, const std::string& type, Vec3f camera) {
-    for (const Placed& p : room.placed) {
-        const Vec3f to = p.position - camera;
-        if (p.piece.kind == room_type(type).look_at && std::hypot(to.x, to.z) > 0.4f)
-            return normalize(Vec3f{to.x, 0, to.z});
-    }
-    for (const char* kind : {"bed", "bed_single", "canopy_bed", "four_poster_bed", "floor_bed", "bunk_bed", "loft_bed",
-                             "cabin_bed", "crib", "sofa", "loveseat", "dining_table", "kitchen_counter", "bathtub",
-                             "desk", "sideboard", "washing_machine"})
-        for (const Placed& p : room.placed) {
-            if (p.piece.kind != kind) continue;
-            const Vec3f to = p.position - camera;
-            if (std::hypot(to.x, to.z) > 0.4f) return normalize(Vec3f{to.x, 0, to.z});
-        }
-    return room.plan.depth >= room.plan.width ? Vec3f{0, 0, 1} : Vec3f{1, 0, 0};
-}
-
 void turn_into_world(const Rigid& world_from_room, Room& room) {
     for (Mesh& mesh : room.meshes) {
         for (Vec3f& p : mesh.positions) p = world_from_room * p;
@@ -282,43 +249,17 @@ void turn_accent(const PromptSpec& spec, const std::vector<Placed>& placed, Plan
 FurnishedRoom furnish_once(PromptSpec& spec, const Run& run, const std::string& draw, const AnnealParams& annealing) {
     Random rng(run.seed, "room:" + spec.text + draw);
     assume_time(spec, run.seed);
-    FurnishedRoom out{make_plan(spec, rng), {}, {}, {}, 0, {}};
+    FurnishedRoom out;
+    out.plan = make_plan(spec, rng);
     Layout layout(out.plan, spec, rng, annealing);
     furnish(layout);
     out.annealed = layout.annealed();
     out.placed = layout.placed();
     turn_accent(spec, out.placed, out.plan);
     out.camera = layout.viewpoint();
+    out.looks = usual_look(out, spec.room);
     out.hidden_wishes = static_cast<int>(layout.unseen(out.camera).size());
-    if (out.plan.next) {
-        // A room of the same house: its own type, the same style and hour; of what was asked for, what belongs there.
-        PromptSpec next;
-        next.room = out.plan.next->type;
-        next.style = spec.style;
-        next.time = spec.time;
-        next.mood = spec.mood;
-        next.clutter = spec.clutter;
-        next.pack = spec.pack;
-        for (PromptObject o : spec.objects) {
-            const bool there = is_asked_next_door(o);
-            if (there) o.relation.clear();
-            if (o.forbidden || there) next.objects.push_back(o);
-        }
-        Random next_rng(run.seed, "next room:" + spec.text);
-        Layout beyond(out.plan.next->plan, next, next_rng, annealing);
-        furnish(beyond);
-        out.placed_next = beyond.placed();
-        spec.not_placed.insert(spec.not_placed.end(), next.not_placed.begin(), next.not_placed.end());
-        for (Placed& p : out.placed_next) {
-            const Rigid& move = out.plan.next->room_from_next;
-            p.position = move * p.position;
-            p.yaw = yaw_of(move.rotation * front_of(p.yaw));
-        }
-    } else {
-        for (const PromptObject& o : spec.objects)
-            for (int i = 0; i < (is_asked_next_door(o) ? o.count : 0); ++i)
-                spec.not_placed.push_back(o.words + ": there is no second room");
-    }
+    furnish_next(spec, run, annealing, out);
     return out;
 }
 
@@ -348,6 +289,77 @@ bool lacks_a_bed(const FurnishedRoom& room, const PromptSpec& spec) {
 
 }  // namespace
 
+// The hour, when the prompt does not say it. First of all: the lamps, and how many there are, hang on it.
+void assume_time(PromptSpec& spec, std::uint64_t seed) {
+    if (spec.time == "evening" && is_one_of(spec.weather, {"overcast", "rainy", "snowy"})) {
+        // Behind clouds the low sun gives no light.
+        spec.time = "dusk";
+        spec.assumed.push_back("time: dusk, as the evening is " + spec.weather);
+    }
+    if (!spec.time.empty()) return;
+    const bool late = Random(seed, "time:" + spec.text).chance(0.5f);
+    if (spec.light == "neon") spec.time = "night";
+    else
+        spec.time = spec.light == "lamps on" || spec.light == "dim" ? "dusk"
+                    : spec.mood == "cozy"                           ? (late ? "evening" : "morning")
+                                                                    : "day";
+    spec.assumed.push_back("time: " + spec.time);
+}
+
+void assume_outlook(PromptSpec& spec, const Style& style, std::uint64_t seed) {
+    Random rng = light_draws(spec, seed);
+    rng.next_u32();  // the sky's own
+    outlook_of(spec, style, rng);
+}
+
+Vec3f usual_look(const FurnishedRoom& room, const std::string& type) {
+    for (const Placed& p : room.placed) {
+        const Vec3f to = p.position - room.camera;
+        if (p.piece.kind == room_type(type).look_at && std::hypot(to.x, to.z) > 0.4f)
+            return normalize(Vec3f{to.x, 0, to.z});
+    }
+    for (const char* kind : {"bed", "bed_single", "canopy_bed", "four_poster_bed", "floor_bed", "bunk_bed", "loft_bed",
+                             "cabin_bed", "crib", "sofa", "loveseat", "dining_table", "kitchen_counter", "bathtub",
+                             "desk", "sideboard", "washing_machine"})
+        for (const Placed& p : room.placed) {
+            if (p.piece.kind != kind) continue;
+            const Vec3f to = p.position - room.camera;
+            if (std::hypot(to.x, to.z) > 0.4f) return normalize(Vec3f{to.x, 0, to.z});
+        }
+    return room.plan.depth >= room.plan.width ? Vec3f{0, 0, 1} : Vec3f{1, 0, 0};
+}
+
+void furnish_next(PromptSpec& spec, const Run& run, const AnnealParams& annealing, FurnishedRoom& room) {
+    if (room.plan.next) {
+        PromptSpec next;
+        next.room = room.plan.next->type;
+        next.style = spec.style;
+        next.time = spec.time;
+        next.mood = spec.mood;
+        next.clutter = spec.clutter;
+        next.pack = spec.pack;
+        for (PromptObject o : spec.objects) {
+            const bool there = is_asked_next_door(o);
+            if (there) o.relation.clear();
+            if (o.forbidden || there) next.objects.push_back(o);
+        }
+        Random next_rng(run.seed, "next room:" + spec.text);
+        Layout beyond(room.plan.next->plan, next, next_rng, annealing);
+        furnish(beyond);
+        room.placed_next = beyond.placed();
+        spec.not_placed.insert(spec.not_placed.end(), next.not_placed.begin(), next.not_placed.end());
+        for (Placed& p : room.placed_next) {
+            const Rigid& move = room.plan.next->room_from_next;
+            p.position = move * p.position;
+            p.yaw = yaw_of(move.rotation * front_of(p.yaw));
+        }
+    } else {
+        for (const PromptObject& o : spec.objects)
+            for (int i = 0; i < (is_asked_next_door(o) ? o.count : 0); ++i)
+                spec.not_placed.push_back(o.words + ": there is no second room");
+    }
+}
+
 FurnishedRoom furnish_room(PromptSpec& spec, const Run& run, const AnnealParams& annealing) {
     // Now and then the plan itself leaves no way between its corners and what was asked for, or no place where it was
     // asked to stand, or something that was asked for stands behind something else: then another one is drawn, and the
@@ -376,13 +388,13 @@ Room make_room(PromptSpec& spec, const Run& run) { return room_of(spec, furnish_
 
 Room room_of(PromptSpec& spec, const FurnishedRoom& furnished, const Run& run) {
     const Plan& plan = furnished.plan;
-    Random rng(run.seed, "light:" + spec.text);
+    Random rng = light_draws(spec, run.seed);
     Room room;
     room.type = spec.room;
     room.style = plan.style.name;
     room.seed = mix64(run.seed ^ hash_name(spec.text));
     build_shell(plan, room);
-    const float lamps = lamp_level(spec, plan);
+    const float lamps = furnished.lamps.value_or(lamp_level(spec, plan));
     for (Material& material : room.materials)  // of the shell: recessed lights
         if (material.name != kNeon) material.emission = material.emission * lamps;
     for (const Placed& placed : furnished.placed) add_piece(placed, lamps, room);
@@ -390,11 +402,12 @@ Room room_of(PromptSpec& spec, const FurnishedRoom& furnished, const Run& run) {
     count_placed(furnished, spec);
 
     // World: x right, y down, z where the camera looks; a proper rotation of the room frame, nothing is mirrored.
-    const Vec3f camera = furnished.camera, forward = view_direction(furnished, spec.room, camera), down{0, -1, 0};
+    const Vec3f camera = furnished.camera, forward = furnished.looks, down{0, -1, 0};
     const Mat3f rotation{cross(down, forward), down, forward};
     const Rigid world_from_room{rotation, -(rotation * camera)};
     turn_into_world(world_from_room, room);
     room.sky = make_sky(spec, plan, rotation, rng);
+    if (furnished.towards_sun) room.sky.sun_dir = rotation * *furnished.towards_sun;
     if (spec.mood == "cozy") room.look.white = {1.03f, 1.f, 0.95f};
 
     room.min_corner = {1e9f, 1e9f, 1e9f};

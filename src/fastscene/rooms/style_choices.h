@@ -102,6 +102,17 @@ inline constexpr std::array<std::string_view, 2> kNamesOf<FloorLampForm>{"straig
 template <>
 inline constexpr std::array<std::string_view, 5> kNamesOf<Sky::View>{"garden", "city", "sea", "mountains", "forest"};
 
+// The procedural patterns of materials.
+template <>
+inline constexpr std::array<std::string_view, 48> kNamesOf<Pattern>{
+    "plain",     "plaster",  "wood",       "planks",  "herringbone", "parquet",    "tile",        "checker",
+    "subway",    "brick",    "concrete",   "marble",  "terrazzo",    "fabric",     "knit",        "carpet",
+    "leather",   "rug",      "stripes",    "damask",  "floral",      "wicker",     "metal",       "art",
+    "book",      "leaf",     "grass",      "bark",    "screen",      "dots",       "zigzag",      "twill",
+    "geometric", "diamonds", "lattice",    "stars",   "gingham",     "plaid",      "houndstooth", "patchwork",
+    "leopard",   "zebra",    "camouflage", "paisley", "encaustic",   "laid tiles", "peeling",     "image"};
+static_assert(kNamesOf<Pattern>.size() == static_cast<std::size_t>(Pattern::image) + 1);
+
 // What a room whose style is not said is like: any; cozy; for children or colorful; with neon light; in a color that is
 // said; bright; left to decay, and so a loft.
 enum class StyleMood : std::uint8_t { usual, cozy, children, neon, colored, bright, abandoned, abandoned_loft };

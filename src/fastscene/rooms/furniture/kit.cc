@@ -294,8 +294,17 @@ void merge_by_material(Piece& p) {
 }  // namespace fastscene::furniture
 
 namespace fastscene {
+namespace {
 
-Piece make_piece(const PieceRequest& request) {
+// The room's own style ends with the room; one of styles() is named by its address.
+std::shared_ptr<const PieceRequest> kept(PieceRequest request) {
+    const auto& all = all_styles();
+    if (std::none_of(all.begin(), all.end(), [&](const Style& s) { return &s == request.style; }))
+        request.style = nullptr;
+    return std::make_shared<const PieceRequest>(std::move(request));
+}
+
+Piece built(const PieceRequest& request) {
     if (request.style == nullptr) throw Error("piece '{}': expected a style, found none", request.kind);
     if (!(request.size_factor >= 0.25f && request.size_factor <= 4.f))
         throw Error("piece '{}': expected a size factor in [0.25, 4], found {}", request.kind, request.size_factor);
@@ -308,6 +317,15 @@ Piece make_piece(const PieceRequest& request) {
     furniture::settle(kit);
     furniture::merge_by_material(kit.piece);
     return std::move(kit.piece);
+}
+
+}  // namespace
+
+Piece make_piece(const PieceRequest& request) {
+    Piece piece = built(request);
+    piece.made_from = kept(request);
+    piece.made_mount = piece.mount;
+    return piece;
 }
 
 const std::vector<std::string>& piece_classes() {

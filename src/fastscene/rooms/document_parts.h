@@ -1,0 +1,33 @@
+// What the document_*.cc files share.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "fastscene/rooms/document.h"
+
+namespace fastscene {
+
+namespace document_fields {
+
+// "room.json:12: /things/3/kind".
+std::string place_in(std::string_view text, const std::string& file, const std::string& pointer);
+Json material_json(const Material& material);
+float radians_of(double degrees);
+// A known color or "#rrggbb".
+std::optional<Vec3f> color_said(const std::string& text);
+// A material, or paint in a color, by name.
+std::optional<Material> surface_named(const std::string& name);
+
+}  // namespace document_fields
+
+// A style with a document's materials, and what of a style is no longer `usual`.
+void dress(const DocumentSurfaces& surfaces, Style& style);
+DocumentSurfaces surfaces_of(const Style& style, const Style& usual);
+// Gives a thing another id, wherever it is named; who has that already takes the first one's.
+void rename_thing(RoomDocument& document, std::string from, const std::string& to);
+// Right-angled outlines as a box and its blocks. Throws Error, beginning with `place`, for lines that cross or slant.
+void apply_polygon(const std::vector<Vec2f>& polygon, const std::string& place, Plan& plan);
+
+}  // namespace fastscene
