@@ -217,8 +217,8 @@ void Layout::improve() {
     std::vector<Placed> bare;  // meshes take no part
     for (const Placed& p : placed_) {
         Placed b = {};
-        b.wish = p.wish, b.position = p.position, b.yaw = p.yaw, b.on = p.on, b.sill = p.sill, b.with = p.with,
-        b.below = p.below, b.flat = p.flat, b.overhead = p.overhead;
+        b.wish = p.wish, b.fixed = p.fixed, b.position = p.position, b.yaw = p.yaw, b.on = p.on, b.sill = p.sill,
+        b.with = p.with, b.below = p.below, b.flat = p.flat, b.overhead = p.overhead;
         b.piece.kind = p.piece.kind, b.piece.size_m = p.piece.size_m, b.piece.mount = p.piece.mount,
         b.piece.surfaces = p.piece.surfaces;
         b.piece.clearance_front_m = p.piece.clearance_front_m, b.piece.clearance_side_m = p.piece.clearance_side_m;
