@@ -167,8 +167,12 @@ bool Layout::fits(const Placed& placed, bool with_clearance) const {
         room_for.center = room_for.center + flat(f);
     }
     for (const Placed& other : placed_) {
-        if (other.flat || other.on >= 0 || other.below >= 0) continue;
+        if (other.flat || other.below >= 0) continue;
         const Footprint b = footprint_of(other);
+        if (other.on >= 0) {  // it may reach a little beyond the edge of what carries it
+            if (overlap(box, b)) return false;
+            continue;
+        }
         if (overlap(box, b) || hides(placed, other)) return false;
         if (with_clearance && other.piece.mount == Mount::floor && overlap(room_for, b)) return false;
         // Nor may it stand in the other's way.
