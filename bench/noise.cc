@@ -21,7 +21,7 @@
 #include "fastscene/io/image_io.h"
 #include "fastscene/panorama/panorama.h"
 #include "fastscene/rooms/rooms.h"
-#include "fastscene/trace/sky.h"
+#include "fastscene/trace/outdoors.h"
 #include "fastscene/trace/texture.h"
 
 using namespace fastscene;
@@ -198,13 +198,14 @@ Json export_room(const Flags& flags) {
     }
     // The sky in Cycles' mapping: u against the azimuth, v up from the nadir.
     constexpr int kSkyHeight = 1024;
+    const Outdoors outdoors(room, 0);
     std::vector<float> sky;
     for (int y = 0; y < kSkyHeight; ++y)
         for (int x = 0; x < 2 * kSkyHeight; ++x) {
             const float a = -((static_cast<float>(x) + 0.5f) / (2 * kSkyHeight) - 0.5f) * 2 * kPi;
             const float t = ((static_cast<float>(y) + 0.5f) / kSkyHeight - 0.5f) * kPi;
             const Vec3f d{std::cos(a) * std::cos(t), std::sin(a) * std::cos(t), std::sin(t)};
-            const Vec3f c = sky_radiance(room.sky, {d.x, -d.z, d.y});
+            const Vec3f c = outdoors.light({d.x, -d.z, d.y});
             sky.insert(sky.end(), {c.x, c.y, c.z, 1.f});
         }
     Json portals = Json::array();

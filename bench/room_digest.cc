@@ -27,9 +27,10 @@ void add_all(Hash& h, const std::vector<T>& values) {
 void add(Hash& h, const Material& m) {
     h.add(m.name).add(static_cast<int>(m.pattern));
     for (const Vec3f& color : {m.color_a, m.color_b, m.color_c, m.emission}) add(h, color);
-    for (const float value : {m.scale_m, m.bump_m, m.roughness, m.specular, m.metal, m.transmission, m.mirror})
+    for (const float value :
+         {m.scale_m, m.bump_m, m.roughness, m.specular, m.metal, m.transmission, m.mirror, m.crease_m, m.sheen})
         h.add(value);
-    h.add(m.burns).add(m.seed);
+    h.add(m.burns).add(m.seed).add(static_cast<int>(m.variant));
     if (m.image)
         for (const ImageRgb8& level : m.image->levels) add_all(h, level.pixels);
 }

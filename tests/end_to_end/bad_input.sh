@@ -12,7 +12,7 @@ expect 2 "$fastscene" make "xyzzy qwertz zzzzz" --strict -o p
 says "xyzzy"
 lacks p
 # Without one known word: a plausible room, and it is said.
-expect 0 "$fastscene" panorama "xyzzy qwertz zzzzz" -o unknown "${tiny[@]:0:8}"
+expect 0 "$fastscene" panorama "xyzzy qwertz zzzzz" -o unknown "${tiny[@]:0:10}"
 grep -q "built-in" unknown/credits.txt || fail "credits.txt: expected beside a panorama"
 says "the prompt names nothing that belongs to a room"
 has unknown/panorama/color.png
@@ -147,7 +147,7 @@ fi
 if command -v ffmpeg >/dev/null; then
   for name in copy.webp copy.tif; do
     ffmpeg -v error -y -i run/panorama/color.png "$name" 2>/dev/null || continue
-    expect 0 "$fastscene" panorama --panorama "$name" --range run/depth/range.exr -o "with-$name" "${tiny[@]:0:8}"
+    expect 0 "$fastscene" panorama --panorama "$name" --range run/depth/range.exr -o "with-$name" "${tiny[@]:0:10}"
     head -c 700 "$name" >"short-$name"
     with_picture "short-$name"
   done

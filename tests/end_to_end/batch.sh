@@ -2,7 +2,7 @@
 . "$(dirname "$0")/lib.sh"
 
 # Panoramas alone are quick.
-small=(--stage panorama --quality draft --panorama-width 128 --panorama-cell 0.25 --panorama-cell-samples 8 --panorama-pixel-samples 2)
+small=(--stage panorama --quality draft --panorama-width 128 --panorama-cell 0.25 --panorama-cell-samples 8 --panorama-pixel-samples 2 --panorama-outside-detail 0)
 cat > list.jsonl <<'LIST'
 {"prompt": "a cozy bedroom with a red armchair", "seed": 3, "name": "bedroom"}
 {"promt": "a typo"}

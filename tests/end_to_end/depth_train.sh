@@ -34,7 +34,7 @@ grep -q "held out" second && fail "the second process tells figures of nothing: 
 grep -qF "done, 4 steps; process 0 saves the network" second || fail "the second process says: $(cat second)"
 
 # Our own rooms as data, and what the network makes of them.
-expect 0 "$fastscene" rooms dataset --count 24 --views 1 --size 64x32 --cell 0.4 --cell-samples 2 --pixel-samples 1 -o rooms
+expect 0 "$fastscene" rooms dataset --count 24 --views 1 --size 64x32 --cell 0.4 --cell-samples 2 --pixel-samples 1 --outside-detail 0 -o rooms
 expect 0 "$fastscene" depth train --data rooms --painted 0.5 --steps 2 "${small[@]}" -o taught
 expect 0 "$fastscene" depth check --data rooms --depth-weights taught/egformer.safetensors --json
 prints '"backend": "egformer"'

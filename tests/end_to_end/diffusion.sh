@@ -13,7 +13,7 @@ expect 0 "$fastscene" panorama "a loft" "${small[@]}" --weights "$weights" -o lo
 grep -qi egformer log && fail "egformer was announced"
 rm -rf "$FASTSCENE_MODELS/egformer"
 is_wide loft/panorama/color.png 256
-expect 0 "$fastscene" make "a loft" "${small[@]}" --weights "$weights" -o loft --depth-backend layout "${tiny[@]:8}"
+expect 0 "$fastscene" make "a loft" "${small[@]}" --weights "$weights" -o loft --depth-backend layout "${tiny[@]:10}"
 says "panorama: already made"
 has loft/panorama/color.png loft/depth/range.exr loft/splat/scene.ply loft/viewer.html
 lacks loft/painting.png

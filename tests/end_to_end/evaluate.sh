@@ -7,6 +7,7 @@ settings='[settings]
 panorama-width = 256
 panorama-cell = 0.25
 panorama-cell-samples = 8
+panorama-outside-detail = 0
 panorama-pixel-samples = 2
 walk-viewpoints = 2
 views-size = 64

@@ -1,7 +1,7 @@
 # The paper's inpainting data and training, from rooms to a walk with the network that came out.
 . "$(dirname "$0")/lib.sh"
 
-expect 0 "$fastscene" rooms dataset --count 4 --views 2 --size 128x64 --film clean --cell 0.3 --cell-samples 8 --pixel-samples 1 --seed 2 -o rooms
+expect 0 "$fastscene" rooms dataset --count 4 --views 2 --size 128x64 --film clean --cell 0.3 --cell-samples 8 --pixel-samples 1 --outside-detail 0 --seed 2 -o rooms
 echo broken > rooms/shard-00000/00000002.color.png
 expect 0 "$fastscene" inpaint dataset rooms -o holes --size 64 --held-out 50 --seed 3
 says "skipped"

@@ -6,7 +6,7 @@ export FASTSCENE_MODELS=$work/models
 rm -rf "$work" && mkdir -p "$work" && cd "$work" || exit 1
 
 # The whole stream in a few seconds.
-tiny=(--panorama-width 128 --panorama-cell 0.25 --panorama-cell-samples 8 --panorama-pixel-samples 2 --walk-viewpoints 2 --walk-room-viewpoints 2
+tiny=(--panorama-width 128 --panorama-cell 0.25 --panorama-cell-samples 8 --panorama-pixel-samples 2 --panorama-outside-detail 0 --walk-viewpoints 2 --walk-room-viewpoints 2
   --views-size 48 --views-points 4000 --splat-count 2000 --splat-steps 20)
 prompt="a cozy bedroom with a red armchair and a large window"
 

@@ -57,7 +57,7 @@ lacks "$FASTSCENE_MODELS/niqe/modelparameters.mat"
 no_rest "$FASTSCENE_MODELS"
 
 # Those who need a model look for it, name its file, and say what helps.
-convert_ok() { "$fastscene" panorama "$prompt" -o p "${tiny[@]:0:8}" >/dev/null 2>&1; }
+convert_ok() { "$fastscene" panorama "$prompt" -o p "${tiny[@]:0:10}" >/dev/null 2>&1; }
 convert_ok || fail "no panorama"
 expect 1 "$fastscene" make --panorama p/panorama/color.png --depth-backend egformer -o q "${tiny[@]}"
 says "EGformer_pretrained.pkl"

@@ -21,7 +21,7 @@ same whole killed
 no_rest killed
 
 # Stage by stage in processes of their own: the same again, with the settings of run.json.
-expect 0 "$fastscene" panorama "$prompt" -o staged "${tiny[@]:0:8}"
+expect 0 "$fastscene" panorama "$prompt" -o staged "${tiny[@]:0:10}"
 lacks staged/depth
 expect 0 "$fastscene" depth staged
 has staged/depth/range.exr

@@ -167,10 +167,10 @@ lacks none.ply none.xyz
 pid=$!
 for i in $(seq 100); do grep -q http out && break; sleep 0.1; done
 address=$(cat out)
-get() { # PATH FILE [RANGE]: a bare HTTP client, in case there is no curl
+get() { # PATH FILE [RANGE [HOST [ORIGIN]]]: a bare HTTP client, in case there is no curl
   local port=${address##*:}; port=${port%/}
   exec 3<>"/dev/tcp/127.0.0.1/$port" || fail "no server at $address"
-  printf 'GET %s HTTP/1.1\r\nHost: localhost\r\nConnection: close\r\n%s\r\n' "$1" "${3:+Range: bytes=$3$'\r\n'}" >&3
+  printf 'GET %s HTTP/1.1\r\nHost: %s\r\nConnection: close\r\n%s%s\r\n' "$1" "${4:-localhost}" "${3:+Range: bytes=$3$'\r\n'}" "${5:+Origin: $5$'\r\n'}" >&3
   cat <&3 >"$2"; exec 3<&-
 }
 get /splat/scene.compressed.ply whole
@@ -180,8 +180,19 @@ get /splat/scene.compressed.ply part 0-9
 head -1 part | grep -q ' 206 ' || fail "the server said to a range: $(head -1 part)"
 get / page
 head -1 page | grep -qE ' (200|302) ' || fail "the server said: $(head -1 page)"
+if [ -f run/viewer.html ]; then
+  touch run/viewer.html
+  get / page
+  grep -q '^Location: /viewer.html' page || fail "the server opens not the run's own page, which bounds the walk"
+fi
 get /../../../../etc/passwd outside
 head -1 outside | grep -qE ' 40[0-9] ' || fail "the server left its folder: $(head -1 outside)"
+get /run.json rebound '' evil.example
+head -1 rebound | grep -q ' 403 ' || fail "the server said to a host of another name: $(head -1 rebound)"
+get /run.json foreign '' localhost http://evil.example
+head -1 foreign | grep -q ' 403 ' || fail "the server said to a page of another site: $(head -1 foreign)"
+get /run.json own '' localhost:1 http://localhost:1
+head -1 own | grep -q ' 200 ' || fail "the server said to its own page: $(head -1 own)"
 expect 1 "$fastscene" view run --port "$(echo "${address%/}" | sed 's/.*://')"
 kill -TERM "$pid"
 code=0; wait "$pid" || code=$?

@@ -5,6 +5,7 @@
 
 #include "fastscene/base/error.h"
 #include "fastscene/base/file.h"
+#include "fastscene/cli/local_request.h"
 #include "fastscene/io/viewer.h"
 #include "fastscene/pipeline/best_view.h"
 #include "fastscene/pipeline/request.h"
@@ -25,6 +26,31 @@ std::string settings_of(const RunFolder& folder) {
     return viewer_settings({title_of(recorded_run(folder).request.source), {}, target, 75.f});
 }
 
+// The run's own page, which holds visitors to the walkable floor. The viewer's folder shows splats that were trained
+// since it was made.
+bool own_page_is_current(const RunFolder& folder) {
+    namespace fs = std::filesystem;
+    return fs::exists(folder.viewer_html()) &&
+           fs::last_write_time(folder.viewer_html()) >= fs::last_write_time(folder.scene_compressed_ply());
+}
+
+std::vector<std::string> headers_named(const httplib::Request& request, const std::string& name) {
+    std::vector<std::string> values;
+    for (auto [at, end] = request.headers.equal_range(name); at != end; ++at) values.push_back(at->second);
+    return values;
+}
+
+// Before all routes, those to files among them.
+void refuse_other_sites(httplib::Server& server) {
+    server.set_pre_routing_handler([](const httplib::Request& request, httplib::Response& response) {
+        const auto why = refusal(headers_named(request, "Host"), headers_named(request, "Origin"));
+        if (!why) return httplib::Server::HandlerResponse::Unhandled;
+        response.status = 403;
+        response.set_content("Refused: " + *why + ".\n", "text/plain; charset=utf-8");
+        return httplib::Server::HandlerResponse::Handled;
+    });
+}
+
 }  // namespace
 
 void serve_scene(const RunFolder& folder, const std::optional<std::filesystem::path>& viewer_dir, int port,
@@ -33,6 +59,7 @@ void serve_scene(const RunFolder& folder, const std::optional<std::filesystem::p
         throw Error("{}: {}", folder.viewer_html().string(), viewer_remedy());
     httplib::Server server;
     server.set_tcp_nodelay(true);
+    refuse_other_sites(server);
     // By default the library would let two servers share a port silently.
     server.set_socket_options([](socket_t socket) {
         const int yes = 1;
@@ -43,12 +70,15 @@ void serve_scene(const RunFolder& folder, const std::optional<std::filesystem::p
         // Splats of photographs are shown upright, whatever the axes of their model.
         const std::string splats = first_glance_of_capture(folder) ? "/splat/viewer.compressed.ply"
                                                                    : "/splat/scene.compressed.ply";
-        response.set_redirect(viewer_dir ? "/viewer/index.html?settings=/settings.json&content=" + splats
-                                         : "/viewer.html");
+        response.set_redirect(viewer_dir && !own_page_is_current(folder)
+                                  ? "/viewer/index.html?settings=/settings.json&content=" + splats
+                                  : "/viewer.html");
     });
     server.Get("/settings.json", [&](const httplib::Request&, httplib::Response& response) {
         response.set_content(settings, "application/json");
     });
+    // Browsers ask for an icon; an answer keeps an error out of the console.
+    server.Get("/favicon.ico", [](const httplib::Request&, httplib::Response& response) { response.status = 204; });
     server.set_file_extension_and_mimetype_mapping("ply", "application/octet-stream");
     if (viewer_dir) server.set_mount_point("/viewer", viewer_dir->string());
     server.set_mount_point("/", folder.root.string());

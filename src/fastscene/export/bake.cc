@@ -199,8 +199,9 @@ BakedMesh map_mesh(const Mesh& mesh, int index, const Atlas* atlas) {
 auto key_of(const Material& m) {
     const auto v = [](Vec3f c) { return std::tuple(c.x, c.y, c.z); };
     return std::tuple(m.name, m.pattern, v(m.color_a), v(m.color_b), v(m.color_c), v(m.emission),
-                      std::tuple(m.scale_m, m.bump_m, m.roughness, m.specular, m.metal, m.transmission, m.mirror),
-                      m.burns, m.seed, m.image.get());
+                      std::tuple(m.scale_m, m.bump_m, m.roughness, m.specular, m.metal, m.transmission, m.mirror,
+                                 m.crease_m, m.sheen),
+                      m.burns, m.seed, m.variant, m.image.get());
 }
 
 }  // namespace

@@ -95,6 +95,7 @@ TEST(TruthPicture, UnseenIsWhatTheBoxHidesFromTheOrigin) {
     TraceParams trace;
     trace.cell_m = 0.2f;
     trace.cell_samples = 16;
+    trace.outside_detail = 0;
     trace.pixel_samples = 1;
     const fastscene::Run run;
     room.gather_light(trace, run);

@@ -22,7 +22,7 @@ struct DatasetParams {
     double over_things = 0.25;
     int shard = 1000;
     int stale_minutes = 20;
-    TraceParams trace{.cell_m = 0.06f, .cell_samples = 160, .pixel_samples = 9};
+    TraceParams trace{.cell_m = 0.06f, .cell_samples = 160, .pixel_samples = 9, .outside_detail = 5};
 };
 template <class V>
 void visit_fields(DatasetParams& p, V&& v) {

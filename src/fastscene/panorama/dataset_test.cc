@@ -27,7 +27,7 @@ class Dataset : public testing::Test {
         DatasetRequest r{count, 64, 32, {}};
         r.params.views = 2;
         r.params.shard = 3;
-        r.params.trace = {.cell_m = 0.25f, .cell_samples = 8, .pixel_samples = 1};
+        r.params.trace = {.cell_m = 0.25f, .cell_samples = 8, .pixel_samples = 1, .outside_detail = 0};
         return r;
     }
     static std::map<std::string, std::string> files(const fs::path& folder) {

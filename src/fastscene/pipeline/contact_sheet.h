@@ -14,7 +14,7 @@ namespace fastscene {
 struct SheetParams {
     int width = 384;                // of one picture
     std::string view = "panorama";  // panorama or perspective
-    TraceParams trace{.cell_m = 0.07f, .cell_samples = 64, .pixel_samples = 16};
+    TraceParams trace{.cell_m = 0.07f, .cell_samples = 64, .pixel_samples = 16, .outside_detail = 4};
 };
 template <class V>
 void visit_fields(SheetParams& p, V&& v) {

@@ -34,6 +34,7 @@ TEST(MirrorWalk, WhatAMirrorShowsMovesAsItsImageDoes) {
     TraceParams light;
     light.cell_m = 0.15f;
     light.cell_samples = 64;
+    light.outside_detail = 0;
     room.gather_light(light, {});
     const EquirectSize size{512, 256};
     Panorama first;

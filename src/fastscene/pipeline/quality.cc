@@ -32,7 +32,7 @@ SplatParams started_as_photographs(SplatParams p) {
 // Two minutes of CPU time, to check whether the prompt was understood.
 void fill_draft(SceneParams& p) {
     p.panorama.width = 1024;
-    p.panorama.trace = {.cell_m = 0.045f, .cell_samples = 256, .pixel_samples = 8};
+    p.panorama.trace = {.cell_m = 0.045f, .cell_samples = 256, .pixel_samples = 8, .outside_detail = 5};
     p.walk.viewpoints = 8;
     p.walk.room_viewpoints = 12;
     p.walk.pixel_samples = 2;
@@ -56,7 +56,7 @@ void fill_standard(SceneParams& p) {
 }
 void fill_high(SceneParams& p) {
     p.panorama.width = 4096;
-    p.panorama.trace = {.cell_m = 0.02f, .cell_samples = 512, .pixel_samples = 16};
+    p.panorama.trace = {.cell_m = 0.02f, .cell_samples = 512, .pixel_samples = 16, .outside_detail = 14};
     p.walk.viewpoints = 20;
     p.walk.room_viewpoints = 40;
     p.walk.pixel_samples = 4;

@@ -39,6 +39,7 @@ struct Walks {
         TraceParams light;
         light.cell_m = 0.15f;
         light.cell_samples = 64;
+        light.outside_detail = 0;
         room.gather_light(light, {});
         first.color = room.panorama({}, size, {.pixel_samples = 16}, {}).color;
         first.range = exact_range(room, size, {});

@@ -72,6 +72,8 @@ void visit_fields(Material& m, V&& v) {
       "The pattern's third color.");
     v("scale_m", m.scale_m, Rule{.low = 0}, "Size of the pattern's unit.");
     v("bump_m", m.bump_m, Rule{.low = -1, .high = 1}, "Height of its relief.");
+    v("crease_m", m.crease_m, Rule{.low = 0, .high = 1}, "Depth of the creases of soft things.");
+    v("sheen", m.sheen, Rule{.low = 0, .high = 1}, "Share of light that upright fibers scatter at grazing angles.");
     v("roughness", m.roughness, Rule{.low = 0, .high = 1}, "0 polished, 1 matt.");
     v("specular", m.specular, Rule{.low = 0, .high = 1}, "Reflectance of its coat at normal incidence.");
     v("metal", m.metal, Rule{.low = 0, .high = 1}, "1: the color is the mirror's.");

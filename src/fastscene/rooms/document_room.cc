@@ -268,7 +268,7 @@ class Builder {
             Layout layout(room.plan, spec, rng);
             layout.begin_with(room.placed);
             room.camera = layout.viewpoint();
-            room.looks = usual_look(room);
+            room.looks = usual_look(room, spec.room);
             return;
         }
         room.camera = document_.camera->position;
@@ -282,7 +282,7 @@ class Builder {
                 throw Error("{}: the camera stands inside {}", place, document_.things[i].id);
         }
         const auto& looks = document_.camera->looks;
-        room.looks = looks ? level(*looks) : usual_look(room);
+        room.looks = looks ? level(*looks) : usual_look(room, spec.room);
     }
     // Of length 1 already, as it was written: unchanged.
     static Vec3f level(Vec3f v) {

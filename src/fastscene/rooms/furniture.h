@@ -42,6 +42,7 @@ struct Piece {
     bool against_wall = false;
     float hang_height_m = 0.f;        // Mount::wall: usual height of the lower edge above the floor
     int main_material = 0;            // the one that color and material wishes change
+    std::string form;                 // where a room should have each only once: "monstera", "eucalyptus"; else empty
     std::string source = "built-in";  // or the model of the furniture pack, with author and license
     // What make_piece was asked for; its style is one of styles(), or null for the room's own.
     std::shared_ptr<const PieceRequest> made_from{};

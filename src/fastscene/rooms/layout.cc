@@ -167,8 +167,12 @@ bool Layout::fits(const Placed& placed, bool with_clearance) const {
         room_for.center = room_for.center + flat(f);
     }
     for (const Placed& other : placed_) {
-        if (other.flat || other.on >= 0 || other.below >= 0) continue;
+        if (other.flat || other.below >= 0) continue;
         const Footprint b = footprint_of(other);
+        if (other.on >= 0) {  // it may reach a little beyond the edge of what carries it
+            if (overlap(box, b)) return false;
+            continue;
+        }
         if (overlap(box, b) || hides(placed, other)) return false;
         if (with_clearance && other.piece.mount == Mount::floor && overlap(room_for, b)) return false;
         // Nor may it stand in the other's way.
@@ -305,7 +309,21 @@ PieceRequest Layout::request(std::string kind, const PromptObject* wish) {
             if (o.kind == "kitchen_counter" && !o.forbidden)
                 r.holder_material = o.holder_material, r.holder_color = o.holder_color;
     if (r.material.empty() && !r.model) r.material = accent_of(r.kind);
+    vary(r);
     return r;
+}
+
+// Draws again while the form that comes out stands in the room already.
+void Layout::vary(PieceRequest& r) const {
+    const auto stands = [&](const std::string& form) {
+        return std::any_of(placed_.begin(), placed_.end(),
+                           [&](const Placed& p) { return p.piece.kind == r.kind && p.piece.form == form; });
+    };
+    // Only what has forms, and stands already, is made to find out which form it has.
+    const int like = find(r.kind).value_or(-1);
+    if (like < 0 || placed_[static_cast<std::size_t>(like)].piece.form.empty()) return;
+    constexpr int kTries = 12;
+    for (int tries = 0; tries < kTries && stands(make_piece(r).form); ++tries) r.seed = mix64(r.seed);
 }
 
 float Layout::as_asked(const Placed& placed, const PromptObject& wish) const {

@@ -30,7 +30,7 @@ struct Placed {
         -1;  // index of the piece it was placed by (beside, before, above, under it): where that goes it goes too
     bool flat = false;      // rugs: one may stand on them
     bool overhead = false;  // lamps that hang: one may stand below them
-    bool fixed = false;     // stays as it is whatever is laid out about it
+    bool fixed = false;     // given, or a part of a pattern: it stays where it is
 };
 
 // A thing that hangs on walls set upright on a top (a picture on the mantelpiece), or a flat one that stands hung on a
@@ -110,6 +110,10 @@ class Layout {
                                      const Spare& spare = {});
     std::optional<int> angled_towards(Vec2f target, const PieceRequest& request, const PromptObject& from = {});
     int around(int table, const PieceRequest& request, int count, const PromptObject& from = {});
+    // Parts of patterns. Here and nowhere else, with free floor about it; and on this wall, its middle at `u`.
+    std::optional<int> stand_at(const Piece& piece, Vec2f at, float yaw, const PromptObject& from, const Spare& spare,
+                                bool with_clearance = false);
+    std::optional<int> hang_at(const Piece& piece, int wall, float u, const PromptObject& from);
     // Rugs: under a piece, shifted towards its front; or with the middle anywhere.
     std::optional<int> under(int anchor, const PieceRequest& request, float shift_front_m,
                              const PromptObject& from = {});
@@ -131,7 +135,7 @@ class Layout {
     std::optional<int> hanging(const PieceRequest& request, Vec2f at, const PromptObject& from = {});
     // Between two walls and the ceiling.
     std::optional<int> in_upper_corner(const PieceRequest& request, const PromptObject& from = {});
-    // A pair at every window where they find room; returns how many. They end above what stands below a window.
+    // A pair at every window where they find room; returns how many. All end alike: at the floor, or at the sills.
     int at_windows(const PieceRequest& request, const PromptObject& from = {});
     // A blind in every window, within its reveal; returns how many. Above what stands on a sill it is drawn up.
     int in_windows(const PieceRequest& request, const PromptObject& from = {});
@@ -182,6 +186,7 @@ class Layout {
     void take_away(std::vector<int> pieces);
 
   private:
+    void vary(PieceRequest& r) const;
     std::string accent_of(const std::string& kind) const;
     bool fits(const Placed& placed, bool with_clearance) const;
     // What a place is worth for being where the wish says.
@@ -240,7 +245,7 @@ FurnishedRoom furnish_room(PromptSpec& spec, const Run& run, const AnnealParams&
 void assume_time(PromptSpec& spec, std::uint64_t seed);
 void assume_outlook(PromptSpec& spec, const Style& style, std::uint64_t seed);
 // At the piece that names the room, else along the room's longer side.
-Vec3f usual_look(const FurnishedRoom& room);
+Vec3f usual_look(const FurnishedRoom& room, const std::string& type);
 // The room behind the doorway, if the plan has one: its own type, the same style and hour; of what was asked for, what
 // belongs there.
 void furnish_next(PromptSpec& spec, const Run& run, const AnnealParams& annealing, FurnishedRoom& room);

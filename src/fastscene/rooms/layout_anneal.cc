@@ -26,7 +26,7 @@ double thread_seconds() {
 }
 
 bool stays(const Placed& p) {
-    if (p.piece.mount != Mount::floor || p.flat || p.overhead) return true;
+    if (p.piece.mount != Mount::floor || p.flat || p.overhead || p.fixed) return true;
     for (const char* kind : {"kitchen_counter", "curtain", "radiator"})
         if (p.piece.kind == kind) return true;
     return false;

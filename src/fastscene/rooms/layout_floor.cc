@@ -239,6 +239,33 @@ std::optional<int> Layout::free_standing(const PieceRequest& request, const Prom
     return best ? keep(*best, from) : std::nullopt;
 }
 
+std::optional<int> Layout::stand_at(const Piece& piece, Vec2f at, float yaw, const PromptObject& from,
+                                    const Spare& spare, bool with_clearance) {
+    Placed p;
+    p.piece = piece;
+    p.position = {at.x, 0, at.y};
+    p.yaw = yaw;
+    p.fixed = true;
+    if (!fits(p, with_clearance) || !has_spare(p, spare) || !leaves_way(p)) return {};
+    return keep(std::move(p), from);
+}
+
+std::optional<int> Layout::hang_at(const Piece& piece, int wall, float u, const PromptObject& from) {
+    constexpr float kOffWall = 0.004f, kBelowCeiling = 0.2f;
+    const WallFace face = plan_.wall(wall);
+    Placed p;
+    p.piece = piece;
+    p.yaw = yaw_of(face.inward);
+    p.fixed = true;
+    const float y = std::min(piece.hang_height_m, plan_.height - kBelowCeiling - piece.size_m.y);
+    p.position = face.point(u, y) + face.inward * kOffWall;
+    const Footprint box = footprint_of(p);
+    if (y < 0.f || !plan_.holds(box) || !hangs_on_wall(plan_, faces_, p) || !leaves_way(p)) return {};
+    for (const Placed& other : placed_)
+        if (!other.flat && (overlap(box, footprint_of(other)) || hides(other, p))) return {};
+    return keep(std::move(p), from);
+}
+
 std::optional<int> Layout::angled_towards(Vec2f target, const PieceRequest& request, const PromptObject& from) {
     Placed p;
     p.piece = make_piece(request);

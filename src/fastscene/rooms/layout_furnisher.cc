@@ -71,22 +71,25 @@ void Furnisher::finish() {
                 return l_.hanging(r, {0, 0.2f}, o);
             });
     }
-    const int plants = is_left() ? 0
-                                 : std::min(spec.clutter == "minimal" ? 1 : 9,
-                                            static_cast<int>(std::lround(l_.plan().style.plants * 3.f)));
+    const int plants = is_left() || !type.lived_in
+                           ? 0
+                           : std::min(spec.clutter == "minimal" ? 1 : 9,
+                                      static_cast<int>(std::lround(l_.plan().style.plants * 3.f)));
     for (int i = 0; i < plants && l_.count("plant") < 4; ++i)
         wall("plant", 0.8f, {.center_pull = 0, .window_pull = 0.8f, .corner = true});
     const int pictures = is_left() ? 0 : 1 + static_cast<int>(std::lround(clutter_ * 3.f));
     for (int i = 0; i < pictures && l_.count("picture") < 5; ++i) picture(type.picture_probability);
-    on_wall("shelf", 0.4f * clutter_);
-    wall("basket", 0.5f * clutter_, {.center_pull = 0, .corner = true});
+    if (type.lived_in) on_wall("shelf", 0.4f * clutter_);
+    if (type.lived_in) wall("basket", 0.5f * clutter_, {.center_pull = 0, .corner = true});
     // After sunset a room wants light from more than its ceiling.
     const bool dark = spec.time == "night" || spec.time == "dusk" || spec.light == "lamps on";
     const bool has_light = type.floor_lamp == FloorLamp::never || l_.count("floor_lamp") > (dark ? 1 : 0);
     const float by_day = type.floor_lamp == FloorLamp::usual ? 0.5f : 0.f;
     wall("floor_lamp", has_light ? 0.f : dark ? 1.f : by_day, {.center_pull = 0, .corner = true});
     static constexpr std::array<const char*, 5> kSmall{"book_stack", "vase", "bowl", "candle", "book_stack"};
-    const int small = is_left() ? 0 : static_cast<int>(std::lround((spec.clutter == "minimal" ? 1 : 3) + 7 * clutter_));
+    const int small = is_left() || !type.lived_in
+                          ? 0
+                          : static_cast<int>(std::lround((spec.clutter == "minimal" ? 1 : 3) + 7 * clutter_));
     for (int i = 0; i < small; ++i) {
         std::string kind = kSmall[static_cast<std::size_t>(l_.rng().index(static_cast<int>(kSmall.size())))];
         if (type.for_children) kind = for_a_child(kind);

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "fastscene/rooms/layout_groups.h"
+#include "fastscene/rooms/layout_patterns.h"
 
 namespace fastscene::furnishing {
 namespace {
@@ -157,9 +158,15 @@ std::span<const StepKind> step_kinds() {
         };
         const auto groups = group_kinds();
         out.insert(out.end(), groups.begin(), groups.end());
+        const auto patterns = pattern_kinds();
+        out.insert(out.end(), patterns.begin(), patterns.end());
         return out;
     }();
     return all;
+}
+
+void follow_steps(const std::vector<RecipeStep>& steps, Placement& placement, int anchor) {
+    follow(steps, placement, anchor);
 }
 
 void follow_recipe(const std::vector<RecipeStep>& recipe, Placement& placement) { follow(recipe, placement, -1); }

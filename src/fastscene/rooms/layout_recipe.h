@@ -26,6 +26,8 @@ inline constexpr std::string_view kStepsAlone = "steps";
 std::span<const StepKind> step_kinds();
 
 // `recipe` must outlive `placement`, which returns to it for what it puts off.
+// The steps at a piece.
+void follow_steps(const std::vector<RecipeStep>& steps, Placement& placement, int anchor);
 void follow_recipe(const std::vector<RecipeStep>& recipe, Placement& placement);
 
 // The first of `first_asked` that was asked for; else `thing`, or `other` as often as the step says.

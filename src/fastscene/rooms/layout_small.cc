@@ -188,6 +188,7 @@ std::optional<int> Layout::on_wall(const PieceRequest& request, std::optional<in
         p.piece.hang_height_m = 0.95f;
     }
     const Vec3f size = p.piece.size_m;
+    const float top = plan_.height - (plan_.beams ? kBeamDepth : 0.f);
     std::optional<Placed> best;
     float best_score = -std::numeric_limits<float>::infinity();
     for (const WallFace& face : faces_) {
@@ -207,9 +208,9 @@ std::optional<int> Layout::on_wall(const PieceRequest& request, std::optional<in
             const float high = footprint_of(a).y1;
             y = from.relation == "above" ? std::max(high + 0.12f, std::min(y, high + 0.45f))
                                          : std::max(y, high + 0.15f);
-            if (y + size.y > plan_.height - 0.12f) y = high + 0.05f;
-            if (y + size.y > plan_.height - 0.05f) continue;
-        } else if (y + size.y > plan_.height - 0.12f) y = plan_.height - 0.12f - size.y;
+            if (y + size.y > top - 0.12f) y = high + 0.05f;
+            if (y + size.y > top - 0.05f) continue;
+        } else if (y + size.y > top - 0.12f) y = top - 0.12f - size.y;
         if (y < 0) continue;
         for (float u = size.x / 2 + 0.1f; u <= face.length - size.x / 2 - 0.1f; u += kSlotStep) {
             if (!wall_is_free(plan_, face, u - size.x / 2, u + size.x / 2, y, y + size.y)) continue;
@@ -375,12 +376,9 @@ int Layout::in_windows(const PieceRequest& request, const PromptObject& from) {
 
 int Layout::at_windows(const PieceRequest& request, const PromptObject& from) {
     constexpr float kOffWall = 0.045f;
-    int hung = 0;
-    for (const Opening& o : plan_.openings) {
-        // No cloth hangs before a porthole, and none hides an arch that was asked for.
-        if (o.kind != Opening::Kind::window || o.shape == Opening::Shape::round ||
-            (o.shape == Opening::Shape::arched && from.kind.empty()))
-            continue;
+    // To the floor, to a hand's breadth below the sill, or to the sill.
+    enum class Length { floor, apron, sill };
+    const auto hang_at = [&](const Opening& o, Length length) {
         const WallFace face = plan_.wall(o.wall);
         const float top = std::min(plan_.height - 0.06f, o.y1 + 0.16f);
         const auto hang = [&](float margin, float low) {
@@ -406,14 +404,27 @@ int Layout::at_windows(const PieceRequest& request, const PromptObject& from) {
             if (free) keep(p, from);
             return free;
         };
-        // To the floor; else to the sill, or to what stands below; at last narrower.
-        bool done = hang(kCurtainMargin, 0.02f);
-        for (const float margin : {kCurtainMargin, 0.18f, 0.08f})
-            for (const float low : {0.02f, o.y0 - 0.12f, o.y0 - 0.02f, o.y0 + 0.15f, o.y0 + 0.4f})
-                done = done || hang(margin, std::max(0.02f, low));
-        hung += done;
+        const float low = length == Length::floor ? 0.02f : length == Length::apron ? o.y0 - 0.12f : o.y0 - 0.02f;
+        bool done = false;
+        for (const float margin : {kCurtainMargin, 0.18f, 0.08f}) done = done || hang(margin, std::max(0.02f, low));
+        return done;
+    };
+    // All curtains of a room end alike, where all of them can.
+    const std::size_t before = mark();
+    for (const Length length : {Length::floor, Length::apron, Length::sill}) {
+        int hung = 0, windows = 0;
+        for (const Opening& o : plan_.openings) {
+            // No cloth hangs before a porthole, and none hides an arch that was asked for.
+            if (o.kind != Opening::Kind::window || o.shape == Opening::Shape::round ||
+                (o.shape == Opening::Shape::arched && from.kind.empty()))
+                continue;
+            ++windows;
+            hung += hang_at(o, length);
+        }
+        if (hung == windows || length == Length::sill) return hung;
+        undo(before);
     }
-    return hung;
+    return 0;
 }
 
 }  // namespace fastscene

@@ -25,10 +25,10 @@ class Touches {
     void run() {
         radiators();
         fill_floor();
-        walls();
+        if (type_.lived_in) walls();
         lay_tables();
         small_things();
-        sills();
+        if (type_.lived_in) sills();
         toys();
     }
 

@@ -102,6 +102,16 @@ std::optional<Word> find(const std::string& term, Language language) {
     return {};
 }
 
+// What the lexicon's file alone says. Style and room type files may name its colors, so it is read before them.
+const LexiconTable& lexicon_file() {
+    static const LexiconTable read = [] {
+        LexiconTable out;
+        for (const std::string_view line : split(kLexiconText, '\n')) read_line(line, out);
+        return out;
+    }();
+    return read;
+}
+
 }  // namespace
 
 std::string lexicon_key(std::string_view term, Language language) {
@@ -110,16 +120,19 @@ std::string lexicon_key(std::string_view term, Language language) {
 
 const LexiconTable& lexicon_table() {
     static const LexiconTable read = [] {
-        LexiconTable out;
-        for (const std::string_view line : split(kLexiconText, '\n')) read_line(line, out);
+        LexiconTable out = lexicon_file();
         // What a style's own file says goes before the nearest style that the lexicon knows.
         for (const auto& [word, style] : style_words()) out.words.insert_or_assign(word, Word{WordKind::style, style});
-        // A room type's file likewise.
+        // A room type's file likewise; what a word adds ("speakeasy": its style) it still adds.
+        const auto names_room = [&](const std::string& word, const RoomType& type, bool exact) {
+            const auto at = out.words.find(word);
+            const bool keeps = at != out.words.end() && at->second.kind == WordKind::room && word != type.title;
+            std::string adds = keeps ? at->second.adds : "";
+            out.words.insert_or_assign(word, Word{WordKind::room, type.name, exact, std::move(adds)});
+        };
         for (const RoomType& type : all_room_types()) {
-            for (const std::string& word : type.words)
-                out.words.insert_or_assign(word, Word{WordKind::room, type.name});
-            for (const std::string& word : type.words_near)
-                out.words.insert_or_assign(word, Word{WordKind::room, type.name, false});
+            for (const std::string& word : type.words) names_room(word, type, true);
+            for (const std::string& word : type.words_near) names_room(word, type, false);
         }
         for (auto& [term, word] : out.words) {
             word.also_color = out.colors.contains(term);
@@ -167,8 +180,8 @@ bool is_function_word(const std::string& term, Language language) {
 }
 
 std::optional<std::uint32_t> lexicon_color(std::string_view name) {
-    const auto at = lexicon_table().colors.find(name);
-    return at == lexicon_table().colors.end() ? std::nullopt : std::optional(at->second);
+    const auto at = lexicon_file().colors.find(name);
+    return at == lexicon_file().colors.end() ? std::nullopt : std::optional(at->second);
 }
 
 std::string room_title(std::string_view room) {

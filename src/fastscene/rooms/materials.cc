@@ -23,6 +23,8 @@ Vec3f srgb(std::uint32_t rgb) {
 }
 Vec3f named(std::string_view name) { return *color_named(name); }
 Vec3f darker(Vec3f c, float f) { return c * f; }
+// Late wood is darker and redder than early wood.
+Vec3f late_wood(Vec3f early) { return early * Vec3f{0.66f, 0.57f, 0.47f}; }
 
 }  // namespace
 
@@ -44,14 +46,16 @@ Material paint(std::string_view color) {
     return make(std::string(color) + " paint", Pattern::plaster, named(color), named(color), 0.1f, 0.75f, 0.0003f);
 }
 Material timber(std::string_view kind, float roughness) {
-    return make(std::string(kind), Pattern::wood, named(kind), darker(named(kind), 0.62f), 0.1f, roughness, 0.0003f);
+    return make(std::string(kind), Pattern::wood, named(kind), late_wood(named(kind)), 0.1f, roughness, 0.0003f);
 }
 Material boards(Pattern pattern, std::string_view kind, float width) {
-    return make(std::string(kind) + " floor", pattern, named(kind), darker(named(kind), 0.66f), width, 0.4f, 0.0006f);
+    return make(std::string(kind) + " floor", pattern, named(kind), late_wood(named(kind)), width, 0.4f, 0.0006f);
 }
 Material cloth(std::string_view color) {
-    return make(std::string(color) + " fabric", Pattern::fabric, named(color), darker(named(color), 0.8f), 0.002f,
-                0.85f, 0.0004f);
+    Material m = make(std::string(color) + " fabric", Pattern::fabric, named(color), darker(named(color), 0.8f), 0.002f,
+                      0.85f, 0.0004f);
+    m.sheen = 0.12f;
+    return m;
 }
 Material leather(std::string_view color) {
     return make(std::string(color) + " leather", Pattern::leather, named(color), darker(named(color), 0.65f), 0.01f,
@@ -160,6 +164,7 @@ std::optional<Material> material_named(std::string_view name) {
         Material m = cloth("emerald");
         m.name = "velvet";
         m.roughness = 0.6f;
+        m.sheen = 0.6f;
         return m;
     }
     if (n == "fabric" || n == "cloth" || n == "cotton" || n == "linen" || n == "silk" || n == "textile")

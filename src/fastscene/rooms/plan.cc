@@ -85,9 +85,33 @@ bool add_window_pair(const PromptSpec& spec, Plan& plan, const PromptObject* wis
     return false;
 }
 
+// One after the other along whole walls: a church, a classroom, a shop's front.
+void add_regular_windows(const RoomWindows& like, Plan& plan) {
+    constexpr float kLintelAbove = 0.2f, kCorner = 0.45f, kNarrowestPane = 0.4f;
+    for (const int wall : like.walls) {
+        const auto [low, high] = plan.free_span(wall, 2.1f);
+        const float from = wall == 2 ? low + kClearOfDoor : low + kCorner, to = high - kCorner, length = to - from;
+        const int count = std::max(1, static_cast<int>((length + like.every_m - like.width_m) / like.every_m));
+        const float wide = std::min(like.width_m, length / static_cast<float>(count) - 0.1f);
+        if (wide < kNarrowestPane) continue;
+        for (int i = 0; i < count; ++i) {
+            Opening window;
+            window.wall = wall;
+            const float middle = from + length * (static_cast<float>(i) + 0.5f) / static_cast<float>(count);
+            window.u0 = middle - wide / 2, window.u1 = middle + wide / 2;
+            window.y1 = std::min(plan.height - kLintelAbove, like.head_m);
+            window.y0 = std::min(like.sill_m, window.y1 - 0.4f);
+            if (like.arched) window.shape = Opening::Shape::arched;
+            plan.openings.push_back(window);
+        }
+    }
+}
+
 void add_windows(PromptSpec& spec, Plan& plan, Random& rng) {
     const PromptObject* wish = wish_for(spec, "window");
     if (wish_for(spec, "window", true)) return;
+    if (const RoomWindows& like = room_type(spec.room).windows; like.regular && !wish && !(plan.knee > 0))
+        return add_regular_windows(like, plan);
     const AtWindows asked = at_windows(spec);
     const bool paired = asked.between && (!wish || wish->count <= 2) && !(plan.knee > 0);
     if (paired && add_window_pair(spec, plan, wish, rng)) {
@@ -304,6 +328,13 @@ void paint_in(const std::string& name, bool wet, Plan& plan) {
     if (wet && luminance(*color) > 0.12f) plan.style.wall = m;
 }
 
+// What is of the kind of room, whatever the style.
+void take_surfaces(const RoomType& type, Plan& plan) {
+    if (type.floor) plan.style.floor = *type.floor;
+    if (type.wall) plan.style.wall = *type.wall;
+    if (type.ceiling) plan.style.ceiling = *type.ceiling;
+}
+
 }  // namespace
 
 Plan make_plan(PromptSpec& spec, Random& rng) {
@@ -322,13 +353,14 @@ Plan make_plan(PromptSpec& spec, Random& rng) {
     suggest_style(spec);
     if (spec.style.empty()) {
         const bool bright = spec.light == "bright" || spec.weather == "sunny" || spec.mood == "airy";
-        const std::vector<std::string> choice = styles_for(
-            spec.mood == "cozy"                                            ? StyleMood::cozy
-            : room_type(spec.room).for_children || spec.mood == "colorful" ? StyleMood::children
-            : spec.light == "neon"                                         ? StyleMood::neon
-            : !spec.colors.empty()                                         ? StyleMood::colored
-            : bright                                                       ? StyleMood::bright
-                                                                           : StyleMood::usual);
+        std::vector<std::string> choice = styles_for(spec.mood == "cozy" ? StyleMood::cozy
+                                                     : room_type(spec.room).for_children || spec.mood == "colorful"
+                                                         ? StyleMood::children
+                                                     : spec.light == "neon" ? StyleMood::neon
+                                                     : !spec.colors.empty() ? StyleMood::colored
+                                                     : bright               ? StyleMood::bright
+                                                                            : StyleMood::usual);
+        if (!room_type(spec.room).styles.empty()) choice = room_type(spec.room).styles;
         spec.style = choice[static_cast<std::size_t>(rng.index(static_cast<int>(choice.size())))];
         spec.assumed.push_back("style: " + spec.style);
     }
@@ -342,6 +374,7 @@ Plan make_plan(PromptSpec& spec, Random& rng) {
     plan.depth = rng.uniform(type.depth_low_m, type.depth_high_m) * factor;
     if (spec.size == "narrow") plan.width = std::max(kNarrowest, std::min(0.72f * plan.width, 0.7f * plan.depth));
     plan.height = is_hall(spec) ? std::max(3.2f, plan.style.ceiling_m) : plan.style.ceiling_m;
+    if (type.height_low_m > 0) plan.height = rng.uniform(type.height_low_m, type.height_high_m);
     if (const PromptObject* ceiling = wish_for(spec, "ceiling"); ceiling && !ceiling->size.empty())
         plan.height = ceiling->size == "small" ? kLowCeiling : std::max(kHighCeiling, plan.height + 0.4f);
     take_measures(spec, plan);
@@ -364,6 +397,7 @@ Plan make_plan(PromptSpec& spec, Random& rng) {
     choose_paint(spec, plan, rng);
     deepen_paint(spec, plan);
     if (wet) tile_wet_room(plan, rng);
+    take_surfaces(type, plan);
     apply_accents(spec.accents, plan.style);
     cover_everything(spec.everything, plan);
     avoid_colors(spec);

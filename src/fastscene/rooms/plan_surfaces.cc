@@ -56,7 +56,7 @@ void choose_ceiling(const PromptSpec& spec, Plan& plan) {
     Random rng(hash_name(spec.text) ^ std::bit_cast<std::uint32_t>(plan.width), "ceiling");
     const float boards = rng.uniform(), tray = rng.uniform(), spots = rng.uniform();
     plan.recessed_lights = wish_for(spec, "recessed_lights") != nullptr;
-    if (speaks_of("ceiling") || !spec.everything.kind.empty()) return;
+    if (room_type(spec.room).ceiling || speaks_of("ceiling") || !spec.everything.kind.empty()) return;
     const bool wet = room_type(spec.room).wet, flat = !(plan.knee > 0) && !plan.beams && !plan.coffers;
     const Style& style = plan.style;
     if (boards < style.ceiling_boards_probability && !wet) {
@@ -66,7 +66,8 @@ void choose_ceiling(const PromptSpec& spec, Plan& plan) {
     // Below the step there is room for curtain rods, and no corner of the room cuts it.
     const bool high = std::all_of(plan.openings.begin(), plan.openings.end(),
                                   [&](const Opening& o) { return o.y1 < plan.height - kTrayStep - 0.2f; });
-    plan.tray = flat && high && !wet && plan.blocks.empty() && plan.width > 2.8f && tray < style.tray_probability;
+    plan.tray = room_type(spec.room).lived_in && flat && high && !wet && plan.blocks.empty() && plan.width > 2.8f &&
+                tray < style.tray_probability;
     // Who speaks of lamps in the ceiling, this way or that, has those.
     if (!speaks_of("recessed_lights") && !speaks_of("ceiling_lamp"))
         plan.recessed_lights = flat && plan.height < 3.15f &&

@@ -81,7 +81,7 @@ void avoid_colors(PromptSpec& spec) {
 
 namespace {
 
-constexpr float kLeastSide = 2.2f, kMostSide = 10.f, kLeastHeight = 2.1f, kMostHeight = 6.f;
+constexpr float kLeastSide = 2.2f, kUsualMostSide = 10.f, kLeastHeight = 2.1f, kUsualMostHeight = 6.f;
 
 std::string metres(float value) {
     const int centimetres = static_cast<int>(std::lround(value * 100));
@@ -93,14 +93,17 @@ std::string metres(float value) {
 
 void take_measures(const PromptSpec& spec, Plan& plan) {
     const Vec3f& said = spec.size_m;
+    const RoomType& type = room_type(spec.room);
+    const float most_side = std::max({kUsualMostSide, type.width_high_m, type.depth_high_m});  // halls are larger
+    const float most_height = std::max(kUsualMostHeight, type.height_high_m);
     if (spec.area_m2 > 0) {
         const float grow = std::sqrt(spec.area_m2 / (plan.width * plan.depth));
-        plan.width = std::clamp(plan.width * grow, kLeastSide, kMostSide);
-        plan.depth = std::clamp(spec.area_m2 / plan.width, kLeastSide, kMostSide);
+        plan.width = std::clamp(plan.width * grow, kLeastSide, most_side);
+        plan.depth = std::clamp(spec.area_m2 / plan.width, kLeastSide, most_side);
     }
-    if (said.x > 0) plan.width = std::clamp(said.x, kLeastSide, kMostSide);
-    if (said.z > 0) plan.depth = std::clamp(said.z, kLeastSide, kMostSide);
-    if (said.y > 0) plan.height = std::clamp(said.y, kLeastHeight, kMostHeight);
+    if (said.x > 0) plan.width = std::clamp(said.x, kLeastSide, most_side);
+    if (said.z > 0) plan.depth = std::clamp(said.z, kLeastSide, most_side);
+    if (said.y > 0) plan.height = std::clamp(said.y, kLeastHeight, most_height);
     plan.measured = said.x > 0 || said.z > 0 || spec.area_m2 > 0;
 }
 

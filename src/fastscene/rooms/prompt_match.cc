@@ -134,7 +134,10 @@ class Matcher {
         if (n < 2 || phrase_length(tokens_, at_, n + 1) <= n) return false;
         const auto all = look_up(joined(tokens_, at_, n)), kind = look_up(joined(tokens_, at_, n - 1)),
                    piece = look_up(joined(tokens_, at_ + n - 1, 2));
-        if (!all || !kind || !piece || piece->kind != WordKind::object) return false;
+        if (!all || !kind || !piece) return false;
+        // "a classic wine cellar": no cellar in classic wine, a shade of red.
+        if (piece->kind == WordKind::room) return all->kind == WordKind::color && kind->kind == WordKind::style;
+        if (piece->kind != WordKind::object) return false;
         if (all->kind != WordKind::object && all->kind != WordKind::structure) return false;
         return kind->kind == WordKind::nuance || kind->kind == WordKind::material || kind->kind == WordKind::color ||
                kind->kind == WordKind::pattern || kind->kind == WordKind::size || kind->kind == WordKind::style;

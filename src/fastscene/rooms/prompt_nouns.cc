@@ -212,14 +212,16 @@ void name_bars(Matches& m) {
     bool bar = std::any_of(m.begin(), m.end(), [](const Match& x) {
         return x.is(WordKind::room) && is_one_of(x.words, {"cocktail bar", "bar room", "bar lounge", "wine bar"});
     });
-    if (!named && first < m.size() && is_one_of(m[first].words, {"bar", "pub"}) && m[first].is(WordKind::object))
-        m[first].word = Word{WordKind::room, default_room_type().name, false, "without=tv"}, bar = true;
+    if (!named && first < m.size() && m[first].words == "bar" && m[first].is(WordKind::object))
+        if (const Thing* thing = find_thing(m[first].word->meaning); thing && find_room_type(thing->room))
+            m[first].word = Word{WordKind::room, thing->room}, bar = true;
     for (Match& x : m)
         if (bar && x.is(WordKind::object) && is_one_of(x.words, {"counter", "bar counter", "bar"}))
-            x.word = Word{WordKind::object, "kitchen_island", x.words == "bar"};
-    const bool high = bar || std::any_of(m.begin(), m.end(), [](const Match& x) {
-                          return x.is(WordKind::object) && x.word->meaning == "kitchen_island";
-                      });
+            x.word = Word{WordKind::object, "bar_counter"};
+    const bool high =
+        bar || std::any_of(m.begin(), m.end(), [](const Match& x) {
+            return x.is(WordKind::object) && is_one_of(x.word->meaning, {"kitchen_island", "bar_counter"});
+        });
     for (Match& x : m)
         if (high && x.is(WordKind::object) && is_one_of(x.words, {"stool", "stools"}))
             x.plural = x.words == "stools", x.word = Word{WordKind::object, "bar_stool"};

@@ -57,6 +57,38 @@ bool comes_with_another(const Matches& m) {
     return std::none_of(first, with, exact) && std::any_of(with, m.end(), exact);
 }
 
+// "a spa bathroom", "a gallery-like living room": the last of them is the room, the one before says what it is like.
+void qualify_rooms(Matches& m) {
+    for (std::size_t i = 0; i + 1 < m.size(); ++i) {
+        const RoomType* type = m[i].is(WordKind::room) && !m[i].negated ? find_room_type(m[i].word->meaning) : nullptr;
+        if (!type || type->next_door || type->sloped_ceiling || type->high_ceiling) continue;
+        const bool likened = is_one_of(m[i + 1].words, {"like", "style", "styled", "inspired", "themed"});
+        const std::size_t next = likened ? i + 2 : i + 1;
+        if (next >= m.size() || !m[next].is(WordKind::room) || m[next].negated || m[next].comma) continue;
+        if (m[next].word->meaning == type->name || !m[next].word->exact) continue;
+        m[i].word = Word{WordKind::nuance, "feel", false};
+    }
+}
+
+// "a flat above a cinema", "a bedroom with a view of the church": what lies outside, where another room is named.
+void leave_outside(Matches& m) {
+    const auto first = std::find_if(m.begin(), m.end(),
+                                    [](const Match& x) { return x.is(WordKind::room) && !x.negated; });
+    if (first == m.end()) return;
+    for (auto x = first + 1; x < m.end(); ++x) {
+        const RoomType* type = x->is(WordKind::room) && x->word->exact ? find_room_type(x->word->meaning) : nullptr;
+        if (!type || type->next_door || type->name == first->word->meaning) continue;
+        for (auto before = x; before-- > first && !before->is(WordKind::room);) {
+            if (before->is_function("the") || before->words == "a" || before->words == "an" || modifies(*before))
+                continue;
+            if (is_one_of(before->words, {"above", "over", "opposite", "behind", "near", "beside", "next to", "of",
+                                          "across from", "overlooking", "facing"}))
+                x->word = Word{WordKind::nuance, "outside"};
+            break;
+        }
+    }
+}
+
 // A word for the whole house ("apartment", "castle") only names the room when no other word does.
 void choose_room(Matches& m, PromptSpec& spec) {
     for (std::size_t i = 0; i < m.size(); ++i)
@@ -201,6 +233,8 @@ void fill_next_room(Reading& r) {
 
 void settle_rooms(Reading& r) {
     count_other_rooms(r.m);
+    qualify_rooms(r.m);
+    leave_outside(r.m);
     choose_room(r.m, r.spec);
     furnish_parts(r.m);
     if (r.spec.structure.empty()) find_next_room(r);

@@ -64,7 +64,7 @@ TEST(PromptWords, WhatARoomIsForSaysWhatItLooksLikeAndWhatItHasNot) {
     EXPECT_EQ(read("a speakeasy").style, "art deco");
     EXPECT_EQ(read("a scandinavian speakeasy").style, "scandinavian");
     EXPECT_TRUE(object_of(read("a hat shop with a tv"), "tv"));
-    EXPECT_EQ(object_of(read("a laboratory with three steel tables"), "dining_table")->count, 3);
+    EXPECT_EQ(object_of(read("a laboratory with three steel tables"), "steel_table")->count, 3);
     EXPECT_EQ(object_of(read("a restaurant with tables"), "dining_table")->count, 2);
 }
 

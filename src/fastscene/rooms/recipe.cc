@@ -14,7 +14,9 @@ namespace {
 using furnishing::StepKind;
 
 constexpr double kMostPull = 5, kLeastGap = -1, kMostGap = 3, kLongest = 6;  // the latter in metres
-constexpr int kMostTimes = 20;
+constexpr int kMostTimes = 20, kMostPieces = 99;
+constexpr double kLongestRun = 12;  // metres
+constexpr std::string_view kWalls[] = {"far", "right", "near", "left"};
 
 // Keys that every step may have.
 constexpr std::string_view kEveryStep[] = {"do",        "only_asked",    "if_asked",     "if_not_asked",  "if_to_place",
@@ -38,6 +40,7 @@ class StepReader {
         read_conditions();
         read_thing();
         read_place();
+        read_pattern();
         if (t_.has("then")) s_.then = read_steps(t_, "then", in_step_ || kind_.name != furnishing::kStepsAlone);
         if (kind_.at_a_piece && !in_step_ && s_.at.empty())
             t_.fail_missing("at", fmt::format("the things at which \"{}\" may place its thing", kind_.name));
@@ -107,7 +110,29 @@ class StepReader {
         s_.depth_m = number("depth_m", s_.depth_m, 0.2, kLongest);
         s_.shift_m = number("shift_m", 0, -kMostGap, kMostGap);
         s_.from_edge = t_.flag("from_edge", false);
-        s_.seats = t_.whole("seats", s_.seats, 1, kMostTimes);
+        s_.seats = t_.whole("seats", s_.seats, 0, kMostTimes);
+    }
+
+    void read_pattern() {
+        if (t_.has("seat")) s_.seat = thing("seat");
+        if (t_.has("back")) s_.back = thing("back");
+        if (t_.has("towards")) s_.towards = static_cast<int>(t_.needed_choice("towards", kWalls));
+        if (t_.has("walls")) {
+            s_.walls.clear();
+            for (const std::string& name : t_.texts("walls"))
+                s_.walls.push_back(static_cast<int>(t_.choice_of("walls", name, kWalls)));
+        }
+        s_.pitch_m = number("pitch_m", s_.pitch_m, 0.2, kLongest);
+        s_.aisle_m = number("aisle_m", s_.aisle_m, 0, kLongest);
+        s_.side_m = number("side_m", s_.side_m, 0, kLongest);
+        s_.front_m = number("front_m", s_.front_m, 0, kLongestRun);
+        s_.rear_m = number("rear_m", s_.rear_m, 0, kLongestRun);
+        s_.off_m = number("off_m", s_.off_m, 0, kLongest);
+        s_.length_m = number("length_m", s_.length_m, 0, kLongestRun);
+        s_.rows = t_.whole("rows", 0, 0, kMostPieces);
+        s_.block = t_.whole("block", 0, 0, kMostPieces);
+        s_.most = t_.whole("most", 0, 0, kMostPieces);
+        s_.alike = t_.flag("alike", false);
     }
 
     const TomlTable& t_;

@@ -47,10 +47,23 @@ struct RecipeStep {
     float gap_m = 0;
     bool facing = false;  // before a piece: turned to it
     float width_m = 2, depth_m = 1.4f;
-    float shift_m = 0;             // of a rug: from the middle of its piece to the front
-    bool from_edge = false;        // … measured from the piece's front edge
-    int seats = 2;                 // usual number
-    std::vector<RecipeStep> then;  // at the piece that was placed
+    float shift_m = 0;       // of a rug: from the middle of its piece to the front
+    bool from_edge = false;  // … measured from the piece's front edge
+    int seats = 2;           // usual number
+    // Of patterns (layout_patterns.h), metres where no unit is said.
+    std::string seat;                     // comes with each piece
+    std::string back;                     // stands at the wall behind
+    int towards = 0;                      // the wall that rows look at: 0 far, 1 right, 2 near, 3 left
+    std::vector<int> walls{0, 1, 3};      // at which walls, in this order
+    float pitch_m = 0;                    // from one row, lamp or seat to the next
+    float aisle_m = 0;                    // down the middle
+    float side_m = 0.35f;                 // free at both ends of rows, and at the ends of a counter
+    float front_m = 1.5f, rear_m = 0.8f;  // free before the first row and behind the last
+    float off_m = 0;                      // from the wall
+    float length_m = 0;                   // at most
+    int rows = 0, block = 0, most = 0;    // at most; 0: as many as fit
+    bool alike = false;                   // one is like the other
+    std::vector<RecipeStep> then;         // at the piece that was placed
 };
 
 // The steps of a list of tables. Throws Error naming file, line and key for what is unknown, missing or out of range.

@@ -137,12 +137,17 @@ void check_room(const Room& room, const std::vector<Vec3f>& rays) {
 
 TEST(Room, EveryKindInEveryStyleIsSound) {
     const std::vector<Vec3f> rays = directions(2000);
-    for (const std::string& room : room_types())
-        for (const std::string& style : styles())
+    for (const std::string& room : room_types()) {
+        // Types that name the styles that suit them come in those, and once: they are many.
+        const std::vector<std::string>& own = room_type(room).styles;
+        const std::vector<std::string> all = own.empty() ? styles() : own;
+        for (std::size_t i = 0; i < all.size(); ++i)
             for (const std::uint64_t seed : {1u, 2u}) {
-                SCOPED_TRACE(style + " " + room + ", seed " + std::to_string(seed));
-                check_room(room_of("a " + style + " " + room_title(room), seed), rays);
+                if (!own.empty() && seed != 1 + i % 2) continue;
+                SCOPED_TRACE(all[i] + " " + room + ", seed " + std::to_string(seed));
+                check_room(room_of("a " + all[i] + " " + room_title(room), seed), rays);
             }
+    }
 }
 
 const char* const kWishes[] = {

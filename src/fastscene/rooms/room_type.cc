@@ -10,6 +10,7 @@
 #include "fastscene/base/check.h"
 #include "fastscene/rooms/catalogue.h"
 #include "fastscene/rooms/file_fields.h"
+#include "fastscene/rooms/style.h"
 
 namespace fastscene {
 
@@ -26,7 +27,7 @@ float share_or(const TomlTable& table, std::string_view key, float otherwise) {
 }
 
 std::pair<float, float> range_of(const TomlTable& table, std::string_view key) {
-    constexpr double kLeast = 1.5, kMost = 12;
+    constexpr double kLeast = 1.1, kMost = 16;
     const std::vector<double> ends = table.numbers(key);
     if (ends.size() != 2 || !(ends[0] >= kLeast && ends[0] <= ends[1] && ends[1] <= kMost))
         table.fail(key, fmt::format("expected [low, high] between {} and {}", kLeast, kMost));
@@ -43,35 +44,13 @@ std::vector<std::string> things(const TomlTable& table, std::string_view key) {
 }
 
 const std::vector<std::string>& keys_of_types() {
-    static const std::vector<std::string> keys{"name",
-                                               "title",
-                                               "words",
-                                               "words_near",
-                                               "rank",
-                                               "wet",
-                                               "for_children",
-                                               "deep_paints",
-                                               "next_rooms",
-                                               "next_door",
-                                               "second_room",
-                                               "kind_of",
-                                               "guess_rank",
-                                               "main_thing",
-                                               "own_things",
-                                               "table",
-                                               "table_when_near",
-                                               "cooks",
-                                               "upright_chairs",
-                                               "per_person",
-                                               "most_people",
-                                               "mess",
-                                               "meanings",
-                                               "size",
-                                               "shape",
-                                               "windows",
-                                               "touches",
-                                               "furnished_as",
-                                               "recipe"};
+    static const std::vector<std::string> keys{
+        "name",         "title",           "words",      "words_near",     "rank",        "wet",
+        "for_children", "deep_paints",     "next_rooms", "next_door",      "second_room", "styles",
+        "look_at",      "surfaces",        "kind_of",    "guess_rank",     "main_thing",  "own_things",
+        "table",        "table_when_near", "cooks",      "upright_chairs", "per_person",  "most_people",
+        "mess",         "meanings",        "size",       "shape",          "windows",     "touches",
+        "furnished_as", "recipe"};
     return keys;
 }
 
@@ -96,7 +75,9 @@ class TypeReader {
         t_.recipe = read_recipe(top_, "recipe");
         if (t_.furnished_as.empty() == t_.recipe.empty())
             top_.fail_missing("recipe", "either [[recipe]] or furnished_as = \"the name of a room type\"");
+        read_styles();
         read_shape();
+        read_surfaces();
         read_windows();
         read_touches();
         read_words();
@@ -109,8 +90,27 @@ class TypeReader {
         return {top_.needed_table(key), top_.file(), fmt::format("[{}]", key), keys};
     }
 
+    void read_styles() {
+        t_.look_at = one_thing("look_at");
+        t_.styles = top_.texts("styles");
+        const std::vector<std::string> known = styles();
+        for (std::size_t i = 0; i < t_.styles.size(); ++i)
+            if (std::find(known.begin(), known.end(), t_.styles[i]) == known.end())
+                top_.fail_item("styles", i, fmt::format("expected a style, found \"{}\"", t_.styles[i]));
+    }
+
+    // What is of the kind whatever the style: the tiles of a shop, the linoleum of a hospital.
+    void read_surfaces() {
+        if (!top_.has("surfaces")) return;
+        const TomlTable t = table("surfaces", {"floor", "wall", "ceiling"});
+        if (t.has("floor")) t_.floor = file_fields::material(t, "floor");
+        if (t.has("wall")) t_.wall = file_fields::material(t, "wall");
+        if (t.has("ceiling")) t_.ceiling = file_fields::material(t, "ceiling");
+    }
+
     void read_shape() {
-        const TomlTable size = table("size", {"width_m", "depth_m"});
+        const TomlTable size = table("size", {"width_m", "depth_m", "height_m"});
+        if (size.has("height_m")) std::tie(t_.height_low_m, t_.height_high_m) = range_of(size, "height_m");
         std::tie(t_.width_low_m, t_.width_high_m) = range_of(size, "width_m");
         std::tie(t_.depth_low_m, t_.depth_high_m) = range_of(size, "depth_m");
         const TomlTable shape = table("shape", {"breast_probability", "corner_probability", "bay_probability",
@@ -129,13 +129,29 @@ class TypeReader {
         t_.wall_tiles = shape.flag("wall_tiles", t_.wall_tiles);
     }
 
+    void read_regular_windows(const TomlTable& t) {
+        if (!t.has("walls")) return;
+        static constexpr std::string_view kWalls[] = {"far", "right", "near", "left"};
+        constexpr double kLongest = 6;
+        RoomWindows& w = t_.windows;
+        w.regular = true;
+        for (const std::string& name : t.texts("walls"))
+            w.walls.push_back(static_cast<int>(t.choice_of("walls", name, kWalls)));
+        w.every_m = static_cast<float>(t.number("every_m", w.every_m, 0.5, kLongest));
+        w.width_m = static_cast<float>(t.number("width_m", w.width_m, 0.3, kLongest));
+        w.sill_m = static_cast<float>(t.number("sill_m", w.sill_m, 0.05, kLongest));
+        w.head_m = static_cast<float>(t.number("head_m", w.head_m, 0.5, kLongest));
+        w.arched = t.flag("arched", false);
+    }
+
     void read_windows() {
         if (!top_.has("windows")) return;
         constexpr double kHighestSill = 2;
-        const TomlTable t = table("windows",
-                                  {"size", "count", "second_probability", "first_on_far_wall", "least_sill_m",
-                                   "sill_beyond_doorway_m", "outlook", "outlook_probability"});
+        const TomlTable t = table("windows", {"size", "count", "second_probability", "first_on_far_wall",
+                                              "least_sill_m", "sill_beyond_doorway_m", "outlook", "outlook_probability",
+                                              "walls", "every_m", "width_m", "sill_m", "head_m", "arched"});
         RoomWindows& w = t_.windows;
+        read_regular_windows(t);
         if (t.has("size")) w.size = file_fields::choice<WindowSize>(t, "size");
         w.count = t.whole("count", w.count, 0, 4);
         w.second_probability = share_or(t, "second_probability", w.second_probability);
@@ -197,9 +213,10 @@ class TypeReader {
     }
 
     void read_touches() {
-        const TomlTable t = table(
-            "touches", {"pieces", "pieces_per_m2", "sills", "shelves", "wall_shelf_probability", "mirror_probability",
-                        "clock_probability", "picture_probability", "curtains", "chandeliers", "floor_lamp"});
+        const TomlTable t = table("touches", {"pieces", "pieces_per_m2", "sills", "shelves", "wall_shelf_probability",
+                                              "mirror_probability", "clock_probability", "picture_probability",
+                                              "curtains", "chandeliers", "floor_lamp", "lived_in"});
+        t_.lived_in = t.flag("lived_in", true);
         t_.pieces = things(t, "pieces");
         t_.pieces_per_m2 = share(t, "pieces_per_m2");
         t_.sills = things(t, "sills");

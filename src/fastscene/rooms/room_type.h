@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "fastscene/rooms/recipe.h"
+#include "fastscene/scene/room.h"
 #include "fastscene/rooms/style_choices.h"
 
 namespace fastscene {
@@ -23,7 +24,12 @@ struct RoomWindows {
     bool first_on_far_wall = false;       // else at the visitor's right or before him
     float least_sill_m = 0;               // something stands below them
     float sill_beyond_doorway_m = 0.85f;  // where one looks into it through a doorway
-    std::optional<Sky::View> outlook;     // what they show; nothing: as the style has it
+    // Regular windows along these walls, in place of all that is said above: one every so many metres.
+    bool regular = false;
+    std::vector<int> walls;  // empty: there are none
+    float every_m = 2.4f, width_m = 1.4f, sill_m = 0.9f, head_m = 2.3f;
+    bool arched = false;
+    std::optional<Sky::View> outlook;  // what they show; nothing: as the style has it
     float outlook_probability = 0;
 };
 
@@ -56,6 +62,8 @@ struct RoomType {
     std::array<std::string, 2> next_rooms;  // behind a doorway, one as often as the other
     bool next_door = true;                  // may lie behind a doorway that the prompt names
     std::string second_room;                // "a second room" of no named type is one of these
+    std::vector<std::string> styles;        // that suit it; empty: any
+    std::string look_at;                    // the thing that the first view looks at
     std::string kind_of;                    // "kids" is a kind of "bedroom": who names both means one room
     bool sloped_ceiling = false;            // lies below a roof
     bool high_ceiling = false;              // a hall: high, columns, large windows
@@ -81,6 +89,9 @@ struct RoomType {
     std::string furnished_as;        // a type whose recipe it shares; empty: it has its own
     std::vector<RecipeStep> recipe;  // what stands in it
 
+    float height_low_m = 0, height_high_m = 0;     // 0: as the style has it
+    std::optional<Material> floor, wall, ceiling;  // nothing: as the style has them
+    bool lived_in = true;                          // plants, baskets, books and vases stand about, as at home
     float width_low_m = 0, width_high_m = 0, depth_low_m = 0, depth_high_m = 0;  // usual inside sizes
     // How often rooms of the type have a feature.
     float breast_probability = 0, corner_probability = 0, bay_probability = 0, alcove_probability = 0,

@@ -257,7 +257,7 @@ FurnishedRoom furnish_once(PromptSpec& spec, const Run& run, const std::string& 
     out.placed = layout.placed();
     turn_accent(spec, out.placed, out.plan);
     out.camera = layout.viewpoint();
-    out.looks = usual_look(out);
+    out.looks = usual_look(out, spec.room);
     out.hidden_wishes = static_cast<int>(layout.unseen(out.camera).size());
     furnish_next(spec, run, annealing, out);
     return out;
@@ -312,7 +312,12 @@ void assume_outlook(PromptSpec& spec, const Style& style, std::uint64_t seed) {
     outlook_of(spec, style, rng);
 }
 
-Vec3f usual_look(const FurnishedRoom& room) {
+Vec3f usual_look(const FurnishedRoom& room, const std::string& type) {
+    for (const Placed& p : room.placed) {
+        const Vec3f to = p.position - room.camera;
+        if (p.piece.kind == room_type(type).look_at && std::hypot(to.x, to.z) > 0.4f)
+            return normalize(Vec3f{to.x, 0, to.z});
+    }
     for (const char* kind : {"bed", "bed_single", "canopy_bed", "four_poster_bed", "floor_bed", "bunk_bed", "loft_bed",
                              "cabin_bed", "crib", "sofa", "loveseat", "dining_table", "kitchen_counter", "bathtub",
                              "desk", "sideboard", "washing_machine"})

@@ -65,6 +65,8 @@ enum class Pattern : std::uint8_t {
     image,  // Material::image by coords.x, coords.y in [0, 1), repeated; tinted by color_a
 };
 
+inline constexpr int kArtDesigns = 8;
+
 // A texture with its mip levels, down to one pixel.
 struct TextureImage {
     std::vector<ImageRgb8> levels;  // levels[0] is full size; row 0 is the top edge (v = 1)
@@ -78,6 +80,8 @@ struct Material {
     Vec3f color_c{0.5f, 0.5f, 0.5f};  // its third color
     float scale_m = 0.1f;             // size of the pattern's unit (tile edge, plank width, stripe …)
     float bump_m = 0.f;               // height of the relief; affects shading only
+    float crease_m = 0.f;             // depth of the creases of soft things (upholstery, bedding); shading only
+    float sheen = 0.f;                // share of light that upright fibers scatter at grazing angles (velvet, wool)
     float roughness = 0.6f;           // GGX alpha = roughness^2
     float specular = 0.04f;           // reflectance at normal incidence of the dielectric coat
     float metal = 0.f;                // 1: the albedo is the mirror's color
@@ -86,6 +90,7 @@ struct Material {
     Vec3f emission{};                 // radiance of lamps, screens and flames
     bool burns = false;               // a flame: lit also by day, and invisible when not lit
     std::uint32_t seed = 0;           // random variation of the pattern
+    std::uint8_t variant = 0;         // Pattern::art: which of its kArtDesigns designs
     std::shared_ptr<const TextureImage> image{};  // Pattern::image: never null; scale_m = metres spanned by u = 1
 };
 
@@ -134,11 +139,16 @@ struct Sky {
     std::uint32_t seed = 0;  // of the scenery
 };
 
+// How scene light becomes display color (trace/film.h). photo: a photograph's contrast, with a toe into black and a
+// shoulder into white; soft: less contrast, for editing afterwards; linear: clipped at white.
+enum class ViewTransform : std::uint8_t { photo, soft, linear };
+
 // Tone mapping settings; fixed once per room, so that all its views agree.
 struct Look {
     float exposure_ev = 0.f;  // color * 2^ev; chosen by trace/ when `automatic`
     bool automatic = true;
     Vec3f white{1, 1, 1};  // divides the color
+    ViewTransform transform = ViewTransform::photo;
     float contrast = 1.f, saturation = 1.f;
     float outside_seen = 1.f;  // multiplies Sky::seen: keeps the outside of a bright room from looking like dusk
     float sun_seen = 1.f;      // share of direct sun shown to cameras; illumination is unaffected

@@ -5,29 +5,38 @@
 #include <vector>
 
 #include "fastscene/geometry/sphere.h"
-#include "fastscene/trace/sky.h"
 
 namespace fastscene {
 namespace {
 
-// The response of photoreceptors and film (Naka and Rushton 1966; Reinhard and Devlin 2005, "Dynamic range reduction
-// inspired by photoreceptor physiology"). Middle gray is preserved, blacks roll off smoothly and highlights compress
-// gradually, so that lamps, flames and patches of sun keep their shape and color.
+// A photograph's tone curve: over log2 of scene light, display values (gamma-encoded) rise as a straight line around
+// middle gray, with a toe into black and a shoulder into white (the shape of AgX and of film's density curves).
 class FilmCurve {
   public:
-    explicit FilmCurve(float contrast)
-        : power_(1.32f * contrast),
-          knee_(std::pow(kMiddle, power_) * (1 - kMiddle) / kMiddle),
-          scale_(1 / response(kWhite)) {}
-    float operator()(float x) const { return x > 0 ? std::min(1.f, scale_ * response(x)) : 0.f; }
+    FilmCurve(ViewTransform transform, float contrast)
+        : linear_(transform == ViewTransform::linear),
+          slope_((transform == ViewTransform::soft ? kSoftSlope : kSlope) * contrast) {}
+    float operator()(float x) const {
+        if (!(x > 0)) return 0;
+        if (linear_) return std::min(1.f, x);
+        const float up = slope_ * std::log2(x / kMiddle);
+        const float value = up > 0 ? kMiddleShown + bent(up, 1 - kMiddleShown, kShoulder)
+                                   : kMiddleShown - bent(-up, kMiddleShown, kToe);
+        return std::pow(std::clamp(value, 0.f, 1.f), kGamma);
+    }
 
   private:
-    static constexpr float kMiddle = 0.18f, kWhite = 24.f;
-    float response(float x) const {
-        const float p = std::pow(x, power_);
-        return p / (p + knee_);
+    static constexpr float kMiddle = 0.18f, kGamma = 2.2f;
+    static constexpr float kMiddleShown = 0.4587f;  // 0.18^(1 / 2.2): middle gray stays
+    static constexpr float kSlope = 0.205f;         // display value a stop, at middle gray; a plain display has 0.145
+    static constexpr float kSoftSlope = 0.15f;
+    static constexpr float kToe = 2.f, kShoulder = 2.6f;
+    // A line of slope 1 that bends towards `limit`; the larger `power`, the later.
+    static float bent(float v, float limit, float power) {
+        return v / std::pow(1 + std::pow(v / limit, power), 1 / power);
     }
-    float power_, knee_, scale_;
+    bool linear_;
+    float slope_;
 };
 
 struct Weighted {
@@ -53,7 +62,8 @@ float restrained(float times, float doubling) { return times > 1 ? (1 + doubling
 
 }  // namespace
 
-Look automatic_look(const Look& wish, const Sky& sky, const ImageColor& panorama, const ImageColor& albedo) {
+Look automatic_look(const Look& wish, const Sky& sky, const ImageColor& panorama, const ImageColor& albedo,
+                    std::optional<float> outside) {
     if (!wish.automatic) return wish;
     constexpr float kLeast = 1e-5f,
                     kLeastAlbedo = 0.02f;  // darker surfaces say nothing about the illumination: sky, lamps, mirrors
@@ -79,7 +89,7 @@ Look automatic_look(const Look& wish, const Sky& sky, const ImageColor& panorama
     // Night and dusk stay darker than day. Like an incident light meter, exposure follows the light that falls on
     // things more than the light they reflect.
     const bool night = sky.time == Sky::Time::night, dusk = sky.time == Sky::Time::dusk;
-    const float key = night ? 0.21f : dusk ? 0.3f : 0.44f;
+    const float key = night ? 0.19f : dusk ? 0.26f : 0.36f;
     float ev = std::log2(key) - middle_mean(seen);
     constexpr float kUsualAlbedo = 0.46f, kByLight = 0.65f;
     if (!arriving.empty()) ev = std::lerp(ev, std::log2(key / kUsualAlbedo) - middle_mean(arriving), kByLight);
@@ -87,7 +97,7 @@ Look automatic_look(const Look& wish, const Sky& sky, const ImageColor& panorama
     // White balance moves most of the way towards the illuminant, along the Planckian locus from candlelight to blue
     // sky. A deviation from that locus (a neon sign, pink walls lighting each other) is not something that eyes adapt
     // to, and stays.
-    const float pull = night || dusk ? 0.6f : 0.65f;
+    const float pull = night || dusk ? 0.6f : 0.78f;
     constexpr float kLineRed = 0.62f, kLineBlue = -0.785f,
                     kOffLine = 0.25f;  // log2(blue or red) per log2(green), for thermal light about 4000 K
     const auto octaves = [&](float c) {
@@ -108,23 +118,25 @@ Look automatic_look(const Look& wish, const Sky& sky, const ImageColor& panorama
     }
     // A bright room gets a short exposure, which would leave the sunny garden outside as dark as dusk: the outside is
     // lifted as a whole.
-    constexpr float kMostLift = 4.f;
-    look.outside_seen = std::clamp(
-        sky.ground_least / std::max(1e-4f, luminance(sky.ground) * sky.seen * std::exp2(look.exposure_ev)), 1.f,
-        kMostLift);
+    constexpr float kMostLift = 7.f;        // sky.seen = 0.13 times that: nearly all of the light
+    constexpr float kShadeOfGround = 0.5f;  // a view with trees and their shade may be darker than open ground
+    const float level = outside ? *outside : luminance(sky.ground),
+                least = sky.ground_least * (outside ? kShadeOfGround : 1.f);
+    look.outside_seen = std::clamp(least / std::max(1e-4f, level * sky.seen * std::exp2(look.exposure_ev)), 1.f,
+                                   kMostLift);
     // A room with few lamps gets a long exposure, which would turn the night outside into day: the outside is dimmed.
     constexpr float kNightMost = 0.09f, kDuskMost = 0.28f;  // of the sky at the horizon, 1 = white by the room's light
     if (night || dusk)
         look.outside_seen = std::min(
             1.f, (night ? kNightMost : kDuskMost) /
                      std::max(1e-6f, luminance(sky.horizon) * sky.seen * std::exp2(look.exposure_ev)));
-    look.contrast = wish.contrast * 1.1f;
-    look.saturation = wish.saturation * 1.06f;
+    look.contrast = wish.contrast;
+    look.saturation = wish.saturation;
     return look;
 }
 
-Vec3f outside_as_seen(const Sky& sky, const Look& look, Vec3f direction) {
-    return sky_radiance(sky, direction) * (sky.seen * look.outside_seen);
+Vec3f outside_as_seen(const Sky& sky, const Look& look, Vec3f radiance) {
+    return radiance * (sky.seen * look.outside_seen);
 }
 
 Vec3f lamp_as_seen(const Look& look, Vec3f emission) {
@@ -136,7 +148,7 @@ Vec3f develop(const Look& look, Vec3f radiance) {
     const float gain = std::exp2(look.exposure_ev);
     Vec3f c{radiance.x * gain / look.white.x, radiance.y * gain / look.white.y, radiance.z * gain / look.white.z};
     // Mostly per channel, so that bright colors desaturate as on film; partly by luminance, which keeps hues.
-    const FilmCurve curve(look.contrast);
+    const FilmCurve curve(look.transform, look.contrast);
     const float l = luminance(c);
     const Vec3f kept = l > 0 ? c * (curve(l) / l) : c;
     for (std::size_t a = 0; a < 3; ++a) c[a] = 0.65f * curve(c[a]) + 0.35f * kept[a];

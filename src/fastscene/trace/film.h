@@ -2,6 +2,8 @@
 // agree.
 #pragma once
 
+#include <optional>
+
 #include "fastscene/image/image.h"
 #include "fastscene/scene/room.h"
 
@@ -11,11 +13,12 @@ namespace fastscene {
 // the same pixels or empty, lets the incident light be measured rather than the reflected light: a dark room stays
 // dark, a white one white, and neutral surfaces stay neutral beside warm walls. The exposure also determines how much
 // of the direct sun is shown (Sky::sun_limit).
-Look automatic_look(const Look& wish, const Sky& sky, const ImageColor& panorama, const ImageColor& albedo = {});
+// `outside`: luminance of what the windows show (Outdoors::brightness); nothing: that of the sky's ground.
+Look automatic_look(const Look& wish, const Sky& sky, const ImageColor& panorama, const ImageColor& albedo = {},
+                    std::optional<float> outside = {});
 
-// The outside as the camera sees it in a direction (world frame, unit length). Illumination uses sky_radiance instead,
-// which is not adjusted.
-Vec3f outside_as_seen(const Sky& sky, const Look& look, Vec3f direction);
+// Radiance of the outside (outdoors.h) as the camera sees it. As illumination it is not adjusted.
+Vec3f outside_as_seen(const Sky& sky, const Look& look, Vec3f radiance);
 
 // The radiance of a lamp or flame that the camera sees directly, compressed so that its shape and hue do not clip to
 // white. Its illumination of the room is unaffected.

@@ -18,6 +18,18 @@ int facing_of(Vec3f n) {
     return n.z > 0 ? 4 : 5;
 }
 
+void LightDirection::add(Vec3f irradiance, Vec3f direction, Vec3f normal) {
+    constexpr float kGrazing = 0.12f;  // cosine; light from lower is as uncertain as it is sensitive to the normal
+    const float w = luminance(irradiance);
+    sum += direction * (w / std::max(kGrazing, dot(direction, normal)));
+    weight += w;
+}
+
+float relief_light(Vec3f gradient, Vec3f normal, Vec3f bumped) {
+    constexpr float kLeast = 0.25f, kMost = 2.f;  // beyond these, slopes hide light from each other
+    return std::clamp(1.f + dot(bumped - normal, gradient), kLeast, kMost);
+}
+
 void IrradianceCache::index() {
     std::uint32_t capacity = 16;
     while (capacity < cells_.size() * 2 + 2) capacity *= 2;
@@ -80,7 +92,7 @@ IrradianceCache::Reading IrradianceCache::read(Vec3f position, Vec3f normal) con
     const Vec3f q = (position - origin_) / cell_m_ - Vec3f{0.5f, 0.5f, 0.5f};
     const std::int32_t x = cell_index(q.x), y = cell_index(q.y), z = cell_index(q.z);
     const float fx = q.x - static_cast<float>(x), fy = q.y - static_cast<float>(y), fz = q.z - static_cast<float>(z);
-    Vec3f sum{}, sun{};
+    Vec3f sum{}, sun{}, direction{};
     float weight = 0, trust = 0;
     for (std::size_t axis = 0; axis < 3; ++axis) {
         // On a rounded surface, blend between the entries of the dominant axes.
@@ -98,15 +110,16 @@ IrradianceCache::Reading IrradianceCache::read(Vec3f position, Vec3f normal) con
             const float w = share * same * near * std::max(0.02f, dot(cell.normal, normal)) + 1e-6f * share;
             sum += (cell.direct + cell.indirect) * w;
             sun += cell.sun * w;
+            direction += cell.directed.gradient() * w;
             weight += w;
             trust += w * same * cell.trust;
         }
     }
-    if (weight > 0) return {sum / weight, sun / weight, trust / weight};
+    if (weight > 0) return {sum / weight, sun / weight, direction / weight, trust / weight};
     const int c = nearest(position, normal);
     if (c < 0) return {};
     const Cell& cell = cells_[static_cast<std::size_t>(c)];
-    return {cell.direct + cell.indirect, cell.sun, 0.f};
+    return {cell.direct + cell.indirect, cell.sun, cell.directed.gradient(), 0.f};
 }
 
 }  // namespace fastscene

@@ -19,12 +19,27 @@
 
 namespace fastscene {
 
+// Where the irradiance of a surface comes from, to first order: its relative gradient by the normal. Lets relief be
+// shaded by the light that falls on it (directional light maps, in world space).
+struct LightDirection {
+    Vec3f sum{};       // of luminance * direction / cosine
+    float weight = 0;  // of luminance
+
+    void add(Vec3f irradiance, Vec3f direction, Vec3f normal);
+    void add(const LightDirection& other, float share) { sum += other.sum * share, weight += other.weight * share; }
+    // The gradient: E(n') / E(n) = 1 + dot(n' - n, gradient).
+    Vec3f gradient() const { return weight > 0 ? sum / weight : Vec3f{}; }
+};
+// The irradiance of a slope of the relief, relative to that of the even surface.
+float relief_light(Vec3f gradient, Vec3f normal, Vec3f bumped);
+
 class IrradianceCache {
   public:
     // Places entries on all surfaces and gathers their light. Deterministic in run.seed. `viewpoints`: where cameras
     // will be. Entries that cannot be seen from around them get fewer paths, since they matter only through what they
     // light.
-    static IrradianceCache gather(const Room& room, const SceneBvh& bvh, const TraceParams& params, const Run& run,
+    static IrradianceCache gather(const Room& room, const SceneBvh& bvh, const Lights& lights,
+                                  const TraceParams& params, const Run& run,
                                   const std::vector<Vec3f>& viewpoints = {Vec3f{}});
 
     // Irradiance without direct sun at a surface point, interpolated between the entries around it. `normal`: unit
@@ -34,7 +49,8 @@ class IrradianceCache {
     // light varies within a cell.
     struct Reading {
         Vec3f irradiance;
-        Vec3f sun;  // irradiance of direct sun, blurred to the cell size
+        Vec3f sun;        // irradiance of direct sun, blurred to the cell size
+        Vec3f direction;  // where `irradiance` comes from (LightDirection)
         float trust = 0;
     };
     Reading read(Vec3f position, Vec3f normal) const;
@@ -52,11 +68,15 @@ class IrradianceCache {
     // A one-sample estimate of a point's irradiance, in two parts whose sum has the entry's value as its mean. First
     // next-event estimation: lamps, windows and the first bounce of the sun. `which`, `uv`: uniform in [0, 1),
     // preferably stratified.
-    Vec3f direct(const Room& room, const SceneBvh& bvh, const Lights& lights, const Place& at, float which,
-                 Vec2f uv) const;
+    struct Direct {
+        DirectedLight lights, sunlit;
+        Vec3f irradiance() const { return lights.irradiance + sunlit.irradiance; }
+    };
+    Direct direct(const Room& room, const SceneBvh& bvh, const Lights& lights, const Place& at, float which,
+                  Vec2f uv) const;
     // Then one cosine-weighted ray, which returns the cached light where it hits.
     struct Bounce {
-        Vec3f irradiance;
+        Vec3f irradiance, direction;
         float distance = kFar;
         bool buried = false;  // hit a back face: the point lies inside a solid
     };
@@ -65,7 +85,8 @@ class IrradianceCache {
   private:
     struct Cell {
         Vec3f direct, indirect, sun, normal, center;
-        Vec3f albedo;    // mean over the cell
+        Vec3f albedo;  // mean over the cell
+        LightDirection directed;
         float area = 0;  // of the surface in the cell
         float transmission = 0;
         float trust = 0;
@@ -101,6 +122,7 @@ class IrradianceCache {
     void despeckle(bool indirect);
     std::vector<float> pooled(const std::vector<float>& error) const;
     void smooth(bool indirect, int step, std::vector<float>& error);
+    void smooth_directions();
     void distrust_edges();
 
     // The steps of gather(), in order.
@@ -116,7 +138,7 @@ class IrradianceCache {
     void gather_indirect(const Room& room, const SceneBvh& bvh, const Lights& lights, int samples, const Run& run,
                          Progress& progress);
     Vec3f reflected(const Room& room, std::size_t material, Vec3f normal, Vec3f direction, bool behind) const;
-    Vec3f sunlit(const Room& room, const SceneBvh& bvh, const Place& at, float which) const;
+    DirectedLight sunlit(const Room& room, const SceneBvh& bvh, const Place& at, float which) const;
 
     float cell_m_ = 0.03f;
     Vec3f origin_;

@@ -127,6 +127,7 @@ void IrradianceCache::build(const Room& room) {
                           normalize(normal),
                           center / static_cast<float>(kept),
                           color,
+                          {},
                           whole,
                           room.materials[static_cast<std::size_t>(entries[i].material)].transmission,
                           0.f});

@@ -83,7 +83,7 @@ Vec3f IrradianceCache::reflected(const Room& room, std::size_t material, Vec3f n
 }
 
 // Light from one sunlit patch, sampled by its power and visibility.
-Vec3f IrradianceCache::sunlit(const Room& room, const SceneBvh& bvh, const Place& at, float which) const {
+DirectedLight IrradianceCache::sunlit(const Room& room, const SceneBvh& bvh, const Place& at, float which) const {
     if (sun_powers_.empty() || !(sun_powers_.back() > 0)) return {};
     const float drawn = which * sun_powers_.back();
     const auto at_or_after = std::upper_bound(sun_powers_.begin(), sun_powers_.end(), drawn);
@@ -102,13 +102,14 @@ Vec3f IrradianceCache::sunlit(const Room& room, const SceneBvh& bvh, const Place
     const float here = dot(at.normal, direction), there = -dot(shining.at.normal, direction);
     if (!(here > 0 && there > 0) || bvh.blocked(from, direction, 0.f, far * kShort)) return {};
     const float probability = luminance(patch.leaving) * patch.area * patch.useful / sun_powers_.back();
-    return patch.sun * reflected(room, shining.material, shining.at.normal, direction, patch.behind) *
-           (here * there / d2 * patch.area / probability);
+    return {patch.sun * reflected(room, shining.material, shining.at.normal, direction, patch.behind) *
+                (here * there / d2 * patch.area / probability),
+            direction};
 }
 
-Vec3f IrradianceCache::direct(const Room& room, const SceneBvh& bvh, const Lights& lights, const Place& at, float which,
-                              Vec2f uv) const {
-    return lights.sample(room, bvh, at.position, at.normal, which, uv) + sunlit(room, bvh, at, which);
+IrradianceCache::Direct IrradianceCache::direct(const Room& room, const SceneBvh& bvh, const Lights& lights,
+                                                const Place& at, float which, Vec2f uv) const {
+    return {lights.sample(room, bvh, at.position, at.normal, which, uv), sunlit(room, bvh, at, which)};
 }
 
 IrradianceCache::Bounce IrradianceCache::bounced(const Room& room, const SceneBvh& bvh, const Lights& lights,
@@ -118,7 +119,7 @@ IrradianceCache::Bounce IrradianceCache::bounced(const Room& room, const SceneBv
     const RayHit hit = bvh.first_lit(from, direction);
     if (!hit) return {};  // leaves through a window: counted with the windows
     const Mesh& mesh = room.meshes[static_cast<std::size_t>(hit.mesh)];
-    if (hit.back && closed_[static_cast<std::size_t>(hit.mesh)]) return {{}, hit.distance, true};
+    if (hit.back && closed_[static_cast<std::size_t>(hit.mesh)]) return {{}, direction, hit.distance, true};
     const Vec3f p = from + direction * hit.distance;
     Vec3f normal = shading_normal(mesh, hit);
     if (hit.back) normal = -normal;
@@ -132,7 +133,7 @@ IrradianceCache::Bounce IrradianceCache::bounced(const Room& room, const SceneBv
                        behind.sun * reflected(room, material, normal, direction, true)) *
                       kPi;
     if (lights.is_large(hit.mesh)) irradiance += m.emission * kPi;
-    return {irradiance, hit.distance, false};
+    return {irradiance, direction, hit.distance, false};
 }
 
 }  // namespace fastscene

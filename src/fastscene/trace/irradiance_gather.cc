@@ -107,13 +107,15 @@ void IrradianceCache::gather_direct(const Room& room, const SceneBvh& bvh, const
             Vec3f sum{};
             Spread spread;
             for (int s = 0; s < asked; ++s) {
-                const Vec3f before = sum;
                 const Vec2f uv = r2_point(static_cast<std::uint32_t>(s), shift);
                 const float which = (static_cast<float>(s) + random.uniform()) / static_cast<float>(asked);
                 const Place& at = place(c, s);
-                sum += lights.sample(room, bvh, at.position, at.normal, which, uv);
-                sum += sunlit(room, bvh, at, which);
-                spread.add(luminance(sum - before));
+                const Direct found = direct(room, bvh, lights, at, which, uv);
+                sum += found.irradiance();
+                spread.add(luminance(found.irradiance()));
+                const float share = 1 / static_cast<float>(asked);
+                for (const DirectedLight& light : {found.lights, found.sunlit})
+                    cell.directed.add(light.irradiance * share, light.direction, at.normal);
             }
             error[c] = spread.of_mean();
             cell.direct = sum / static_cast<float>(asked);
@@ -129,8 +131,9 @@ void IrradianceCache::gather_direct(const Room& room, const SceneBvh& bvh, const
 struct IrradianceCache::Pass {
     int number = 0, rays = 0;
     std::vector<Vec3f> gathered;
-    std::vector<float> error;     // standard errors
-    std::vector<float> nearness;  // sum over passes of the mean inverse hit distance, 1/m
+    std::vector<float> error;              // standard errors
+    std::vector<float> nearness;           // sum over passes of the mean inverse hit distance, 1/m
+    std::vector<LightDirection> directed;  // of this pass
 };
 
 // One gathering pass: every entry reads the others, which adds one bounce.
@@ -153,9 +156,9 @@ void IrradianceCache::gather_pass(const Room& room, const SceneBvh& bvh, const L
                 // The point lies inside a solid; no camera will see it.
                 if (bounce.buried) continue;
                 ++valid;
-                const Vec3f before = sum;
                 sum += bounce.irradiance;
-                spread.add(luminance(sum - before));
+                spread.add(luminance(bounce.irradiance));
+                pass.directed[c].add(bounce.irradiance, bounce.direction, place(c, s).normal);
             }
             pass.error[c] = spread.of_mean();
             pass.gathered[c] = valid ? sum / static_cast<float>(valid) : Vec3f{};
@@ -170,18 +173,20 @@ void IrradianceCache::gather_indirect(const Room& room, const SceneBvh& bvh, con
                                       const Run& run, Progress& progress) {
     constexpr int kKept = 3;
     const std::size_t count = cells_.size();
-    Pass pass{0, 0, std::vector<Vec3f>(count), std::vector<float>(count), std::vector<float>(count)};
+    Pass pass{0, 0, std::vector<Vec3f>(count), std::vector<float>(count), std::vector<float>(count), {}};
     std::vector<Vec3f> kept(count);
     std::vector<float> spoiled(count);  // squared error of `kept`
     Rest rest;
     for (pass.number = 0; pass.number < kPasses; ++pass.number) {
         const bool keep = pass.number >= kPasses - kKept;
         pass.rays = std::max(2, keep ? samples / 4 : samples / 12);
+        pass.directed.assign(count, {});
         gather_pass(room, bvh, lights, run, progress, pass);
         for (std::size_t c = 0; c < count; ++c) {
             cells_[c].indirect = pass.gathered[c];
             if (!keep) continue;
             kept[c] += pass.gathered[c] * (1.f / kKept);
+            cells_[c].directed.add(pass.directed[c], 1.f / static_cast<float>(kKept * pass.rays));
             spoiled[c] += pass.error[c] * pass.error[c] * (1.f / (kKept * kKept));
         }
         if (!keep) {
@@ -208,8 +213,9 @@ void IrradianceCache::gather_indirect(const Room& room, const SceneBvh& bvh, con
     for (const int step : {1, 2, 4, 1}) smooth(true, step, error);
 }
 
-IrradianceCache IrradianceCache::gather(const Room& room, const SceneBvh& bvh, const TraceParams& params,
-                                        const Run& run, const std::vector<Vec3f>& viewpoints) {
+IrradianceCache IrradianceCache::gather(const Room& room, const SceneBvh& bvh, const Lights& lights,
+                                        const TraceParams& params, const Run& run,
+                                        const std::vector<Vec3f>& viewpoints) {
     IrradianceCache cache;
     cache.cell_m_ = params.cell_m;
     // An odd offset keeps walls off the cell boundaries.
@@ -225,12 +231,12 @@ IrradianceCache IrradianceCache::gather(const Room& room, const SceneBvh& bvh, c
     cache.find_seen(bvh, viewpoints);
     cache.index();
 
-    const Lights lights(room);
     // Gathering is three quarters of the work: progress counts cells over all passes.
     Progress progress(run, "light", (static_cast<std::int64_t>(cache.cells_.size()) / 1024 + 1) * (kPasses + 1));
     cache.find_sun_patches(room, bvh, cache.light_by_sun(room, bvh, lights, run.seed), run.seed);
     cache.gather_direct(room, bvh, lights, std::max(8, params.cell_samples / 2), run, progress);
     cache.gather_indirect(room, bvh, lights, std::max(8, params.cell_samples), run, progress);
+    cache.smooth_directions();
     cache.distrust_edges();
     cache.samples_ = {};
     return cache;

@@ -108,6 +108,29 @@ void IrradianceCache::smooth(bool indirect, int step, std::vector<float>& error)
     for (std::size_t c = 0; c < cells_.size(); ++c) (indirect ? cells_[c].indirect : cells_[c].direct) = out[c];
 }
 
+// Directions are means over few paths; relief shading would show their noise as blotches a cell wide.
+void IrradianceCache::smooth_directions() {
+    constexpr int kRounds = 2;
+    std::vector<LightDirection> out(cells_.size());
+    for (int round = 0; round < kRounds; ++round) {
+        parallel_for(static_cast<std::int64_t>(cells_.size()), 1024, [&](std::int64_t begin, std::int64_t end) {
+            for (auto c = static_cast<std::size_t>(begin); c < static_cast<std::size_t>(end); ++c) {
+                const auto [x, y, z, facing] = place_of(keys_[c]);
+                LightDirection sum;
+                for (int k = 0; k < 27; ++k) {
+                    const int n = k == 13 ? static_cast<int>(c)
+                                          : find(x + k % 3 - 1, y + k / 3 % 3 - 1, z + k / 9 - 1, facing);
+                    if (n < 0) continue;
+                    const Cell& other = cells_[static_cast<std::size_t>(n)];
+                    if (dot(other.normal, cells_[c].normal) > 0.7f) sum.add(other.directed, 1.f);
+                }
+                out[c] = sum;
+            }
+        });
+        for (std::size_t c = 0; c < cells_.size(); ++c) cells_[c].directed = out[c];
+    }
+}
+
 // Where light varies from cell to cell (shadow edges, the foot of a lamp), the cells are too coarse and smoothing has
 // leaked across the edge. Trust is lowered there, so that pictures sample the light themselves.
 void IrradianceCache::distrust_edges() {

@@ -18,11 +18,11 @@ constexpr float kNearest = 0.03f;
 // RMS radiance seen through a window that faces `into`, as its sampling weight: uneven light deserves more samples. The
 // sky alone would not do: at night lit windows across the street outshine it by far, and undersampling them leaves
 // blotches.
-float brightness_behind(const SkyTable& sky, Vec3f into) {
+float brightness_behind(const Outdoors& outdoors, Vec3f into) {
     constexpr std::uint32_t kWays = 1024;
     float squares = 0;
     for (std::uint32_t i = 0; i < kWays; ++i) {
-        const float bright = luminance(sky.at(cosine_direction(-into, irradiance::r2_point(i, {0.5f, 0.5f}))));
+        const float bright = luminance(outdoors.light(cosine_direction(-into, irradiance::r2_point(i, {0.5f, 0.5f}))));
         squares += bright * bright;
     }
     return std::max(1e-6f, std::sqrt(squares / kWays));
@@ -48,10 +48,10 @@ LightTree::Emitter box_of(std::initializer_list<Vec3f> points) {
 
 }  // namespace
 
-Lights::Lights(const Room& room) : first_of_mesh_(room.meshes.size(), -1), large_(room.meshes.size(), false) {
+Lights::Lights(const Room& room, float outside_detail)
+    : outdoors_(room, outside_detail), first_of_mesh_(room.meshes.size(), -1), large_(room.meshes.size(), false) {
     for (const Mesh& mesh : room.meshes) closed_.push_back(is_closed(mesh));
     std::vector<LightTree::Emitter> tree;
-    if (!room.portals.empty()) sky_.emplace(room.sky);
     for (std::size_t i = 0; i < room.portals.size(); ++i) {
         const Portal& p = room.portals[i];
         const Vec3f across = cross(p.edge_u, p.edge_v);
@@ -61,7 +61,7 @@ Lights::Lights(const Room& room) : first_of_mesh_(room.meshes.size(), -1), large
         emitters_.push_back({.portal = static_cast<std::int32_t>(i)});
         tree.push_back(box_of({p.corner, p.corner + p.edge_u, p.corner + p.edge_v, p.corner + p.edge_u + p.edge_v}));
         tree.back().normal = inwards;
-        tree.back().power = area * brightness_behind(*sky_, inwards);
+        tree.back().power = area * brightness_behind(outdoors_, inwards);
     }
     for (std::size_t m = 0; m < room.meshes.size(); ++m) {
         const int count = static_cast<int>(room.meshes[m].triangles.size() / 3);
@@ -115,7 +115,7 @@ Lights::LightSample Lights::draw(const Room& room, Vec3f position, Vec3f normal,
         const Portal& p = room.portals[static_cast<std::size_t>(emitter.portal)];
         out.direction = normalize(p.corner + p.edge_u * uv.x + p.edge_v * uv.y - from);
         out.far = kFar;
-        out.radiance = sky_->at(out.direction);
+        out.radiance = outdoors_.light(out.direction);
         out.pdf = portal_pdf(room, position, normal, out.direction);
         return out;
     }
@@ -146,13 +146,14 @@ float Lights::pdf(const Room& room, Vec3f position, Vec3f normal, Vec3f directio
            (std::max(1e-5f, there) * area_of(corners(room, hit.mesh, hit.triangle)));
 }
 
-Vec3f Lights::sample(const Room& room, const SceneBvh& bvh, Vec3f position, Vec3f normal, float which, Vec2f uv) const {
+DirectedLight Lights::sample(const Room& room, const SceneBvh& bvh, Vec3f position, Vec3f normal, float which,
+                             Vec2f uv) const {
     const LightSample light = draw(room, position, normal, which, uv);
     const float here = dot(normal, light.direction);
     if (!(light.pdf > 0 && here > 0) || bvh.blocked(offset_from(position, normal), light.direction, 0.f, light.far))
         return {};
     const float near = light.far < kNearest ? light.far * light.far / (kNearest * kNearest) : 1.f;
-    return light.radiance * (here * near / light.pdf);
+    return {light.radiance * (here * near / light.pdf), light.direction};
 }
 
 Vec3f Lights::sun(const Room& room, const SceneBvh& bvh, Vec3f position, Vec3f normal, Vec2f uv) const {

@@ -8,13 +8,19 @@
 #include "fastscene/scene/room.h"
 #include "fastscene/trace/light_tree.h"
 #include "fastscene/trace/scene_bvh.h"
-#include "fastscene/trace/sky.h"
+#include "fastscene/trace/outdoors.h"
 
 namespace fastscene {
 
+// Irradiance and the direction it comes from.
+struct DirectedLight {
+    Vec3f irradiance, direction;
+};
+
 class Lights {
   public:
-    explicit Lights(const Room& room);
+    // `outside_detail`: pixels per degree of the view through windows (Outdoors); illumination does not need it.
+    explicit Lights(const Room& room, float outside_detail = 0);
 
     // A sampled direction to a lamp or window, and the radiance that arrives if nothing is in between.
     struct LightSample {
@@ -29,12 +35,15 @@ class Lights {
     // The solid-angle density with which draw() samples this direction, whose ray hit `hit`; for MIS weights.
     float pdf(const Room& room, Vec3f position, Vec3f normal, Vec3f direction, const RayHit& hit) const;
     // A one-sample estimate of the irradiance from lamps and windows.
-    Vec3f sample(const Room& room, const SceneBvh& bvh, Vec3f position, Vec3f normal, float which, Vec2f uv) const;
+    DirectedLight sample(const Room& room, const SceneBvh& bvh, Vec3f position, Vec3f normal, float which,
+                         Vec2f uv) const;
     // A one-sample estimate of the irradiance from the sun's disc (0.5 degrees, slightly widened for atmospheric
     // scattering).
     Vec3f sun(const Room& room, const SceneBvh& bvh, Vec3f position, Vec3f normal, Vec2f uv) const;
     // Large lamps (more than half a square metre) are not sampled; gathering rays find them.
     bool is_large(int mesh) const { return large_[static_cast<std::size_t>(mesh)]; }
+
+    const Outdoors& outdoors() const { return outdoors_; }
 
   private:
     // An emissive triangle, or a window.
@@ -43,7 +52,7 @@ class Lights {
         std::int32_t portal = -1;
     };
     float portal_pdf(const Room& room, Vec3f position, Vec3f normal, Vec3f direction) const;
-    std::optional<SkyTable> sky_;    // only if there are portals
+    Outdoors outdoors_;
     std::vector<Emitter> emitters_;  // windows first
     std::optional<LightTree> tree_;  // of emitters_
     std::vector<std::int32_t>

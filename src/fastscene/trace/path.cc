@@ -5,7 +5,6 @@
 
 #include "fastscene/trace/film.h"
 #include "fastscene/trace/response.h"
-#include "fastscene/trace/sky.h"
 #include "fastscene/trace/surface.h"
 
 namespace fastscene {
@@ -30,14 +29,13 @@ struct Local {
     const SurfacePointInfo& s;
     const Response& r;
     Vec3f direction;
-    float relief;                // darkens or brightens the pattern's relief by its slope
     float p_specular, p_behind;  // lobe selection probabilities; the remainder is diffuse
 
     Scatter towards(Vec3f out) const {
         Scatter e;
         const float cosine = dot(s.normal, out);
         if (cosine > 0) {
-            e.value = r.diffuse * (relief * cosine / kPi);
+            e.value = r.diffuse * (std::max(0.f, dot(s.bumped, out)) / kPi);
             e.pdf = (1 - p_specular - p_behind) * cosine / kPi;
             if (r.alpha > 0) {
                 const float d = ggx_pdf(s.bumped, r.alpha, direction, out);
@@ -74,7 +72,7 @@ Vec3f sample_lights(const PathScene& scene, const Local& local, bool behind, boo
     const Vec3f facing = behind ? normal : s.bumped;
     const Vec3f sun = scene.lights.sun(scene.room, scene.bvh, s.position, facing, disc) *
                       (looking ? scene.room.look.sun_seen : 1.f);
-    if (luminance(sun) > 0) sum += (behind ? local.r.behind : local.r.diffuse * local.relief) * sun * (1.f / kPi);
+    if (luminance(sun) > 0) sum += (behind ? local.r.behind : local.r.diffuse) * sun * (1.f / kPi);
     if (luminance(sun) > 0 && !behind)
         sum += sun_glint(scene.room.sky, s, local.r, local.direction, sun, first ? kSharpestSun : kWideSun);
     return sum;
@@ -98,14 +96,20 @@ Vec3f path_radiance(const PathScene& scene, Vec3f origin, Vec3f direction, float
                                          scene.lights.pdf(scene.room, arrival.from, arrival.normal, direction, hit));
         if (!hit)
             return sum + throughput *
-                             (clearly ? outside_as_seen(scene.room.sky, scene.room.look, direction)
-                                      : sky_radiance(scene.room.sky, direction)) *
+                             (clearly ? outside_as_seen(scene.room.sky, scene.room.look,
+                                                        scene.lights.outdoors().seen(direction))
+                                      : scene.lights.outdoors().light(direction)) *
                              mis_weight;
         travelled += hit.distance;
         const float slant = std::max(0.08f, std::abs(dot(hit.normal, direction)));
         const SurfacePointInfo s = surface_at(scene.room, hit, origin, direction, width * travelled / std::sqrt(slant),
                                               first);
         const Material& m = *s.material;
+        if (clearly && is_flame(m)) {
+            sum += throughput * flame_as_seen(scene.room.look, s, direction);
+            origin = offset_from(s.position, dot(direction, s.normal) > 0 ? s.normal : -s.normal);
+            continue;
+        }
         sum += throughput * (clearly ? lamp_as_seen(scene.room.look, m.emission) : m.emission) * mis_weight;
         if (clearly && is_clear(m)) {
             const Pane pane = pane_of(s, direction);
@@ -121,11 +125,10 @@ Vec3f path_radiance(const PathScene& scene, Vec3f origin, Vec3f direction, float
         }
 
         const Response r = response_of(s, direction);
-        const float lean = dot(s.bumped - s.normal, Vec3f{0, -1, 0});
         const float diffuse = luminance(r.diffuse), behind = luminance(r.behind), specular = luminance(r.specular),
                     all = diffuse + behind + specular;
         if (!(all > 0)) return sum;
-        const Local local{s, r, direction, std::clamp(1.f + 0.8f * lean, 0.5f, 1.4f), specular / all, behind / all};
+        const Local local{s, r, direction, specular / all, behind / all};
 
         Arrival next;
         next.lights = diffuse + behind > 0 || r.alpha > 0;

@@ -7,7 +7,6 @@
 
 #include "fastscene/scene/box.h"
 #include "fastscene/trace/response.h"
-#include "fastscene/trace/sky.h"
 #include "fastscene/trace/test_room.h"
 #include "fastscene/trace/trace.h"
 
@@ -52,7 +51,7 @@ Samples sampled_light(const Room& room, Vec3f place, Vec3f normal, int count, st
     for (int i = 0; i < count; ++i) {
         Random random(seed, "samples of light", static_cast<std::uint64_t>(i));
         const double e = luminance(
-            lights.sample(room, bvh, place, normal, random.uniform(), {random.uniform(), random.uniform()}));
+            lights.sample(room, bvh, place, normal, random.uniform(), {random.uniform(), random.uniform()}).irradiance);
         sum += e, squares += e * e, largest = std::max(largest, e);
     }
     const double mean = sum / count;
@@ -269,6 +268,42 @@ TEST(Path, CachedPicturesAgree) {
     const double cached = mean({.color = true, .range = false, .pixel_samples = 16, .radiance = true});
     const double paths = mean({.color = true, .range = false, .pixel_samples = 64, .paths = true, .radiance = true});
     EXPECT_NEAR(cached / paths, 1.0, 0.05);
+}
+
+// Relief is shaded by the light that falls on it: what pictures from the cache show of knitted cloth lit from one side
+// is what path tracing shows.
+TEST(Path, CachedPicturesShowReliefInItsLight) {
+    const auto picture = [](float bump_m, bool paths) {
+        Room room = box_room(diffuse({0.5f, 0.5f, 0.5f}));
+        Material cloth = diffuse({0.5f, 0.5f, 0.5f});
+        cloth.pattern = Pattern::knit;
+        cloth.color_b = cloth.color_c = cloth.color_a;
+        cloth.scale_m = 0.6f;
+        cloth.bump_m = bump_m;
+        room.materials.push_back(diffuse({0.5f, 0.5f, 0.5f}, {9, 9, 9}));
+        room.materials.push_back(cloth);
+        room.meshes.push_back(box_mesh({-1.9f, -0.5f, 1.6f}, {-1.7f, 0.5f, 1.8f}, 1, -1, false));
+        room.meshes.push_back(box_mesh({-1.5f, -1.2f, 2.4f}, {1.5f, 1.2f, 2.45f}, 2, -1, false));
+        TracedRoom traced(std::move(room));
+        traced.gather_light({.cell_m = 0.06f, .cell_samples = 256, .pixel_samples = 16}, {});
+        ShotParts parts{.color = true, .range = false, .pixel_samples = paths ? 640 : 32};
+        parts.paths = paths;
+        parts.radiance = true;
+        return traced.perspective({}, Pinhole::with_fov(40, 40, 40), parts, {}).color;
+    };
+    const ImageColor truth = picture(0.05f, true), cached = picture(0.05f, false), even = picture(0.f, false);
+    // Relative to the even surface; the truth has noise of its own.
+    double t = 0, c = 0, tt = 0, tc = 0, cc = 0;
+    const auto count = static_cast<double>(truth.size());
+    for (std::size_t i = 0; i < truth.size(); ++i) {
+        const double base = luminance(even.pixels[i]), x = luminance(truth.pixels[i]) / base - 1,
+                     y = luminance(cached.pixels[i]) / base - 1;
+        t += x / count, c += y / count, tt += x * x / count, tc += x * y / count, cc += y * y / count;
+    }
+    const double covariance = tc - t * c;
+    EXPECT_GT(covariance / std::sqrt((tt - t * t) * (cc - c * c)), 0.6);
+    EXPECT_NEAR(covariance / (cc - c * c), 1, 0.3);
+    EXPECT_NEAR(t, c, 0.1);
 }
 
 // Direct sun is compressed where the camera sees it, in mirrors too; its illumination of the room is not.

@@ -68,6 +68,9 @@ TextureValue leaf(const Material& m, const TexturePoint& p);
 TextureValue grass(const Material& m, const TexturePoint& p);
 TextureValue screen(const Material& m, const TexturePoint& p);
 
+// Creases of soft things, about a decimetre long: 0 in the valleys, 1 between them (patterns_cloth.cc).
+float crease(Vec3f coords, float footprint, std::uint32_t seed);
+
 // Shared helpers.
 inline float positive(float scale_m) { return scale_m > 1e-3f ? scale_m : 1e-3f; }
 inline float fraction(float v) { return v - static_cast<float>(floor_int(v)); }

@@ -27,6 +27,21 @@ Weave plain_weave(Vec2f p, float s, float footprint) {
 
 }  // namespace
 
+float crease(Vec3f p, float footprint, std::uint32_t seed) {
+    // Folds run along the zero lines of warped noise; where cloth is stretched there are none.
+    const Vec3f warp{fbm3(p * 4.f, 2, footprint * 4.f, seed + 51) - 0.5f,
+                     fbm3(p * 4.f, 2, footprint * 4.f, seed + 52) - 0.5f,
+                     fbm3(p * 4.f, 2, footprint * 4.f, seed + 53) - 0.5f};
+    const Vec3f q = p + warp * 0.11f;
+    const float slack = smooth_step(0.4f, 0.75f, fbm3(p * 5.f, 2, footprint * 5.f, seed + 54));
+    const auto folds = [&](float frequency, std::uint32_t s) {
+        const float n = std::fabs(2.f * noise3(q * frequency, seed + s) - 1.f);
+        return mix(0.5f, smooth_step(0.f, 0.45f, n), detail_fade(footprint, 0.35f / frequency));
+    };
+    return 1.f - slack * (1.f - (0.65f * folds(7.f, 55) + 0.35f * folds(16.f, 56))) +
+           1.2f * (fbm3(p * 6.f, 2, footprint * 6.f, seed + 57) - 0.5f);
+}
+
 TextureValue fabric(const Material& m, const TexturePoint& p) {
     // Threads are at most 2.5 mm wide whatever the scale, so that a sofa does not look like a basket.
     const float thread = std::clamp(m.scale_m, 0.0008f, 0.0025f);
@@ -35,9 +50,9 @@ TextureValue fabric(const Material& m, const TexturePoint& p) {
     const float broad = fbm3(p.coords * 9.f, 3, p.footprint_m * 9.f, m.seed + 3) - 0.5f;
     TextureValue v;
     v.albedo = lerp(m.color_a, m.color_b, 0.3f * w.warp) *
-               (1.f + 0.16f * (w.height - 0.5f) + 0.1f * slub + 0.07f * broad);
+               (1.f + 0.22f * (w.height - 0.5f) + 0.2f * slub + 0.1f * broad);
     v.roughness = std::max(m.roughness, 0.6f);
-    v.height = w.height;
+    v.height = w.height + 0.6f * slub;
     return v;
 }
 

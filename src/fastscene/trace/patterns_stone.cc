@@ -32,7 +32,14 @@ TextureValue glazed(const Material& m, const Joint& j, Vec3f tone, float footpri
     TextureValue v;
     v.albedo = lerp(tone * (1.f + 0.07f * shade), m.color_b, j.cover);
     v.roughness = mix(m.roughness, 0.85f, j.cover);
-    v.height = (1.f - j.cover) * smooth_step(0.f, 0.006f + footprint, j.edge_m);
+    // Laid by hand and glazed: each tile lies a little askew and its glaze is wavy, so each mirrors something else.
+    constexpr float kTilt = 0.006f, kGlaze_m = 0.00025f;
+    const Vec2f lie{lattice_unit(j.column, j.row, 5, m.seed) - 0.5f, lattice_unit(j.column, j.row, 6, m.seed) - 0.5f};
+    const float glaze = fbm2(
+        j.local * 32.f + Vec2f{7.f * static_cast<float>(j.column), 3.f * static_cast<float>(j.row)}, 2,
+        footprint * 32.f, m.seed + 9);
+    const float uneven_m = 2.f * kTilt * dot(lie, j.local) + kGlaze_m * glaze;
+    v.height = (1.f - j.cover) * smooth_step(0.f, 0.006f + footprint, j.edge_m) + uneven_m / std::max(m.bump_m, 1e-4f);
     return v;
 }
 
@@ -61,12 +68,15 @@ Vec3f marble_color(const Material& m, Vec3f p, float footprint) {
 }  // namespace
 
 TextureValue plaster(const Material& m, const TexturePoint& p) {
-    const float broad = fbm3(p.coords * 1.7f, 3, p.footprint_m * 1.7f, m.seed);
-    const float fine = fbm3(p.coords * 160.f, 3, p.footprint_m * 160.f, m.seed + 7);
+    // The stipple of the roller, the plasterer's strokes beneath it, and a wall that is nowhere quite flat.
+    const float cloud = fbm3(p.coords * 1.7f, 3, p.footprint_m * 1.7f, m.seed);
+    const float stipple = fbm3(p.coords * 160.f, 2, p.footprint_m * 160.f, m.seed + 7);
+    const float strokes = fbm3(p.coords * 19.f, 3, p.footprint_m * 19.f, m.seed + 3);
+    const float uneven = fbm3(p.coords * 3.3f, 2, p.footprint_m * 3.3f, m.seed + 11);
     TextureValue v;
-    v.albedo = m.color_a * (1.f + 0.035f * (broad - 0.5f) + 0.03f * (fine - 0.5f));
+    v.albedo = m.color_a * (1.f + 0.07f * (cloud - 0.5f) + 0.05f * (strokes - 0.5f) + 0.06f * (stipple - 0.5f));
     v.roughness = m.roughness;
-    v.height = fine;
+    v.height = stipple + 1.8f * strokes + 3.f * uneven;
     return v;
 }
 
@@ -83,23 +93,14 @@ TextureValue checker(const Material& m, const TexturePoint& p) {
     // Beyond the tile size both colors merge.
     const float fade = detail_fade(p.footprint_m, s);
     const float side = ((j.column + j.row) & 1) ? 1.f : 0.f;
+    Material veined;
+    veined.color_a = {1, 1, 1};
+    veined.color_b = {0.8f, 0.8f, 0.8f};
+    veined.color_c = {0.75f, 0.75f, 0.75f};
+    veined.scale_m = 0.5f;
+    veined.seed = m.seed;
     const Vec3f vein = marble_color(
-        {"",
-         Pattern::marble,
-         {1, 1, 1},
-         {0.8f, 0.8f, 0.8f},
-         {0.75f, 0.75f, 0.75f},
-         0.5f,
-         0,
-         0,
-         0,
-         0,
-         0,
-         0,
-         {},
-         false,
-         m.seed},
-        {p.flat.x + 3.1f * side, p.flat.y, static_cast<float>(lattice_hash(j.column, j.row, 2, m.seed) & 63)},
+        veined, {p.flat.x + 3.1f * side, p.flat.y, static_cast<float>(lattice_hash(j.column, j.row, 2, m.seed) & 63)},
         p.footprint_m);
     TextureValue v;
     v.albedo = lerp(m.color_a, m.color_b, mix(0.5f, side, fade)) * vein;

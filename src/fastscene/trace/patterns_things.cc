@@ -142,7 +142,7 @@ TextureValue art(const Material& m, const TexturePoint& p) {
     const Vec2f q = p.flat * (1.f / width);
     const float soft = std::max(p.footprint_m / width, 0.002f);
     TextureValue v;
-    switch (lattice_hash(3, 1, 4, m.seed) % 8) {
+    switch (m.variant % kArtDesigns) {
         case 0: v.albedo = color_fields(m, q, soft); break;
         case 1: v.albedo = discs(m, q, soft); break;
         case 2: v.albedo = landscape(m, q, soft); break;

@@ -3,19 +3,34 @@
 namespace fastscene::patterns {
 namespace {
 
+constexpr float kMeanRing = 0.3f, kMeanPores = 0.14f;  // for distant views
+
 // Grain of one board: `along` and `across` the fibres, metres. 0 = early wood, 1 = late wood.
 float grain(float across, float along, float footprint, std::uint32_t seed) {
-    // A board is cut slightly off the trunk's axis, so the rings appear as long, wavering arches.
-    const float drift = 0.035f * (fbm2({across * 7.f, along * 0.9f}, 3, footprint * 7.f, seed) - 0.5f);
-    const float ring = (across + drift + 0.012f * along) / 0.014f;
-    const float ring_fade = detail_fade(footprint, 0.014f);
-    const float t = fraction(ring + noise2({ring * 0.3f, along * 0.7f}, seed + 5));
-    const float rings = mix(0.5f, smooth_step(0.f, 0.75f, t) - smooth_step(0.82f, 1.f, t), ring_fade);
+    // A board is cut slightly off the trunk's axis, so the rings appear as long, wavering arches, some wide, some
+    // narrow.
+    constexpr float kRing_m = 0.012f;
+    const float drift = 0.085f * (fbm2({across * 4.f, along * 0.55f}, 3, footprint * 4.f, seed) - 0.5f);
+    const float ring = (across + drift + 0.02f * along) / kRing_m;
+    const float t = fraction(ring + 1.3f * noise2({ring * 0.22f, along * 0.4f}, seed + 5));
+    // Late wood darkens slowly over the year and ends at once.
+    const float rings = mix(kMeanRing, t * t * (1.f - smooth_step(0.9f, 1.f, t)), detail_fade(footprint, kRing_m));
+    const float streaks = fbm2({across * 75.f, along * 1.3f}, 3, footprint * 75.f, seed + 2);
     const float fibres = fbm2({across * 420.f, along * 14.f}, 2, footprint * 420.f, seed + 9);
-    const float broad = fbm2({across * 14.f, along * 1.6f}, 3, footprint * 14.f, seed + 3);
-    // Rings stay subtle: from a step away a board shows mainly its broad tone.
-    return unit_clamp(0.3f * rings + 0.18f * fibres + 0.52f * broad);
+    const float broad = fbm2({across * 11.f, along * 1.1f}, 2, footprint * 11.f, seed + 3);
+    return unit_clamp(0.42f * rings + 0.34f * streaks + 0.16f * fibres + 0.26f * broad - 0.02f);
 }
+
+// Pores: dark strokes a few tenths of a millimetre wide, dense in early wood; seen from close by.
+float pores(float across, float along, float footprint, std::uint32_t seed) {
+    constexpr float kPitch_m = 0.0011f, kLong_m = 0.012f;
+    const float fade = detail_fade(footprint, 2.f * kPitch_m);
+    if (!(fade > 0.f)) return kMeanPores;
+    const float n = noise2({across / kPitch_m, along / kLong_m}, seed + 13);
+    return mix(kMeanPores, smooth_step(0.66f, 0.8f, n), fade);
+}
+
+constexpr float kTilt = 0.004f;  // slope of a board against its floor
 
 // One floorboard, with its own tone and its own part of the trunk.
 TextureValue board(const Material& m, float across, float along, float footprint, std::uint32_t id) {
@@ -23,17 +38,21 @@ TextureValue board(const Material& m, float across, float along, float footprint
     const float g = grain(across + static_cast<float>(id >> 24) * 0.37f,
                           along + static_cast<float>((id >> 16) & 255) * 0.53f, footprint, m.seed + (id & 31));
     TextureValue v;
-    v.albedo = lerp(m.color_a, m.color_b, unit_clamp(0.62f * (g - 0.3f) + 0.36f * (tone - 0.5f) + 0.1f));
-    v.albedo = v.albedo * (0.9f + 0.2f * warmth);
-    v.roughness = m.roughness * (0.92f + 0.2f * g);
-    v.height = 0.93f + 0.07f * (1.f - g);
+    const float pore = pores(across, along, footprint, m.seed + (id & 31));
+    v.albedo = lerp(m.color_a, m.color_b, unit_clamp(1.35f * (g - 0.3f) + 0.36f * (tone - 0.5f) + 0.12f));
+    v.albedo = v.albedo * ((0.9f + 0.2f * warmth) * (1.f - 0.4f * (pore - kMeanPores)));
+    v.roughness = m.roughness * (0.82f + 0.5f * g);
+    // No two boards lie in quite one plane, which breaks up what they reflect; each is a little hollow.
+    const float lie = (static_cast<float>((id >> 4) & 63) / 63.f - 0.5f) * 2.f * kTilt * across,
+                end = (static_cast<float>((id >> 10) & 63) / 63.f - 0.5f) * kTilt * along;
+    v.height = 1.f - 0.25f * g - 0.3f * pore + (lie + end) / std::max(m.bump_m, 1e-5f);
     return v;
 }
 
 // Darkens the gap between boards; `gap` = covered share.
 void cut_gap(TextureValue& v, float gap) {
     v.albedo = v.albedo * (1.f - 0.72f * gap);
-    v.height *= 1.f - gap;
+    v.height -= gap;
     v.roughness = mix(v.roughness, 0.9f, gap);
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "fastscene/trace/film.h"
 #include "fastscene/trace/noise.h"
 
 namespace fastscene {
@@ -46,6 +47,13 @@ Response response_of(const SurfacePointInfo& s, Vec3f direction) {
     }
     base = base * (1.f - max_component(fresnel) * std::lerp(kKeptUnderMatt, 1.f, coat.sharp));
     r.diffuse = base * (1.f - m.transmission) + fresnel * (kMattCoat * (1.f - coat.sharp));
+    if (m.sheen > 0) {
+        // Fibers that stand up are lit and seen along their whole length at grazing angles (after Estevez and Kulla
+        // 2017, fitted by a power of the cosine).
+        const float grazing = std::pow(1.f - std::max(0.f, -dot(s.bumped, direction)), 3.f);
+        r.diffuse = r.diffuse * (1.f - 0.5f * m.sheen) +
+                    (s.texture.albedo * 0.7f + Vec3f{0.25f, 0.25f, 0.25f}) * (m.sheen * grazing);
+    }
     r.behind = base * m.transmission;
     r.specular = fresnel * coat.sharp;
     if (coat.sharp > 0) r.alpha = coat.alpha;
@@ -55,6 +63,15 @@ Response response_of(const SurfacePointInfo& s, Vec3f direction) {
 bool is_clear(const Material& m) {
     return m.transmission >= 0.75f && m.pattern == Pattern::plain && m.roughness < 0.2f &&
            max_component(m.emission) == 0.f;
+}
+
+bool is_flame(const Material& m) { return m.burns && max_component(m.emission) > 0; }
+
+Vec3f flame_as_seen(const Look& look, const SurfacePointInfo& s, Vec3f direction) {
+    // In a round flame the way inside is the cosine at its surface; half of it is counted at each side. The light falls
+    // off faster than that, since flames are thinner towards their edges.
+    const float facing = std::abs(dot(s.normal, direction));
+    return lamp_as_seen(look, s.material->emission) * (0.5f * facing * facing);
 }
 
 Vec3f dye_of(const SurfacePointInfo& s) {

@@ -33,16 +33,6 @@ Vec3f nearest_on_triangle(Vec3f p, Vec3f a, Vec3f b, Vec3f c) {
     return sum > 0 ? a + ab * (vb / sum) + ac * (vc / sum) : a;
 }
 
-// Embree picks its kernels by processor; FASTSCENE_ISA limits them.
-const char* device_settings() {
-    switch (isa()) {
-        case Isa::sse4: return "max_isa=sse42";
-        case Isa::avx2: return "max_isa=avx2";
-        case Isa::avx512: break;
-    }
-    return nullptr;
-}
-
 using Corners = std::vector<std::array<Vec3f, 3>>;  // the triangles of one mesh
 
 struct NearestQuery {
@@ -64,6 +54,15 @@ constexpr float kBeyondGlass_m = 1e-4f;
 
 }  // namespace
 
+const char* embree_settings() {
+    switch (isa()) {
+        case Isa::sse4: return "max_isa=sse42";
+        case Isa::avx2: return "max_isa=avx2";
+        case Isa::avx512: break;
+    }
+    return nullptr;
+}
+
 struct SceneBvh::Impl {
     RTCDevice device = nullptr;
     // Two trees over the same triangles: rays are twice as fast in a tree that need not be watertight, but one aimed at
@@ -83,7 +82,7 @@ struct SceneBvh::Impl {
 
 SceneBvh::SceneBvh(const Room& room) : impl_(std::make_unique<Impl>()) {
     // No thread count here: Embree would set it for the whole process, as it shares oneTBB with us.
-    impl_->device = rtcNewDevice(device_settings());
+    impl_->device = rtcNewDevice(embree_settings());
     if (!impl_->device)
         throw Error("Embree: expected a ray tracing device, found error {}",
                     static_cast<int>(rtcGetDeviceError(nullptr)));

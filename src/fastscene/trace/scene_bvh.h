@@ -26,6 +26,9 @@ struct RayHit {
     explicit operator bool() const { return mesh >= 0; }
 };
 
+// Settings for rtcNewDevice: Embree picks its kernels by processor, FASTSCENE_ISA limits them.
+const char* embree_settings();
+
 class SceneBvh {
   public:
     explicit SceneBvh(const Room& room);  // does not keep a reference

@@ -5,7 +5,6 @@
 
 #include "fastscene/trace/film.h"
 #include "fastscene/trace/response.h"
-#include "fastscene/trace/sky.h"
 #include "fastscene/trace/surface.h"
 
 namespace fastscene {
@@ -22,8 +21,8 @@ Mirrored mirrored_radiance(const ShadeScene& scene, Vec3f origin, Vec3f directio
     const RayHit hit = sharp && mirrors > 0 ? scene.bvh.first_hit(origin, direction)
                                             : scene.bvh.first_lit(origin, direction);
     if (!hit)
-        return {sharp ? outside_as_seen(scene.room.sky, scene.room.look, direction)
-                      : sky_radiance(scene.room.sky, direction),
+        return {sharp ? outside_as_seen(scene.room.sky, scene.room.look, scene.lights.outdoors().seen(direction))
+                      : scene.lights.outdoors().light(direction),
                 {},
                 hit};
     const SurfacePointInfo s = surface_at(scene.room, hit, origin, direction, angle * hit.distance, false);
@@ -94,25 +93,26 @@ float reflection_probability(const Response& r) {
     return std::clamp(kOften * specular / std::max(1e-6f, all), kLeast, 1.f);
 }
 
-// Irradiance at a point without direct sun: from the cache, or where that is too coarse, from a fresh one-sample
-// estimate.
+// Irradiance of the relief at a point without direct sun: from the cache, or where that is too coarse, from a fresh
+// one-sample estimate.
 Vec3f light_at(const ShadeScene& scene, const SurfacePointInfo& s, Sampler& sampler) {
     const IrradianceCache::Reading reading = scene.light.read(s.position, s.normal);
     constexpr float kTrusted = 0.98f;
-    if (!scene.contacts || reading.trust > kTrusted) return reading.irradiance;
+    const float relief = relief_light(reading.direction, s.normal, s.bumped);
+    if (!scene.contacts || reading.trust > kTrusted) return reading.irradiance * relief;
     const IrradianceCache::Place here{s.position, s.normal};
     const float which = sampler.next();
     const Vec2f uv = sampler.next2(), way = sampler.next2();
-    const Vec3f asked = scene.light.direct(scene.room, scene.bvh, scene.lights, here, which, uv);
+    const Vec3f asked = scene.light.direct(scene.room, scene.bvh, scene.lights, here, which, uv).irradiance();
     const Vec3f found = scene.light.bounced(scene.room, scene.bvh, scene.lights, here, way).irradiance;
-    return reading.irradiance * reading.trust + (asked + found) * (1 - reading.trust);
+    return (reading.irradiance * reading.trust + (asked + found) * (1 - reading.trust)) * relief;
 }
 
 }  // namespace
 
 namespace {
 
-constexpr int kMostPanes = 8;  // maximum number of glass surfaces along a view ray
+constexpr int kMostPanes = 16;  // maximum number of glass surfaces and flames along a view ray
 constexpr float kBehindPane_m = 1e-3f;
 
 // `travelled`: metres that the ray has covered, through glass.
@@ -138,7 +138,7 @@ Shaded shade_from(const ShadeScene& scene, Vec3f origin, Vec3f direction, float 
     const RayHit hit = scene.bvh.first_hit(origin, direction);
     Shaded out{};
     if (!hit) {
-        out.radiance = outside_as_seen(scene.room.sky, scene.room.look, direction);
+        out.radiance = outside_as_seen(scene.room.sky, scene.room.look, scene.lights.outdoors().seen(direction));
         return out;
     }
     // On a slanted surface the footprint is stretched; the geometric mean of its axes keeps patterns sharp without
@@ -147,21 +147,24 @@ Shaded shade_from(const ShadeScene& scene, Vec3f origin, Vec3f direction, float 
     const SurfacePointInfo s = surface_at(scene.room, hit, origin, direction,
                                           pixel_angle * (travelled + hit.distance) / std::sqrt(slant), true);
     const Material& m = *s.material;
+    if (is_flame(m) && panes > 0) {
+        out = shade_from(scene, s.position + direction * kBehindPane_m, direction, pixel_angle,
+                         travelled + hit.distance, panes - 1, sampler);
+        out.radiance += flame_as_seen(scene.room.look, s, direction);
+        return out;
+    }
     Response r = response_of(s, direction);
     if (m.mirror <= 0.5f && max_component(r.specular) > 0) r.alpha = std::max(r.alpha, scene.min_alpha);
     out.albedo = s.texture.albedo;
     out.position = s.position;
     out.normal = s.normal;
 
-    // Light on the front, and from behind for thin sheets. The relief affects direct sun; other light is too diffuse to
-    // show it.
+    // Light on the front, and from behind for thin sheets.
     const Vec2f disc = sampler.next2();
     const auto sun = [&](Vec3f normal) {
         return scene.lights.sun(scene.room, scene.bvh, s.position, normal, disc) * scene.room.look.sun_seen;
     };
-    // Relief shading: slopes that face away from above are darkened.
-    const float lean = dot(s.bumped - s.normal, Vec3f{0, -1, 0}), relief = std::clamp(1.f + 0.8f * lean, 0.5f, 1.4f);
-    const Vec3f front = light_at(scene, s, sampler) * relief, front_sun = sun(s.bumped) * relief;
+    const Vec3f front = light_at(scene, s, sampler), front_sun = sun(s.bumped);
     out.diffuse = r.diffuse;
     out.light = r.diffuse * front * (1.f / kPi);
     out.sun = r.diffuse * front_sun * (1.f / kPi);

@@ -56,7 +56,7 @@ SurfacePointInfo surface_at(const Room& room, const RayHit& hit, Vec3f origin, V
     point.footprint_m = footprint_m;
     s.texture = sample_texture(*s.material, point);
     s.bumped = s.normal;
-    if (!with_relief || !(s.material->bump_m > 0.f)) return s;
+    if (!with_relief) return s;
     const Vec2f slope = texture_slope(*s.material, point, axis);
     if (slope.x == 0.f && slope.y == 0.f) return s;
     Vec3f du, dv;

@@ -62,22 +62,12 @@ TextureValue raw_texture(const Material& m, const TexturePoint& p) {
 // A footprint larger than anything in a room.
 constexpr float kFarAway = 1e6f;
 
-// Feature size of the finest relief of a pattern; no slope is computed for larger footprints.
-float relief_size(const Material& m) {
-    switch (m.pattern) {
-        case Pattern::brick:
-        case Pattern::tile:
-        case Pattern::subway:
-        case Pattern::checker:
-        case Pattern::laid_tiles:
-        case Pattern::encaustic: return 0.02f;
-        case Pattern::knit:
-        case Pattern::wicker: return 0.5f * m.scale_m;
-        case Pattern::planks:
-        case Pattern::herringbone:
-        case Pattern::parquet: return 0.008f;
-        default: return 0.006f;
-    }
+// Height of the surface in metres: the pattern's relief and the creases of soft things.
+float relief_m(const Material& m, const TexturePoint& p) {
+    float height = 0;
+    if (m.bump_m > 0) height += m.bump_m * raw_texture(m, p).height;
+    if (m.crease_m > 0) height += m.crease_m * patterns::crease(p.coords, p.footprint_m, m.seed);
+    return height;
 }
 
 }  // namespace
@@ -95,24 +85,20 @@ TextureValue sample_texture(const Material& material, const TexturePoint& point)
     TextureValue v = raw_texture(material, point);
     v.albedo = {unit_clamp(v.albedo.x), unit_clamp(v.albedo.y), unit_clamp(v.albedo.z)};
     v.roughness = std::clamp(v.roughness, 0.02f, 1.f);
-    v.height = unit_clamp(v.height);
     return v;
 }
 
 Vec2f texture_slope(const Material& material, const TexturePoint& point, int axis) {
-    const float size = relief_size(material);
-    const float fade = detail_fade(point.footprint_m, size);
-    if (!(material.bump_m > 0.f) || !(fade > 0.f)) return {};
+    if (!(material.bump_m > 0.f || material.crease_m > 0.f)) return {};
     const float h = std::max(0.5f * point.footprint_m, 0.0004f);
     const auto height = [&](float du, float dv) {
         TexturePoint q = point;
         q.flat = q.flat + Vec2f{du, dv};
         q.coords += axis == 2 ? Vec3f{du, dv, 0} : axis == 1 ? Vec3f{du, 0, dv} : Vec3f{0, dv, du};
-        return raw_texture(material, q).height;
+        return relief_m(material, q);
     };
-    const float k = fade * material.bump_m / h;
     const float here = height(0, 0);
-    const Vec2f slope{k * (height(h, 0) - here), k * (height(0, h) - here)};
+    const Vec2f slope{(height(h, 0) - here) / h, (height(0, h) - here) / h};
     // Limited, since steep flanks of joints would turn the normal below the horizon.
     const float l = length(slope);
     return l > 0.7f ? slope * (0.7f / l) : slope;

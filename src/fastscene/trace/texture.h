@@ -14,7 +14,7 @@ struct TexturePoint {
 struct TextureValue {
     Vec3f albedo;            // linear, each channel in [0, 1]
     float roughness = 0.6f;  // in [0.02, 1]
-    float height = 0.f;      // relief in [0, 1], in units of Material::bump_m
+    float height = 0.f;      // relief, in units of Material::bump_m
 };
 
 // The axis of the plane that a flat pattern lies in, by the dominant axis of the normal in texture space: 2 -> (x, y),
@@ -24,8 +24,8 @@ Vec2f flat_coords(Vec3f coords, int axis);
 
 TextureValue sample_texture(const Material& material, const TexturePoint& point);
 
-// Gradient of the relief (dimensionless slope) along the two flat coordinates, by central differences; zero where the
-// relief is finer than the footprint.
+// Gradient of the relief (dimensionless slope) along the two flat coordinates. Relief finer than the footprint fades,
+// as in the pattern itself.
 Vec2f texture_slope(const Material& material, const TexturePoint& point, int axis);
 
 // Mean albedo over several units of the pattern: what bounced light sees.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <mutex>
 #include <optional>
 
 #include "fastscene/base/check.h"
@@ -44,13 +45,20 @@ Vec3f mirror_normal(const Room& room, const Mesh& mesh) {
 struct TracedRoom::Impl {
     Room room;
     SceneBvh bvh;
-    Lights lights;
     std::vector<bool> closed;
     std::vector<Vec3f> mirrors;  // by mesh: mirror_normal
     TraceParams params;
     std::optional<IrradianceCache> light;
 
-    explicit Impl(Room r) : room(std::move(r)), bvh(room), lights(room) {
+    // Built on first use: geometry alone needs no light, and the outside takes seconds.
+    const Lights& lights() const {
+        std::call_once(lights_once_, [&] { lights_.emplace(room, params.outside_detail); });
+        return *lights_;
+    }
+    mutable std::once_flag lights_once_;
+    mutable std::optional<Lights> lights_;
+
+    explicit Impl(Room r) : room(std::move(r)), bvh(room) {
         for (const Mesh& mesh : room.meshes) {
             closed.push_back(is_closed(mesh));
             mirrors.push_back(mirror_normal(room, mesh));
@@ -60,10 +68,10 @@ struct TracedRoom::Impl {
     ImageColor color(const RayCamera& camera, const ShotParts& parts, const Look* look, ImageColor* albedo,
                      const Run& run) const {
         const int samples = parts.pixel_samples > 0 ? parts.pixel_samples : params.pixel_samples;
-        if (parts.paths) return path_traced_picture({room, bvh, lights}, camera, parts, samples, look, run);
+        if (parts.paths) return path_traced_picture({room, bvh, lights()}, camera, parts, samples, look, run);
         FASTSCENE_CHECK(light.has_value());
-        return cached_picture({room, bvh, lights, *light, parts.contacts, parts.frugal, parts.min_alpha}, camera, parts,
-                              samples, look, albedo, run);
+        return cached_picture({room, bvh, lights(), *light, parts.contacts, parts.frugal, parts.min_alpha}, camera,
+                              parts, samples, look, albedo, run);
     }
 
     // Metres along the ray to the virtual image, followed through all flat mirrors on the way.
@@ -121,12 +129,16 @@ TracedRoom& TracedRoom::operator=(TracedRoom&&) noexcept = default;
 
 void TracedRoom::gather_light(const TraceParams& params, const Run& run, const std::vector<Vec3f>& viewpoints) {
     impl_->params = params;
-    impl_->light = IrradianceCache::gather(impl_->room, impl_->bvh, params, run, viewpoints);
+    impl_->light = IrradianceCache::gather(impl_->room, impl_->bvh, impl_->lights(), params, run, viewpoints);
     const Run quiet{run.seed, nullptr, run.stop};
     ImageColor albedo;
     const ImageColor small = impl_->color(panorama_camera({}, {128, 64}), {.pixel_samples = 4}, nullptr, &albedo,
                                           quiet);
-    impl_->room.look = automatic_look(impl_->room.look, impl_->room.sky, small, albedo);
+    const auto name = std::find(kViewTransforms.begin(), kViewTransforms.end(), params.view_transform);
+    FASTSCENE_CHECK(name != kViewTransforms.end());
+    impl_->room.look.transform = static_cast<ViewTransform>(name - kViewTransforms.begin());
+    impl_->room.look = automatic_look(impl_->room.look, impl_->room.sky, small, albedo,
+                                      impl_->lights().outdoors().brightness());
 }
 
 Shot TracedRoom::panorama(const Rigid& world_from_pano, EquirectSize size, const ShotParts& parts,
@@ -141,12 +153,14 @@ Shot TracedRoom::perspective(const Rigid& world_from_camera, const Pinhole& came
 
 ImageColor TracedRoom::outside(const Mat3f& world_from_pano, EquirectSize size) const {
     const Room& room = impl_->room;
+    const Outdoors& outdoors = impl_->lights().outdoors();
     ImageColor color(size.width, size.height);
     parallel_for(size.height, 8, [&](std::int64_t begin, std::int64_t end) {
         for (auto y = static_cast<int>(begin); y < end; ++y)
             for (int x = 0; x < size.width; ++x)
                 color.at(x, y) = develop(
-                    room.look, outside_as_seen(room.sky, room.look, world_from_pano * direction_of_pixel(x, y, size)));
+                    room.look, outside_as_seen(room.sky, room.look,
+                                               outdoors.seen(world_from_pano * direction_of_pixel(x, y, size))));
     });
     return color;
 }

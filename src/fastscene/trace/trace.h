@@ -3,8 +3,10 @@
 // view.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "fastscene/base/fields.h"
@@ -17,17 +19,26 @@
 namespace fastscene {
 
 struct TraceParams {
-    float cell_m = 0.03f;     // size of an irradiance cache cell
-    int cell_samples = 192;   // paths gathered per cell
-    int pixel_samples = 16;   // camera rays per pixel
-    bool keep_noise = false;  // leave panoramas undenoised
+    float cell_m = 0.03f;         // size of an irradiance cache cell
+    int cell_samples = 192;       // paths gathered per cell
+    int pixel_samples = 16;       // camera rays per pixel
+    bool keep_noise = false;      // leave panoramas undenoised
+    float outside_detail = 10.f;  // pixels per degree of the view through the windows, at the horizon
+    std::string view_transform = "photo";
 };
+// Names of ViewTransform, in its order.
+inline constexpr std::array<const char*, 3> kViewTransforms{"photo", "soft", "linear"};
 template <class V>
 void visit_fields(TraceParams& p, V&& v) {
     v("cell", p.cell_m, Bounds{0.005, 0.5}, "Cell size of the irradiance cache in metres.");
     v("cell-samples", p.cell_samples, Bounds{1, 65536}, "Light paths gathered per cell.");
     v("pixel-samples", p.pixel_samples, Bounds{1, 4096}, "Camera rays per pixel.");
     v("keep-noise", p.keep_noise, "Do not denoise the panorama.");
+    v("outside-detail", p.outside_detail, Bounds{0, 40},
+      "Pixels per degree of the view through the windows; 0: a blurred one.");
+    v("view-transform", p.view_transform, Choices{{kViewTransforms.begin(), kViewTransforms.end()}},
+      "How scene light becomes display color. photo: a photograph's contrast, with highlights that roll off into "
+      "white; soft: less contrast, for editing afterwards; linear: clipped at white.");
 }
 
 // Per-pixel results of a rendering. Each image is empty unless requested in ShotParts.

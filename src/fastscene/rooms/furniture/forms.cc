@@ -44,7 +44,7 @@ void put_pillow(Kit& k, int mat, Vec3f at, Vec3f size, float lean_deg, float yaw
     Mesh m = shapes::pillow(size, k.seed());
     shapes::turn(m, {1, 0, 0}, -lean_deg);
     shapes::turn(m, {0, 1, 0}, yaw_deg);
-    k.add(std::move(m), mat, at);
+    k.add_soft(std::move(m), mat, kPillowCrease, at);
 }
 
 }  // namespace fastscene::furniture

@@ -1,6 +1,7 @@
 // The workbench that builders share: collects parts into a Piece.
 #pragma once
 
+#include <algorithm>
 #include <span>
 #include <string>
 #include <string_view>
@@ -14,6 +15,9 @@ namespace fastscene::furniture {
 
 using shapes::Limb;
 using shapes::Soft;
+
+// Depth of creases in metres: of tight upholstery, of pillows, of blankets that lie loose.
+inline constexpr float kUpholsteryCrease = 0.003f, kPillowCrease = 0.005f, kBlanketCrease = 0.008f;
 
 // What a builder may use: its request, its style, its rng and the piece under construction.
 struct Kit {
@@ -46,9 +50,16 @@ struct Kit {
         shapes::lay_grain(m, {rng.uniform(0, 3), rng.uniform(0, 3), rng.uniform(0, 3)});
         add(std::move(m), material_index, base_center + Vec3f{0, 0.5f * size.y, 0});
     }
+    // A mesh whose cloth gives way: its material gets creases this deep, in metres.
+    void add_soft(Mesh mesh, int material_index, float crease_m, Vec3f at = {}) {
+        float& crease = piece.materials[static_cast<std::size_t>(material_index)].crease_m;
+        crease = std::max(crease, crease_m);
+        add(std::move(mesh), material_index, at);
+    }
     void soft(int material_index, Vec3f base_center, Vec3f size, Soft how) {
         how.seed = seed();
-        add(shapes::soft_box(size, how), material_index, base_center + Vec3f{0, 0.5f * size.y, 0});
+        add_soft(shapes::soft_box(size, how), material_index, kUpholsteryCrease,
+                 base_center + Vec3f{0, 0.5f * size.y, 0});
     }
     void rod(int material_index, Vec3f a, Vec3f b, float ra, float rb = -1.f, int sides = 10) {
         add(shapes::rod(a, b, ra, rb < 0 ? ra : rb, sides), material_index);

@@ -148,11 +148,12 @@ void bed_of(Kit& k, float width, Posts over) {
     k.board(wood, {0, 0.15f, 0}, {width + 0.06f, base_y - 0.13f, length + 0.04f}, 0.012f);
     const Vec3f mattress{width, 0.52f, length};
     k.soft(linen, {0, base_y - 0.03f, 0}, {width, 0.26f, length}, {0.06f, 0.015f, 0.001f, 8});
-    k.add(blanket(mattress, 0.26f, -0.42f, 0.5f * length + 0.24f, 0.006f, 0.03f, k.seed(), 0.012f), duvet);
+    k.add_soft(blanket(mattress, 0.26f, -0.42f, 0.5f * length + 0.24f, 0.006f, 0.03f, k.seed(), 0.012f), duvet,
+               kBlanketCrease);
     // The folded edge of the duvet, then a throw across the foot.
     k.soft(linen, {0, 0.545f, -0.36f}, {width + 0.06f, 0.05f, 0.3f}, {0.02f, 0.01f, 0.004f, 18});
-    k.add(blanket(mattress, 0.3f, 0.38f, 0.38f + k.rng.uniform(0.35f, 0.48f), 0.06f, 0.016f, k.seed(), 0.012f),
-          throw_cloth);
+    k.add_soft(blanket(mattress, 0.3f, 0.38f, 0.38f + k.rng.uniform(0.35f, 0.48f), 0.06f, 0.016f, k.seed(), 0.012f),
+               throw_cloth, kBlanketCrease);
     if (over == no_posts) headboard(k, form, width, length, wood, head);
     else four_posts(k, over, width, length, duvet);
     // Pillows: a row that leans, a row before it, cushions.

@@ -1,5 +1,6 @@
 // Sculpture.
 #include <array>
+#include <string>
 #include <utility>
 
 #include "fastscene/rooms/furniture/kit.h"
@@ -8,6 +9,7 @@ namespace fastscene::furniture {
 
 void build_sculpture(Kit& k) {
     const int kind = k.rng.index(3);
+    k.piece.form = "form " + std::to_string(kind);
     Material stone = *material_named("marble");
     if (kind != 0)
         stone = kind == 1 ? k.style.metal : plain("plaster", lerp(k.accent(), {0.74f, 0.72f, 0.68f}, 0.7f), 0.7f);

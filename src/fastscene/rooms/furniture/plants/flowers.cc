@@ -3,6 +3,7 @@
 #include <cmath>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 #include "fastscene/base/is_one_of.h"
 #include "fastscene/rooms/furniture/kit.h"
@@ -72,6 +73,91 @@ Vec3f color_of_flower(Kit& k, std::string_view kind) {
     return *color_named(kGarden[static_cast<std::size_t>(k.rng.index(5))]);
 }
 
+// Stems that lean out of a vase: each an arc from its mouth, `high` above it.
+struct Stem {
+    Vec3f foot, tip;
+    float angle;
+    Vec3f point(float v) const {
+        const Vec3f out{tip.x - foot.x, 0, tip.z - foot.z};
+        return foot + out * (v * v) + Vec3f{0, (tip.y - foot.y) * (1.25f * v - 0.25f * v * v), 0};
+    }
+};
+std::vector<Stem> stems_of(Kit& k, int count, float mouth_y, float low, float high, float lean) {
+    std::vector<Stem> out;
+    for (int i = 0; i < count; ++i) {
+        const float a = 2.39996f * static_cast<float>(i) + k.rng.uniform(-0.3f, 0.3f);
+        out.push_back({Vec3f{0, 0.35f * mouth_y, 0},
+                       around(a) * (lean * k.rng.uniform(0.45f, 1.f)) + Vec3f{0, k.rng.uniform(low, high), 0}, a});
+    }
+    return out;
+}
+void add_stem(Kit& k, int material, const Stem& stem, float radius) {
+    std::vector<Vec3f> path;
+    for (int i = 0; i <= 6; ++i) path.push_back(stem.point(static_cast<float>(i) / 6.f));
+    k.add(shapes::tube(path, radius, 5), material);
+}
+
+void pampas(Kit& k, float mouth_y, float size) {
+    const int stalk = k.material(plain("dried stem", {0.3f, 0.22f, 0.12f}, 0.9f)),
+              plume = k.material(plain("pampas", lerp(k.accent(), {0.6f, 0.5f, 0.36f}, 0.65f), 0.95f));
+    for (const Stem& stem : stems_of(k, 7, mouth_y, 0.55f * size, 0.75f * size, 0.16f * size)) {
+        add_stem(k, stalk, stem, 0.002f);
+        // A plume of fine tufts that hang a little.
+        for (int i = 0; i < 34; ++i) {
+            const float v = 0.8f + 0.2f * static_cast<float>(i) / 33.f, a = 2.39996f * static_cast<float>(i);
+            k.add(blade(stem.point(v), around(a), 0.055f * size * (1.35f - v), 0.012f * size, 1.6f, 0.7f, 0.8f), plume);
+        }
+    }
+}
+// Round leaves in pairs.
+void eucalyptus(Kit& k, float mouth_y, float size) {
+    const int stalk = k.material(plain("stem", {0.2f, 0.16f, 0.12f}, 0.8f)),
+              leaf = k.material(foliage(k, {0.15f, 0.22f, 0.18f}, 0.05f));
+    for (const Stem& stem : stems_of(k, 6, mouth_y, 0.45f * size, 0.66f * size, 0.24f * size)) {
+        add_stem(k, stalk, stem, 0.002f);
+        for (int i = 0; i < 11; ++i) {
+            const float v = 0.42f + 0.056f * static_cast<float>(i), l = 0.05f * size * (1.5f - v);
+            for (const float way : {0.f, kPi})
+                k.add(blade(stem.point(v), around(stem.angle + 1.4f + way + 0.8f * static_cast<float>(i % 2)), l,
+                            0.95f * l, 0.5f, 0.6f, 0.66f),
+                      leaf);
+        }
+    }
+}
+// Twigs of an orchard in spring, or bare.
+void twigs(Kit& k, float mouth_y, float size, bool blossom) {
+    const int bark = k.material(plain("twig", {0.11f, 0.075f, 0.055f}, 0.9f)),
+              petal = blossom ? k.material(plain("blossom", {0.68f, 0.5f, 0.52f}, 0.7f)) : -1;
+    for (const Stem& stem : stems_of(k, 5, mouth_y, 0.6f * size, 0.9f * size, 0.3f * size)) {
+        add_stem(k, bark, stem, 0.0028f * size);
+        for (int i = 0; i < 7; ++i) {
+            const Vec3f from = stem.point(0.45f + 0.075f * static_cast<float>(i));
+            const Vec3f to = from + around(stem.angle + k.rng.uniform(-1.4f, 1.4f)) * (0.07f * size) +
+                             Vec3f{0, k.rng.uniform(0.05f, 0.12f) * size, 0};
+            k.rod(bark, from, to, 0.0016f * size, 0.0008f * size, 4);
+            for (int b = 0; blossom && b < 3; ++b)
+                k.add(shapes::ball(lerp(from, to, 0.35f + 0.3f * static_cast<float>(b)),
+                                   Vec3f{0.009f, 0.007f, 0.009f} * size, 6),
+                      petal);
+        }
+    }
+}
+
+void fill_vase(Kit& k, float mouth_y, float size) {
+    // Fresh flowers where people like them.
+    if (k.style.fresh_flowers && k.rng.chance(0.4f)) {
+        k.piece.form = "flowers";
+        return flowers(k, k.material(plain("petals", color_of_flower(k, ""), 0.6f)), mouth_y,
+                       k.rng.chance(0.4f) ? "tulip" : "", 0.95f * size);
+    }
+    static constexpr std::array<const char*, 5> kForms{"pampas", "eucalyptus", "twigs", "blossom", "empty"};
+    const int form = k.rng.index(5);
+    k.piece.form = kForms[static_cast<std::size_t>(form)];
+    if (form == 0) pampas(k, mouth_y, size);
+    if (form == 1) eucalyptus(k, mouth_y, size);
+    if (form == 2 || form == 3) twigs(k, mouth_y, size, form == 3);
+}
+
 void vase_of(Kit& k, float size, bool stems) {
     const int body = k.main(plain("glazed vase", k.accent(), 0.25f));
     const int kind = k.rng.index(3);
@@ -101,22 +187,7 @@ void vase_of(Kit& k, float size, bool stems) {
     k.add(shapes::vessel(shapes::curve(p, stems ? 3 : 2), 0.004f, stems ? 28 : 18), body);
     k.piece.mount = Mount::surface;
     if (!stems) return;
-    // Dried stems, or fresh flowers where people like them.
-    const bool fresh = k.style.fresh_flowers && k.rng.chance(0.45f);
-    if (fresh)
-        return flowers(k, k.material(plain("petals", color_of_flower(k, ""), 0.6f)), p.back().y,
-                       k.rng.chance(0.4f) ? "tulip" : "", 0.95f * size);
-    const int stalk = k.material(plain("dried stem", {0.3f, 0.22f, 0.12f}, 0.9f)),
-              plume = k.material(plain("pampas", lerp(k.accent(), {0.6f, 0.5f, 0.36f}, 0.65f), 0.95f));
-    for (int i = 0; i < 7; ++i) {
-        const float a = 2.39996f * static_cast<float>(i), lean = k.rng.uniform(0.05f, 0.16f) * size,
-                    h = k.rng.uniform(0.55f, 0.75f) * size;
-        const Vec3f tip = around(a) * lean + Vec3f{0, h, 0};
-        k.rod(stalk, {0, 0.1f * size, 0}, tip, 0.002f, -1, 5);
-        Mesh m = shapes::ball({0, 0, 0}, {0.016f * size, 0.075f * size, 0.016f * size}, 10);
-        shapes::turn(m, {std::sin(a), 0, -std::cos(a)}, 18);
-        k.add(std::move(m), plume, tip);
-    }
+    fill_vase(k, p.back().y, size);
 }
 
 }  // namespace

@@ -27,16 +27,16 @@ void swept_chaise(Kit& k) {
                                     [](Vec2f p) {
                                         return Vec3f{p.x, p.y, 0};
                                     });
-    k.add(padded_body({path,
-                       {0, 0, 1},
-                       [=](float t) {
-                           return Vec2f{wide, 0.16f - 0.035f * eased(0.55f, 1.f, t)};
-                       },
-                       0.055f,
-                       0.0025f,
-                       34,
-                       k.seed()}),
-          cloth);
+    k.add_soft(padded_body({path,
+                            {0, 0, 1},
+                            [=](float t) {
+                                return Vec2f{wide, 0.16f - 0.035f * eased(0.55f, 1.f, t)};
+                            },
+                            0.055f,
+                            0.0025f,
+                            34,
+                            k.seed()}),
+               cloth, kUpholsteryCrease);
     // Seams across, where the cloth is drawn in.
     for (const float t : {0.3f, 0.55f, 0.78f}) {
         const Vec3f p = path(t), along = normalize(path(t + 0.01f) - path(t - 0.01f)),
@@ -85,34 +85,34 @@ void scrolled_chaise(Kit& k) {
         {{-hx + 0.24f, leg + 0.06f}, {-hx + 0.2f, 0.4f}, {-hx + 0.16f, 0.62f}, {-hx + 0.08f, 0.78f}}, [](Vec2f p) {
             return Vec3f{p.x, p.y, 0};
         });
-    k.add(padded_body({head,
-                       {0, 0, 1},
-                       [=](float) {
-                           return Vec2f{deep - 0.03f, 0.13f};
-                       },
-                       0.05f,
-                       0.001f,
-                       14,
-                       k.seed()}),
-          cloth);
+    k.add_soft(padded_body({head,
+                            {0, 0, 1},
+                            [=](float) {
+                                return Vec2f{deep - 0.03f, 0.13f};
+                            },
+                            0.05f,
+                            0.001f,
+                            14,
+                            k.seed()}),
+               cloth, kUpholsteryCrease);
     bolster(k, cloth, {-hx + 0.085f, 0.77f, -hz + 0.01f}, deep - 0.02f, 0.092f);
     for (const float sz : {-1.f, 1.f})
         k.add(shapes::ball({-hx + 0.085f, 0.77f, sz * (hz - 0.012f)}, {0.03f, 0.03f, 0.012f}, 12), foot);
     // The back falls in a wave towards the feet.
     const float from = -hx + 0.12f, to = 0.44f;
     const auto crest = [=](float t) { return 0.8f - 0.36f * eased(0.1f, 1.f, t) + 0.02f * std::sin(kTau * t); };
-    k.add(padded_body({[=](float t) {
-                           return Vec3f{from + (to - from) * t, 0.5f * (crest(t) + leg + 0.06f), -hz + 0.075f};
-                       },
-                       {0, 0, 1},
-                       [=](float t) {
-                           return Vec2f{0.13f, crest(t) - leg - 0.06f};
-                       },
-                       0.05f,
-                       0.001f,
-                       22,
-                       k.seed()}),
-          cloth);
+    k.add_soft(padded_body({[=](float t) {
+                                return Vec3f{from + (to - from) * t, 0.5f * (crest(t) + leg + 0.06f), -hz + 0.075f};
+                            },
+                            {0, 0, 1},
+                            [=](float t) {
+                                return Vec2f{0.13f, crest(t) - leg - 0.06f};
+                            },
+                            0.05f,
+                            0.001f,
+                            22,
+                            k.seed()}),
+               cloth, kUpholsteryCrease);
     std::vector<Vec3f> rim;
     for (int i = 0; i <= 20; ++i) {
         const float t = 0.04f + 0.93f * static_cast<float>(i) / 20.f;

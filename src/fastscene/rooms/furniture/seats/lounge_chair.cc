@@ -36,19 +36,19 @@ void build_lounge_chair(Kit& k) {
         const bool flip = dot(cross(Vec3f{1, 0, 0}, along), out) < 0;
         k.add(shapes::slab(22, 10, 0.014f, [=](float u, float v) { return bend(flip ? 1.f - u : u, v); }), wood);
         const float far = length(s.high - s.low);
-        k.add(padded_body({[=](float t) {
-                               return s.low + (s.high - s.low) * (0.03f + 0.94f * t) +
-                                      out * (0.052f - 0.7f * s.hollow * std::sin(kPi * t));
-                           },
-                           {1, 0, 0},
-                           [=](float) {
-                               return Vec2f{s.wide - 0.13f, 0.1f};
-                           },
-                           0.045f,
-                           0.002f,
-                           14,
-                           k.seed()}),
-              hide);
+        k.add_soft(padded_body({[=](float t) {
+                                    return s.low + (s.high - s.low) * (0.03f + 0.94f * t) +
+                                           out * (0.052f - 0.7f * s.hollow * std::sin(kPi * t));
+                                },
+                                {1, 0, 0},
+                                [=](float) {
+                                    return Vec2f{s.wide - 0.13f, 0.1f};
+                                },
+                                0.045f,
+                                0.002f,
+                                14,
+                                k.seed()}),
+                   hide, kUpholsteryCrease);
         for (const float x : {-0.13f, 0.13f})
             k.add(shapes::ball(s.low + (s.high - s.low) * 0.5f + out * (0.1f - 0.7f * s.hollow) + Vec3f{x, 0, 0},
                                {0.012f, 0.01f, 0.012f}, 8),

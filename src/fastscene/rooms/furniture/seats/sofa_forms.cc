@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cmath>
+#include <functional>
 #include <utility>
 #include <vector>
 
@@ -47,8 +48,8 @@ void frame_sofa(Kit& k, float width, int seats) {
         Mesh m = shapes::pillow({0.42f, 0.42f, 0.15f}, k.seed());
         shapes::turn(m, {1, 0, 0}, -24);
         shapes::turn(m, {0, 1, 0}, -sx * 20.f);
-        k.add(std::move(m), sx > 0 ? second : cloth,
-              {sx * (0.5f * inside - 0.24f), seat + 0.15f, -0.5f * depth + 0.4f});
+        k.add_soft(std::move(m), sx > 0 ? second : cloth, kPillowCrease,
+                   {sx * (0.5f * inside - 0.24f), seat + 0.15f, -0.5f * depth + 0.4f});
     }
     k.piece.clearance_front_m = 0.5f;
     k.piece.against_wall = true;
@@ -82,6 +83,26 @@ void chesterfield(Kit& k, float width, int seats) {
     k.top(seat + 0.02f, 0, 0.12f, 0.4f * inside, 0.2f);
 }
 
+namespace {
+
+// Points at equal distances along a curve over [0, 1], half a distance from its ends; and that distance.
+std::pair<std::vector<Vec2f>, float> evenly_along(const std::function<Vec2f(float)>& curve, int count) {
+    constexpr int kPieces = 4096;
+    std::vector<float> way{0};
+    for (int i = 0; i < kPieces; ++i)
+        way.push_back(way.back() +
+                      length(curve(static_cast<float>(i + 1) / kPieces) - curve(static_cast<float>(i) / kPieces)));
+    const float apart = way.back() / static_cast<float>(count);
+    std::vector<Vec2f> out;
+    for (int i = 0, at = 0; i < count; ++i) {
+        while (at < kPieces && way[static_cast<std::size_t>(at)] < (static_cast<float>(i) + 0.5f) * apart) ++at;
+        out.push_back(curve(static_cast<float>(at) / kPieces));
+    }
+    return {out, apart};
+}
+
+}  // namespace
+
 // A back of upright padded channels that bends round into the arms.
 void channel_seat(Kit& k, float width, int channels) {
     const int cloth = k.main(k.style.fabric), foot = k.material(k.style.metal);
@@ -91,14 +112,18 @@ void channel_seat(Kit& k, float width, int channels) {
     k.soft(cloth, {0, 0.06f, 0.02f}, {width - 0.14f, seat - 0.2f, depth - 0.12f}, {0.05f, 0.006f, 0.001f, 10});
     k.board(foot, {0, 0, 0.02f}, {width - 0.3f, 0.07f, depth - 0.28f}, 0.01f);
     k.soft(cloth, {0, seat - 0.16f, 0.07f}, {width - 0.2f, 0.18f, depth - 0.2f}, {0.06f, 0.03f, 0.002f, 10});
-    for (int i = 0; i < channels; ++i) {
-        // Along half an ellipse, open to the front.
-        const float a = kPi * (static_cast<float>(i) + 0.5f) / static_cast<float>(channels);
-        const float sx = std::copysign(std::pow(std::fabs(std::cos(a)), 0.6f), -std::cos(a)),
-                    sz = std::pow(std::sin(a), 0.6f);
-        const Vec3f at{rx * sx, 0, z0 + rz * (1.f - sz)};
+    // Side by side along half a superellipse that is open to the front.
+    const auto outline = [&](float t) {
+        const float a = kPi * t;
+        return Vec2f{rx * std::copysign(std::pow(std::fabs(std::cos(a)), 0.6f), -std::cos(a)),
+                     rz * std::pow(std::max(0.f, std::sin(a)), 0.6f)};
+    };
+    const auto [places, far] = evenly_along(outline, channels);
+    const float r = 0.54f * far;  // neighbours sink into each other a little
+    for (const Vec2f place : places) {
+        const float sz = place.y / rz;
+        const Vec3f at{place.x, 0, z0 + rz - place.y};
         const float high = top - 0.14f * (1.f - sz);
-        const float r = 0.075f + 0.012f * (width > 1.3f ? 1.f : 0.f);
         k.rod(cloth, at + Vec3f{0, 0.12f, 0}, at + Vec3f{0, high - r, 0}, r, -1, 16);
         k.add(shapes::ball(at + Vec3f{0, high - r, 0}, {r, 0.7f * r, r}, 14), cloth);
     }
@@ -127,7 +152,8 @@ void wing_chair(Kit& k) {
     }
     Mesh cushion = shapes::pillow({0.42f, 0.3f, 0.13f}, k.seed());
     shapes::turn(cushion, {1, 0, 0}, -18);
-    k.add(std::move(cushion), k.material(tinted(k.style.fabric2, k.accent())), {0, 0.46f, z0 + 0.36f});
+    k.add_soft(std::move(cushion), k.material(tinted(k.style.fabric2, k.accent())), kPillowCrease,
+               {0, 0.46f, z0 + 0.36f});
     k.top(0.465f, 0, 0.2f, 0.24f, 0.16f);
     k.piece.clearance_front_m = 0.5f;
 }
@@ -188,7 +214,7 @@ void rattan_chair(Kit& k) {
     k.soft(cloth, {0, 0.385f, 0.02f}, {0.54f, 0.12f, 0.54f}, {0.055f, 0.03f, 0.003f, 12});
     Mesh cushion = shapes::pillow({0.4f, 0.38f, 0.14f}, k.seed());
     shapes::turn(cushion, {1, 0, 0}, -20);
-    k.add(std::move(cushion), k.material(tinted(k.style.fabric2, k.accent())), {0, 0.5f, -0.16f});
+    k.add_soft(std::move(cushion), k.material(tinted(k.style.fabric2, k.accent())), kPillowCrease, {0, 0.5f, -0.16f});
     k.top(0.505f, 0, 0.12f, 0.22f, 0.14f);
     k.piece.clearance_front_m = 0.5f;
 }

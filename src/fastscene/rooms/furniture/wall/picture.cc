@@ -1,5 +1,6 @@
 // Picture.
 #include <algorithm>
+#include <string>
 #include <utility>
 
 #include "fastscene/rooms/furniture/kit.h"
@@ -25,9 +26,11 @@ void build_picture(Kit& k) {
     m.color_c = k.style.palette[(i + 2) % 6];
     m.scale_m = w;
     m.seed = k.seed();
+    m.variant = static_cast<std::uint8_t>(k.rng.index(kArtDesigns));
     const bool motif = is_motif(k.request.pattern);
     if (motif) draw_motif(k, k.request.pattern, {0, 0.5f * s.y, 0.0145f}, w, h);
     const int art = motif ? -1 : k.main(m);
+    if (!motif) k.piece.form = "design " + std::to_string(m.variant);
     for (const float sg : {-1.f, 1.f}) {
         k.board(frame, {sg * 0.5f * (s.x - f), 0, 0.0125f}, {f, s.y, 0.025f}, 0.003f);
         k.board(frame, {0, sg > 0 ? s.y - f : 0.f, 0.0125f}, {s.x - 2 * f, f, 0.025f}, 0.003f);

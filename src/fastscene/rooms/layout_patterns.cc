@@ -1,0 +1,368 @@
+#include "fastscene/rooms/layout_patterns.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+#include <string>
+#include <utility>
+
+namespace fastscene::furnishing {
+namespace {
+
+constexpr float kOffWall = 0.05f;      // of what stands with its back at a wall
+constexpr float kSeatDeep = 0.62f;     // floor that a seat at a table takes
+constexpr float kLeastClear = 0.9f;    // a piece that wants so much floor before it is gone to: tables keep off
+constexpr float kDrawnUp = 0.02f;      // between a desk and its chair
+constexpr float kLeastCounter = 1.1f;  // metres
+
+// The pieces of one pattern: what was asked for first, then as many as the pattern has.
+class Pattern {
+  public:
+    Pattern(Placement& p, std::string thing, bool alike) : p_(p), thing_(std::move(thing)), alike_(alike) {}
+
+    // Whether more may come.
+    bool open() {
+        const Wishes& wishes = p_.wishes();
+        if (wishes.forbids(thing_)) return false;
+        return wishes.has(thing_) || (p_.is_furnished() && !is_settled(p_.layout().spec(), thing_));
+    }
+    // Of this size, where the prompt says no other and the builder heeds it.
+    void sized(Vec3f size) { size_ = size; }
+    // The next piece, as it will be built.
+    const Piece& piece() {
+        const PromptObject* wish = p_.wishes().next(thing_);
+        if (wish) p_.wishes().give_back(wish);
+        if (piece_ && alike_ && wish == wish_) return *piece_;
+        wish_ = wish;
+        PieceRequest r = p_.layout().request(thing_, wish);
+        for (std::size_t a = 0; a < 3; ++a)
+            if (size_[a] > 0 && !(r.size_m[a] > 0)) r.size_m[a] = size_[a];
+        piece_ = make_piece(r);
+        return *piece_;
+    }
+    // Through `how`; what was placed moves as one with the first.
+    template <class How>
+    std::optional<int> place(const How& how) {
+        const PromptObject* wish = p_.wishes().next(thing_);
+        const auto index = how(wish ? *wish : PromptObject{});
+        if (!index) {
+            if (wish) p_.wishes().give_back(wish);
+            return {};
+        }
+        if (!alike_) piece_.reset();
+        if (first_ < 0) first_ = *index;
+        else p_.layout().join(*index, first_);
+        p_.attend(*index);
+        return index;
+    }
+    int first() const { return first_; }
+
+  private:
+    Placement& p_;
+    std::string thing_;
+    bool alike_;
+    Vec3f size_{};
+    std::optional<Piece> piece_;
+    const PromptObject* wish_ = nullptr;
+    int first_ = -1;
+};
+
+bool is_due(Placement& p, const RecipeStep& step, const std::string& thing) {
+    return p.wishes().asked(thing) || step.probability >= 1 || p.chance(step.probability);
+}
+
+Vec2f direction(float yaw) { return flat(front_of(yaw)); }
+float yaw_towards(int wall) {
+    constexpr std::array<float, 4> kYaw{0.f, kPi / 2, kPi, -kPi / 2};
+    return kYaw[static_cast<std::size_t>(wall)];
+}
+// Of the plan's box along a direction of an axis.
+float extent_of(const Plan& plan, Vec2f axis) { return std::abs(axis.x) * plan.width + std::abs(axis.y) * plan.depth; }
+
+// A seat drawn up to the front of a piece, looking at it.
+void seat_before(Placement& p, Pattern& seats, int at, float gap, float aside) {
+    if (!seats.open()) return;
+    const Placed anchor = p.at(at);
+    const Piece seat = seats.piece();
+    const Vec3f spot = anchor.position + front_of(anchor.yaw) * (anchor.piece.size_m.z / 2 + gap + seat.size_m.z / 2) +
+                       right_of(anchor.yaw) * aside;
+    const auto index = seats.place([&](const PromptObject& o) {
+        return p.layout().stand_at(seat, flat(spot), std::remainder(anchor.yaw + kPi, 2 * kPi), o, {});
+    });
+    if (index) p.layout().join(*index, at);
+}
+
+// ---- rows that look at a wall
+
+// Where the pieces of a row stand along it.
+std::vector<float> along_row(const RecipeStep& step, float length, float size) {
+    const float gap = step.gap_m, free = length - 2 * step.side_m;
+    std::vector<float> at;
+    const auto fit = [&](float space) {
+        const int most = static_cast<int>((space + gap) / (size + gap));
+        return step.block > 0 ? std::min(step.block, most) : most;
+    };
+    if (step.aisle_m > 0) {
+        const int count = fit((free - step.aisle_m) / 2);
+        for (int i = 0; i < count; ++i) {
+            const float off = step.aisle_m / 2 + size / 2 + static_cast<float>(i) * (size + gap);
+            at.push_back(-off), at.push_back(off);
+        }
+        std::sort(at.begin(), at.end());
+    } else {
+        const int count = fit(free);
+        for (int i = 0; i < count; ++i)
+            at.push_back((static_cast<float>(i) - static_cast<float>(count - 1) / 2) * (size + gap));
+    }
+    return at;
+}
+
+void place_rows(Placement& p, const RecipeStep& step, int) {
+    const std::string thing = thing_of(step, p);
+    Pattern row(p, thing, step.alike), seats(p, step.seat, true);
+    if (!row.open() || !is_due(p, step, thing)) return;
+    const Plan& plan = p.layout().plan();
+    const float yaw = yaw_towards(step.towards);
+    // One looks at the front of a desk from behind it: with a seat the piece is turned to that.
+    const float stands = step.seat.empty() ? yaw : std::remainder(yaw + kPi, 2 * kPi);
+    const Vec2f ahead = direction(yaw), right = flat(right_of(yaw));
+    const Vec3f size = row.piece().size_m;
+    const float deep = extent_of(plan, ahead), pitch = std::max(step.pitch_m, size.z + 0.02f);
+    const std::vector<float> columns = along_row(step, extent_of(plan, right), size.x);
+    int rows = 0;
+    for (float at = deep / 2 - step.front_m - size.z / 2; at - size.z / 2 > step.rear_m - deep / 2; at -= pitch) {
+        if (step.rows > 0 && rows++ >= step.rows) return;
+        for (const float column : columns) {
+            if (!row.open()) return;
+            const Piece piece = row.piece();
+            const auto index = row.place([&](const PromptObject& o) {
+                return p.layout().stand_at(piece, ahead * at + right * column, stands, o, {});
+            });
+            if (!index) continue;
+            if (!step.seat.empty()) seat_before(p, seats, *index, kDrawnUp, 0);
+            follow_steps(step.then, p, *index);
+        }
+    }
+}
+
+// ---- tables on a grid
+
+// In the way of what people go to: a counter's front.
+bool is_in_a_way(const Layout& layout, Vec2f at, float half) {
+    return std::any_of(layout.placed().begin(), layout.placed().end(), [&](const Placed& other) {
+        const float front = other.piece.clearance_front_m;
+        if (front < kLeastClear || other.piece.mount != Mount::floor || other.on >= 0) return false;
+        Footprint zone = footprint_of(other);
+        zone.center = zone.center + direction(other.yaw) * (zone.half.y + front / 2);
+        zone.half.y = front / 2;
+        return distance_to(zone, at) < half;
+    });
+}
+
+void place_tables(Placement& p, const RecipeStep& step, int) {
+    const std::string thing = thing_of(step, p);
+    Pattern tables(p, thing, step.alike);
+    if (!tables.open() || !is_due(p, step, thing)) return;
+    const Plan& plan = p.layout().plan();
+    constexpr float kDeepest = 0.8f;  // of a table whose length is said
+    if (step.length_m > 0) tables.sized({step.length_m, 0, std::min(step.length_m, kDeepest)});
+    const Vec3f size = tables.piece().size_m;
+    const int along = std::max(1, static_cast<int>(size.x / 0.62f));
+    const bool heads = step.seats > 2 * along;
+    const float way = step.pitch_m > 0 ? step.pitch_m : kLeastClear, wide = size.x + (heads ? 2 * kSeatDeep : 0.1f),
+                deep = size.z + 2 * kSeatDeep;
+    const float width = plan.width - 2 * step.side_m, depth = plan.depth - step.front_m - step.rear_m;
+    const int columns = static_cast<int>((width + way) / (wide + way)),
+              rows = static_cast<int>((depth + way * 0.5f) / (deep + way * 0.5f));
+    int placed = 0;
+    for (int j = 0; j < rows; ++j)
+        for (int i = 0; i < columns; ++i) {
+            if (!tables.open() || (step.most > 0 && placed >= step.most)) return;
+            const float x = width * ((static_cast<float>(i) + 0.5f) / static_cast<float>(columns) - 0.5f),
+                        z = plan.depth / 2 - step.front_m -
+                            depth * (static_cast<float>(j) + 0.5f) / static_cast<float>(rows);
+            if (is_in_a_way(p.layout(), {x, z}, std::max(size.x, size.z) / 2)) continue;
+            const Piece table = tables.piece();
+            const float side = heads ? kSeatDeep : 0.f;
+            const auto index = tables.place([&](const PromptObject& o) {
+                return p.layout().stand_at(table, {x, z}, 0, o,
+                                           {.left = side, .right = side, .front = 0.5f, .behind = 0.5f});
+            });
+            if (!index) continue;
+            ++placed;
+            if (!step.seat.empty() && p.is_furnished()) p.seats_around(*index, step.seat, step.seats, 1);
+            follow_steps(step.then, p, *index);
+        }
+}
+
+// ---- a counter
+
+// What stands at the wall behind the counter, side by side, as long as that.
+void stand_behind(Placement& p, const std::string& thing, const WallFace& face, float from, float to) {
+    Pattern units(p, thing, false);
+    for (float u = from; u < to && units.open();) {
+        const Piece unit = units.piece();
+        const float half = unit.size_m.x / 2;
+        if (u + 2 * half > to + 0.05f) return;
+        const Vec3f at = face.point(u + half, 0) + face.inward * (kOffWall + unit.size_m.z / 2);
+        const auto index = units.place(
+            [&](const PromptObject& o) { return p.layout().stand_at(unit, flat(at), yaw_of(face.inward), o, {}); });
+        u += index ? 2 * half + 0.01f : 0.1f;
+    }
+}
+
+std::optional<int> counter_at(Placement& p, const RecipeStep& step, Pattern& counter, int wall) {
+    const Plan& plan = p.layout().plan();
+    const auto [low, high] = plan.free_span(wall, 2.1f);
+    const float room = high - low - std::max(step.side_m, 0.f) - 0.1f;
+    const float length = step.length_m > 0 ? std::min(step.length_m, room) : room;
+    if (length < kLeastCounter) return {};
+    const WallFace face = plan.wall(wall);
+    counter.sized({length, 0, 0});
+    const Piece piece = counter.piece();
+    // The way in is at the right end.
+    for (const float shift : {0.f, 0.5f, 1.f}) {
+        const float middle = low + 0.1f + piece.size_m.x / 2 + shift * (room - piece.size_m.x);
+        const Vec3f at = face.point(middle, 0) + face.inward * (step.off_m + piece.size_m.z / 2);
+        const auto index = counter.place(
+            [&](const PromptObject& o) { return p.layout().stand_at(piece, flat(at), yaw_of(face.inward), o, {}); });
+        if (!index) continue;
+        if (!step.back.empty())
+            stand_behind(p, step.back, face, middle - piece.size_m.x / 2, middle + piece.size_m.x / 2);
+        return index;
+    }
+    return {};
+}
+
+void place_counter(Placement& p, const RecipeStep& step, int) {
+    const std::string thing = thing_of(step, p);
+    Pattern counter(p, thing, true);
+    if (!counter.open() || !is_due(p, step, thing)) return;
+    for (const int wall : step.walls)
+        if (const auto index = counter_at(p, step, counter, wall)) return follow_steps(step.then, p, *index);
+}
+
+// Side by side before the front of a piece, each looking at it.
+void place_line(Placement& p, const RecipeStep& step, int anchor) {
+    const std::string thing = thing_of(step, p);
+    Pattern seats(p, thing, true);
+    if (!seats.open() || !is_due(p, step, thing)) return;
+    const float length = p.size(anchor).x - 2 * step.side_m, pitch = step.pitch_m > 0 ? step.pitch_m : 0.65f;
+    const int count = std::max(1, static_cast<int>(length / pitch));
+    for (int i = 0; i < count; ++i)
+        seat_before(p, seats, anchor, step.gap_m,
+                    length * ((static_cast<float>(i) + 0.5f) / static_cast<float>(count) - 0.5f));
+}
+
+// ---- along walls
+
+void place_run(Placement& p, const RecipeStep& step, int) {
+    const std::string thing = thing_of(step, p);
+    Pattern run(p, thing, step.alike);
+    if (!run.open() || !is_due(p, step, thing)) return;
+    constexpr float kTry = 0.1f;
+    int placed = 0;
+    for (const int wall : step.walls) {
+        const WallFace face = p.layout().plan().wall(wall);
+        int here = 0;
+        for (float u = std::max(step.side_m, 0.02f); u < face.length - step.side_m;) {
+            if (!run.open() || (step.most > 0 && placed >= step.most)) return;
+            if (step.block > 0 && here >= step.block) break;
+            const Piece piece = run.piece();
+            const Vec3f s = piece.size_m;
+            if (u + s.x > face.length - step.side_m + 0.02f) break;
+            const auto index = run.place([&](const PromptObject& o) {
+                if (s.x > 0 && piece.mount == Mount::wall) return p.layout().hang_at(piece, wall, u + s.x / 2, o);
+                const Vec3f at = face.point(u + s.x / 2, 0) + face.inward * (kOffWall + step.off_m + s.z / 2);
+                return p.layout().stand_at(piece, flat(at), yaw_of(face.inward), o, {}, true);
+            });
+            u += index ? s.x + std::max(step.gap_m, 0.01f) : kTry;
+            if (!index) continue;
+            ++placed, ++here;
+            follow_steps(step.then, p, *index);
+        }
+    }
+}
+
+// ---- at the middle of a wall: an altar, a blackboard, a screen
+
+void place_end(Placement& p, const RecipeStep& step, int) {
+    const std::string thing = thing_of(step, p);
+    Pattern end(p, thing, true);
+    if (!end.open() || !is_due(p, step, thing)) return;
+    constexpr float kStep = 0.25f;
+    constexpr int kSteps = 10;
+    for (const int wall : step.walls) {
+        const WallFace face = p.layout().plan().wall(wall);
+        if (step.length_m > 0) end.sized({std::min(step.length_m, face.length - 0.6f), 0, 0});
+        const Piece piece = end.piece();
+        for (int i = 0; i <= 2 * kSteps; ++i) {
+            const float aside = kStep * static_cast<float>((i + 1) / 2) * (i % 2 == 0 ? 1.f : -1.f),
+                        u = face.length / 2 + aside;
+            const auto index = end.place([&](const PromptObject& o) {
+                if (piece.mount == Mount::wall) return p.layout().hang_at(piece, wall, u, o);
+                const Vec3f at = face.point(u, 0) + face.inward * (step.off_m + kOffWall + piece.size_m.z / 2);
+                return p.layout().stand_at(piece, flat(at), yaw_of(face.inward), o, {});
+            });
+            if (index) return follow_steps(step.then, p, *index);
+        }
+    }
+}
+
+// ---- at the ceiling
+
+void place_lights(Placement& p, const RecipeStep& step, int) {
+    const std::string thing = thing_of(step, p);
+    Pattern lights(p, thing, true);
+    if (!lights.open() || !is_due(p, step, thing)) return;
+    const Plan& plan = p.layout().plan();
+    const float pitch = step.pitch_m > 0 ? step.pitch_m : 2.4f;
+    const int columns = std::max(1, static_cast<int>(std::lround(plan.width / pitch))),
+              rows = std::max(1, static_cast<int>(std::lround(plan.depth / pitch)));
+    for (int j = 0; j < rows; ++j)
+        for (int i = 0; i < columns; ++i) {
+            if (!lights.open()) return;
+            const Vec2f at{plan.width * ((static_cast<float>(i) + 0.5f) / static_cast<float>(columns) - 0.5f),
+                           plan.depth * ((static_cast<float>(j) + 0.5f) / static_cast<float>(rows) - 0.5f)};
+            const PromptObject* wish = p.wishes().next(thing);
+            const auto index = p.layout().hanging(p.layout().request(thing, wish), at, wish ? *wish : PromptObject{});
+            if (!index && wish) p.wishes().give_back(wish);
+        }
+}
+
+}  // namespace
+
+std::span<const StepKind> pattern_kinds() {
+    static const std::array<StepKind, 7> all{{
+        {"rows",
+         {"thing", "first_asked", "other", "thing_share", "probability", "seat", "towards", "pitch_m", "gap_m",
+          "aisle_m", "side_m", "front_m", "rear_m", "rows", "block", "alike", "then"},
+         false,
+         {},
+         place_rows},
+        {"tables",
+         {"thing", "first_asked", "other", "thing_share", "probability", "seat", "seats", "pitch_m", "side_m",
+          "front_m", "rear_m", "length_m", "most", "alike", "then"},
+         false,
+         {},
+         place_tables},
+        {"counter",
+         {"thing", "first_asked", "probability", "back", "walls", "off_m", "side_m", "length_m", "then"},
+         false,
+         {},
+         place_counter},
+        {"line", {"thing", "first_asked", "probability", "pitch_m", "gap_m", "side_m"}, true, {}, place_line},
+        {"run",
+         {"thing", "first_asked", "other", "thing_share", "probability", "walls", "gap_m", "side_m", "off_m", "block",
+          "most", "alike", "then"},
+         false,
+         {},
+         place_run},
+        {"end", {"thing", "first_asked", "probability", "walls", "off_m", "length_m", "then"}, false, {}, place_end},
+        {"lights", {"thing", "first_asked", "probability", "pitch_m"}, false, {}, place_lights},
+    }};
+    return all;
+}
+
+}  // namespace fastscene::furnishing

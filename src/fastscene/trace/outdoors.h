@@ -1,0 +1,55 @@
+// The outside as seen through the windows: a small world of plants, houses and hills under the sky, traced once per
+// room into a panorama. It is looked up by direction alone, as if it were far away.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "fastscene/image/image.h"
+#include "fastscene/scene/room.h"
+#include "fastscene/trace/sky.h"
+
+namespace fastscene {
+
+class Outdoors {
+  public:
+    // `pixels_per_degree` at the horizon, in the directions that the room's windows show from anywhere within its
+    // bounding box; 0: only the coarse table. Without windows nothing is built, and there is bare sky and ground.
+    Outdoors(const Sky& sky, const std::vector<Portal>& portals, Vec3f room_low, Vec3f room_high,
+             float pixels_per_degree);
+    explicit Outdoors(const Room& room, float pixels_per_degree)
+        : Outdoors(room.sky, room.portals, room.min_corner, room.max_corner, pixels_per_degree) {}
+
+    // Radiance from a direction (world frame, unit, y down), as sharp as there is. Without the sun's disc.
+    Vec3f seen(Vec3f direction) const;
+    // The same at 0.7 degrees per pixel: for illumination, which needs no leaves and window panes. Its mean over any
+    // larger solid angle is the same.
+    Vec3f light(Vec3f direction) const;
+    // Geometric mean of the luminance about the horizon, as the windows show it: what a photographer would expose for.
+    float brightness() const;
+    std::size_t bytes() const;
+
+  private:
+    // Height is stretched so that pixels are densest at the horizon, where things are far and small.
+    struct Band {
+        int width = 0, height = 0;   // width: of the full circle
+        float stretch = 0, top = 0;  // radians
+        std::vector<int> column;     // of pixels, by azimuth; -1: no window shows it
+        ImageColor pixels;
+        Vec2f position(Vec3f direction) const;
+        Vec3f direction(Vec2f position) const;
+        bool covers(Vec2f position) const;
+        Vec3f at(Vec2f position) const;  // bilinear
+    };
+    Vec3f bare(Vec3f direction) const;
+
+    SkyDome dome_;
+    Vec3f ground_;
+    Band band_;
+    ImageColor table_;  // empty: bare sky and ground
+};
+
+// Azimuth (atan2(x, z)) that the largest window looks to; 0 without windows.
+float main_outlook(const std::vector<Portal>& portals);
+
+}  // namespace fastscene
