@@ -4,6 +4,8 @@
 #pragma once
 
 // The room: what the sentence says, and triangles, materials and lights.
+#include "fastscene/rooms/document.h"
+#include "fastscene/rooms/edit.h"
 #include "fastscene/rooms/pack.h"
 #include "fastscene/rooms/rooms.h"
 #include "fastscene/scene/room.h"

@@ -133,7 +133,8 @@ RoomDocument document_of(const DocumentRoom& room);
 // The contents of panorama/room.json: the document, and of each of its things how much the panorama shows.
 Json room_file_json(const RoomDocument& document, const Room& room, const Image<std::int32_t>& object_of_pixel);
 
-// Ids of the things of a room, by kind and number, in order: "chair-1", "chair-2".
-std::vector<std::string> thing_ids(const std::vector<Placed>& placed);
+// Ids of the things of a room, then of those of the next one: their own, or by kind and number ("chair-2"), as in all
+// files about the room (export/identities.h).
+std::vector<std::string> thing_ids(const FurnishedRoom& room);
 
 }  // namespace fastscene

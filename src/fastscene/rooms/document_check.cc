@@ -138,15 +138,4 @@ void check_document(const RoomDocument& document, const std::string& file, const
     Checker(document, file, pack).check();
 }
 
-void rename_thing(RoomDocument& document, std::string from, const std::string& to) {
-    if (from == to) return;
-    for (std::vector<DocumentThing>* things :
-         {&document.things, document.next_room ? &document.next_room->things : nullptr}) {
-        if (!things) continue;
-        // Whoever has that name already gives it up for the other.
-        for (DocumentThing& t : *things)
-            for (std::string* id : {&t.id, &t.on, &t.below, &t.with}) *id = *id == from ? to : *id == to ? from : *id;
-    }
-}
-
 }  // namespace fastscene

@@ -25,8 +25,6 @@ std::optional<Material> surface_named(const std::string& name);
 // A style with a document's materials, and what of a style is no longer `usual`.
 void dress(const DocumentSurfaces& surfaces, Style& style);
 DocumentSurfaces surfaces_of(const Style& style, const Style& usual);
-// Gives a thing another id, wherever it is named; who has that already takes the first one's.
-void rename_thing(RoomDocument& document, std::string from, const std::string& to);
 DocumentThing thing_of(const Placed& placed, const std::vector<std::string>& ids, std::size_t index);
 // Right-angled outlines as a box and its blocks. Throws Error, beginning with `place`, for lines that cross or slant.
 void apply_polygon(const std::vector<Vec2f>& polygon, const std::string& place, Plan& plan);

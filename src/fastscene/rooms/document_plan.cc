@@ -63,7 +63,8 @@ void dress(const DocumentSurfaces& given, Style& style) {
             style.*own = *m;
             // Wood comes as boards; bare grain is for furniture.
             const bool laid = own == &Style::floor || own == &Style::wall || own == &Style::accent_wall;
-            if (laid && m->pattern == Pattern::wood) (style.*own).pattern = Pattern::planks, (style.*own).scale_m = 0.12f;
+            if (laid && m->pattern == Pattern::wood)
+                (style.*own).pattern = Pattern::planks, (style.*own).scale_m = 0.12f;
         });
     if (surfaces.palette) style.palette = *surfaces.palette;
     if (surfaces.shelves) style.shelves = *surfaces.shelves;

@@ -219,6 +219,7 @@ class Builder {
         std::vector<Placed> out;
         for (const DocumentThing& t : things) {
             Placed p;
+            p.id = t.id;
             p.piece = piece(t, style);
             p.position = t.position;
             p.yaw = t.yaw;
@@ -300,13 +301,19 @@ class Builder {
 
 }  // namespace
 
-std::vector<std::string> thing_ids(const std::vector<Placed>& placed) {
+std::vector<std::string> thing_ids(const FurnishedRoom& room) {
+    std::vector<const Placed*> all;
+    for (const std::vector<Placed>* part : {&room.placed, &room.placed_next})
+        for (const Placed& p : *part) all.push_back(&p);
+    std::set<std::string> taken;
+    for (const Placed* p : all) taken.insert(p->id);
     std::map<std::string, int> count;
     std::vector<std::string> out;
-    for (const Placed& p : placed) {
-        std::string id = p.piece.made_from->kind;
-        std::replace(id.begin(), id.end(), '_', '-');
-        out.push_back(fmt::format("{}-{}", id, ++count[id]));
+    for (const Placed* p : all) {
+        const std::string& kind = p->wish.kind.empty() ? p->piece.kind : p->wish.kind;
+        std::string id = p->id;
+        while (id.empty() || (p->id.empty() && taken.contains(id))) id = fmt::format("{}-{}", kind, ++count[kind]);
+        out.push_back(id);
     }
     return out;
 }
@@ -323,10 +330,10 @@ RoomDocument document_of(const PromptSpec& spec, const FurnishedRoom& furnished,
     out.camera = DocumentCamera{furnished.camera, furnished.looks};
     out.plan = plan_of(furnished.plan);
     out.surfaces = surfaces_of(furnished.plan.style, style_named(out.style));
-    out.things = things_of(furnished.placed, thing_ids(furnished.placed));
+    std::vector<std::string> ids = thing_ids(furnished);
+    out.things = things_of(furnished.placed, ids);
     if (const auto& next = furnished.plan.next) {
-        std::vector<std::string> ids = thing_ids(furnished.placed_next);
-        for (std::string& id : ids) id = "next-" + id;
+        ids.erase(ids.begin(), ids.begin() + static_cast<std::ptrdiff_t>(furnished.placed.size()));
         out.next_room = DocumentNextRoom{next->type, next->room_from_next, plan_of(next->plan),
                                          surfaces_of(next->plan.style, style_named(out.style)),
                                          things_of(furnished.placed_next, ids)};
@@ -364,14 +371,7 @@ DocumentRoom furnish_document(const RoomDocument& document, const std::string& f
 
 RoomDocument completed(const RoomDocument& document, const std::string& file, std::shared_ptr<const FurniturePack> pack,
                        const Run& run) {
-    const DocumentRoom room = furnish_document(document, file, std::move(pack), run);
-    RoomDocument out = document_of(room);
-    // Whoever named a thing finds it by that name.
-    for (std::size_t i = 0; i < document.things.size(); ++i) rename_thing(out, out.things[i].id, document.things[i].id);
-    if (document.next_room)
-        for (std::size_t i = 0; i < document.next_room->things.size(); ++i)
-            rename_thing(out, out.next_room->things[i].id, document.next_room->things[i].id);
-    return out;
+    return document_of(furnish_document(document, file, std::move(pack), run));
 }
 
 }  // namespace fastscene

@@ -148,15 +148,13 @@ void Editor::move(const EditStep& step) {
 }
 
 std::string Editor::new_id(const std::string& kind) const {
-    std::string name = kind;
-    std::replace(name.begin(), name.end(), '_', '-');
     const auto taken = [&](const std::string& id) {
         const std::vector<DocumentThing>& things = result_.document.things;
         return std::any_of(things.begin(), things.end(), [&](const DocumentThing& t) { return t.id == id; });
     };
     int n = 1;
-    while (taken(fmt::format("{}-{}", name, n))) ++n;
-    return fmt::format("{}-{}", name, n);
+    while (taken(fmt::format("{}-{}", kind, n))) ++n;
+    return fmt::format("{}-{}", kind, n);
 }
 
 namespace {
@@ -321,7 +319,7 @@ void Editor::add(const EditStep& step) {
     std::vector<std::string> ids;
     for (const DocumentThing& t : result_.document.things) ids.push_back(t.id);
     for (std::size_t i = standing.size(); i < all.size(); ++i) {
-        ids.push_back(new_id(all[i].piece.made_from->kind));
+        ids.push_back(new_id(all[i].wish.kind.empty() ? all[i].piece.kind : all[i].wish.kind));
         DocumentThing t = thing_of(all[i], ids, i);
         const std::string place = t.on.empty() ? place_in_words(all[i].wish) : " on " + t.on;
         tell(t.id, fmt::format("added{} at x {:.2f}, z {:.2f}", place, t.position.x, t.position.z));

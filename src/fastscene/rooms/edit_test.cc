@@ -82,7 +82,7 @@ TEST(Edit, DoesSeveralThingsInOneSentence) {
     EXPECT_EQ(d.other, std::set<std::string>{"sofa-1"});
     EXPECT_EQ(d.gone, std::set<std::string>{"rug-1"});
     EXPECT_EQ(d.added.size(), 1u);
-    EXPECT_TRUE(d.added.begin()->starts_with("floor-lamp"));
+    EXPECT_TRUE(d.added.begin()->starts_with("floor_lamp"));
     EXPECT_TRUE(d.moved.empty());
     EXPECT_EQ(by_id(out.document).at("sofa-1")->color, "green");
 }
@@ -109,7 +109,7 @@ TEST(Edit, TakesAwayWhatStandsOnIt) {
     const RoomDocument& room = room_of_prompt(kLiving);
     const Difference d = difference(room, edited(kLiving, "remove the coffee table").document);
     for (const DocumentThing& t : room.things)
-        EXPECT_EQ(d.gone.contains(t.id), t.id == "coffee-table-1" || t.on == "coffee-table-1") << t.id;
+        EXPECT_EQ(d.gone.contains(t.id), t.id == "coffee_table-1" || t.on == "coffee_table-1") << t.id;
     EXPECT_GT(d.gone.size(), 1u);
 }
 
@@ -159,10 +159,10 @@ TEST(Edit, ThirtySentences) {
         {kBedroom, "hang a picture above the dresser", "", "picture", "", ""},
         {kLiving, "make the sofa green", "", "", "", "sofa-1"},
         {kLiving, "remove the rug", "rug", "", "", ""},
-        {kLiving, "add a floor lamp beside the sofa", "", "floor-lamp", "", ""},
+        {kLiving, "add a floor lamp beside the sofa", "", "floor_lamp", "", ""},
         {kLiving, "recolor both armchairs mustard", "", "", "", "armchair"},
         {kLiving, "move armchair-1 next to the window", "", "", "armchair-1", ""},
-        {kLiving, "make the coffee table walnut", "", "", "", "coffee-table"},
+        {kLiving, "make the coffee table walnut", "", "", "", "coffee_table"},
         {kLiving, "remove the tv", "tv-1", "", "", ""},
         {kLiving, "add a vase on the coffee table", "", "vase", "", ""},
         {kLiving, "please add a bookshelf", "", "bookshelf", "", ""},
@@ -176,7 +176,7 @@ TEST(Edit, ThirtySentences) {
         {kKitchen, "remove the second chair", "chair-2", "", "", ""},
         {kKitchen, "make all chairs red", "", "", "", "chair"},
         {kKitchen, "add a bowl on the dining table", "", "bowl", "", ""},
-        {kKitchen, "move the dining table to the window", "", "", "dining-table", ""},
+        {kKitchen, "move the dining table to the window", "", "", "dining_table", ""},
     }};
     int right = 0;
     std::string wrong;

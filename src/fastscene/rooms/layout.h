@@ -19,6 +19,7 @@ inline constexpr float kSlotStep = 0.07f;       // between the places along a wa
 
 // A piece and its pose. The front (+z of the object) looks along (sin yaw, 0, cos yaw).
 struct Placed {
+    std::string id{};  // its name in a document; empty: by its kind and number
     Piece piece;
     PromptObject wish;  // empty kind: nobody asked for it
     Vec3f position;

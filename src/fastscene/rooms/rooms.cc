@@ -151,6 +151,7 @@ void add_piece(const Placed& placed, float lamps, Room& room) {
     }
     const Rigid room_from_object{rotation_about(Vec3f{0, 1, 0}, placed.yaw), placed.position};
     RoomObject entry;
+    entry.id = placed.id;
     // Another builder may stand in for what was asked for; the name says which.
     entry.kind = placed.wish.kind.empty() ? placed.piece.kind : placed.wish.kind;
     entry.name = name_of(placed);

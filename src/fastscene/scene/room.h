@@ -106,6 +106,7 @@ struct Mesh {
 };
 
 struct RoomObject {
+    std::string id;           // its name in a room's document; empty: by its kind and number (export/identities.h)
     std::string kind;         // "sofa", "window", "wall" …
     std::string name;         // "brown leather sofa"
     std::string color;        // name of the requested or chosen color, "" = the style's default
