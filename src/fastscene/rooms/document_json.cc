@@ -273,6 +273,10 @@ class Read {
         const auto named = surface_named(json.get<std::string>());
         if (!named) fail(at, "a material's fields, or a material or a color by name", json);
         m = *named;
+        // Wood comes as boards; bare grain is for furniture.
+        constexpr float kBoard = 0.12f;  // metres
+        if (m.pattern == Pattern::wood && (at.ends_with("/floor") || at.ends_with("wall")))
+            m.pattern = Pattern::planks, m.scale_m = kBoard;
     }
     template <class T>
     requires std::is_class_v<T>

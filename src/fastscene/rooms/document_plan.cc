@@ -59,12 +59,7 @@ void dress(const DocumentSurfaces& given, Style& style) {
     DocumentSurfaces surfaces = given;
     document_fields::visit_surfaces(
         surfaces, [&](std::string_view, std::optional<Material>& m, Material Style::*own, std::string_view) {
-            if (!m) return;
-            style.*own = *m;
-            // Wood comes as boards; bare grain is for furniture.
-            const bool laid = own == &Style::floor || own == &Style::wall || own == &Style::accent_wall;
-            if (laid && m->pattern == Pattern::wood)
-                (style.*own).pattern = Pattern::planks, (style.*own).scale_m = 0.12f;
+            if (m) style.*own = *m;
         });
     if (surfaces.palette) style.palette = *surfaces.palette;
     if (surfaces.shelves) style.shelves = *surfaces.shelves;

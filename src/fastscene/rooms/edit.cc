@@ -148,12 +148,13 @@ void Editor::move(const EditStep& step) {
 }
 
 std::string Editor::new_id(const std::string& kind) const {
-    const auto taken = [&](const std::string& id) {
-        const std::vector<DocumentThing>& things = result_.document.things;
-        return std::any_of(things.begin(), things.end(), [&](const DocumentThing& t) { return t.id == id; });
-    };
+    const RoomDocument& document = result_.document;
+    std::set<std::string> ids;
+    for (const DocumentThing& t : document.things) ids.insert(t.id);
+    if (document.next_room)
+        for (const DocumentThing& t : document.next_room->things) ids.insert(t.id);
     int n = 1;
-    while (taken(fmt::format("{}-{}", kind, n))) ++n;
+    while (ids.contains(fmt::format("{}-{}", kind, n))) ++n;
     return fmt::format("{}-{}", kind, n);
 }
 
