@@ -174,6 +174,8 @@ const std::map<std::string, int> kStillNamed{
     {"document_fields.h", 5},
     {"document_room.cc", 2},
     {"document_schema.cc", 1},
+    {"edit.cc", 1},           // rugs lie under things
+    {"edit_sentence.cc", 2},  // to slide, to throw out: verbs
     {"file_fields.cc", 5},
     {"room_type.cc", 3},
     {"style_choices.h", 6},
