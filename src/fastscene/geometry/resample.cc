@@ -94,7 +94,7 @@ struct ResamplePlan::Build {
         std::array<SourcePlace, 6> places;
         if (one) {
             const int count = places_of(source, here, feather_deg, places);
-            if (count == 1 && is_inside(source, places[0], side)) return quad_of(places[0]);
+            if (count == 1 && is_inside(source, places[0], side)) return quad_of(places[0], side);
         }
         std::vector<SourceTap> taps;
         std::size_t full = kTapsAtOnce;
@@ -119,13 +119,14 @@ struct ResamplePlan::Build {
         return {-static_cast<std::int32_t>(rows.size()), 0, 0};
     }
 
-    Quad quad_of(const SourcePlace& place) const {
+    Quad quad_of(const SourcePlace& place, int side) const {
         const int part_height = source.kind == SpherePicture::Kind::cube ? source.width : source.height;
-        const auto fixed = [](float v) { return static_cast<std::int64_t>(std::lround((v - 0.5f) * kUnit)); };
-        const std::int64_t fx = std::clamp<std::int64_t>(fixed(place.pixel.x), 0,
-                                                         (static_cast<std::int64_t>(source.width) - 1) * 65536 - 1);
-        const std::int64_t fy = std::clamp<std::int64_t>(fixed(place.pixel.y), 0,
-                                                         (static_cast<std::int64_t>(part_height) - 1) * 65536 - 1);
+        // Rounding may reach the next pixel; the neighbourhood must stay in the part even then.
+        const auto fixed = [side](float v, int pixels) {
+            const std::int64_t first = side / 2 - 1, end = static_cast<std::int64_t>(pixels) - side / 2;
+            return std::clamp<std::int64_t>(std::lround((v - 0.5f) * kUnit), first * 65536, end * 65536 - 1);
+        };
+        const std::int64_t fx = fixed(place.pixel.x, source.width), fy = fixed(place.pixel.y, part_height);
         const auto x = static_cast<std::int32_t>(fx >> 16), y = static_cast<std::int32_t>(fy >> 16);
         return {(place.part * part_height + y) * source.width + x, static_cast<std::uint16_t>(fx & 0xffff),
                 static_cast<std::uint16_t>(fy & 0xffff)};

@@ -147,6 +147,21 @@ TEST(Resample, AnySizeMakesAnyOther) {
             }
 }
 
+TEST(Resample, BicubicNeighbourhoodsStayInThePicture) {
+    // The identity of a rotated picture: positions lie on pixel centers but for rounding.
+    const SpherePicture picture = equirect_picture({17, 9}, kTilted);
+    const ResamplePlan plan(picture, picture, Filter::bicubic);
+    int inner = 0;
+    for (int y = 0; y < picture.height; ++y)
+        for (int x = 0; x < picture.width; ++x) {
+            const Vec2f at = plan.place(x, y);
+            if (std::isnan(at.x)) continue;  // taps of its own
+            ++inner;
+            EXPECT_TRUE(at.x >= 1.5f && at.y >= 1.5f && at.x < 15.5f && at.y < 7.5f) << x << ' ' << y;
+        }
+    EXPECT_GT(inner, 0);
+}
+
 TEST(Resample, WholeFactorsArePlainMeansAtThePolesToo) {
     Random r(5, "resample");
     for (const auto& [across, down] : {std::pair{2, 2}, {4, 4}, {3, 3}, {5, 2}, {1, 3}, {8, 1}, {40, 20}, {70, 70}}) {
