@@ -215,7 +215,7 @@ class TypeReader {
     void read_touches() {
         const TomlTable t = table("touches", {"pieces", "pieces_per_m2", "sills", "shelves", "wall_shelf_probability",
                                               "mirror_probability", "clock_probability", "picture_probability",
-                                              "curtains", "chandeliers", "floor_lamp", "lived_in"});
+                                              "curtains", "chandeliers", "radiators", "floor_lamp", "lived_in"});
         t_.lived_in = t.flag("lived_in", true);
         t_.pieces = things(t, "pieces");
         t_.pieces_per_m2 = share(t, "pieces_per_m2");
@@ -227,6 +227,7 @@ class TypeReader {
         t_.picture_probability = share_or(t, "picture_probability", t_.picture_probability);
         t_.curtains = t.flag("curtains", t_.curtains);
         t_.chandeliers = t.flag("chandeliers", t_.chandeliers);
+        t_.radiators = t.flag("radiators", t_.radiators);
         if (t.has("floor_lamp")) t_.floor_lamp = file_fields::choice<FloorLamp>(t, "floor_lamp");
     }
 

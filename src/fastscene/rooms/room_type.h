@@ -104,7 +104,7 @@ struct RoomType {
     Shelves shelves = Shelves::books;
     float wall_shelf_probability = 0, mirror_probability = 0, clock_probability = 0;
     float picture_probability = 0.8f;  // of each picture
-    bool curtains = true, chandeliers = true;
+    bool curtains = true, chandeliers = true, radiators = true;
     FloorLamp floor_lamp = FloorLamp::usual;
 };
 

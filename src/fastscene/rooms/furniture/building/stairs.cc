@@ -164,7 +164,7 @@ void build_escalator(Kit& k) {
 
 // The leaves of a lift's door in a steel frame, with a lamp that tells the floor.
 void build_elevator_doors(Kit& k) {
-    const Vec3f s = k.wanted({1.3f, 2.3f, 0.07f});
+    const Vec3f s = k.wanted({1.3f, 2.1f, 0.07f});
     const int leaf = k.main(steel()), frame = color(k, "frame", {0.3f, 0.3f, 0.31f}, 0.35f),
               dark = color(k, "gap", {0.01f, 0.01f, 0.01f}, 0.7f), panel = color(k, "plate", {0.4f, 0.4f, 0.4f}, 0.3f);
     Material number = glow("floor", {2.6f, 0.5f, 0.2f});
@@ -290,16 +290,17 @@ void build_groin_vault(Kit& k) {
                             return Vec3f{a * hx, -s.y + high * std::max(arc(a), arc(b)), b * hz};
                         }),
           stone);
-    // Ribs along the groins and the bay's edges.
+    // Ribs along the groins and the bay's edges, within the bay.
+    constexpr float kRib = 0.07f, kIn = 0.12f;
     for (const float sx : {-1.f, 1.f}) {
         std::vector<Vec3f> groin, edge_x, edge_z;
         for (int i = 0; i <= 28; ++i) {
-            const float t = -std::cos(kPi * static_cast<float>(i) / 28), y = -s.y + high * arc(t) - 0.02f;
-            groin.push_back({0.985f * t * hx, y, 0.985f * sx * t * hz});
-            edge_x.push_back({0.97f * t * hx, y, sx * (hz - 0.07f)});
-            edge_z.push_back({sx * (hx - 0.07f), y, 0.97f * t * hz});
+            const float t = -std::cos(kPi * static_cast<float>(i) / 28), y = -s.y + high * arc(t) - kRib;
+            groin.push_back({t * (hx - kIn), y, sx * t * (hz - kIn)});
+            edge_x.push_back({t * (hx - kIn), y, sx * (hz - kRib)});
+            edge_z.push_back({sx * (hx - kRib), y, t * (hz - kIn)});
         }
-        for (const std::vector<Vec3f>& path : {groin, edge_x, edge_z}) k.add(shapes::tube(path, 0.07f, 8), rib);
+        for (const std::vector<Vec3f>& path : {groin, edge_x, edge_z}) k.add(shapes::tube(path, kRib, 8), rib);
     }
     k.piece.mount = Mount::ceiling;
 }
