@@ -64,21 +64,48 @@ void landing(Kit& k, const StairMaterials& m, Vec3f low_center, Vec3f size) {
 
 }  // namespace
 
-// Stairs in two flights with a landing at the back, up to a gallery; one straight flight where there is no room.
+namespace {
+
+// About a post, up to the ceiling: treads like slices, a helical handrail.
+void spiral_stairs(Kit& k, Vec3f s) {
+    const int tread = k.main(k.style.wood), metal = k.material(k.style.metal), rail = k.material(k.style.wood2);
+    const float r = 0.5f * std::min(s.x, s.z);
+    constexpr float kTurns = 1.1f, kPost = 0.06f;
+    const int steps = std::max(8, static_cast<int>(s.y / 0.2f));
+    k.rod(metal, {0, 0, 0}, {0, s.y, 0}, kPost, -1, 16);
+    std::vector<Vec3f> hand;
+    const float slice = kTau * kTurns / static_cast<float>(steps);
+    for (int i = 0; i < steps; ++i) {
+        const float y = s.y * static_cast<float>(i + 1) / static_cast<float>(steps + 1),
+                    a = slice * static_cast<float>(i);
+        std::vector<Vec2f> outline{{kPost * std::cos(a), kPost * std::sin(a)}};
+        constexpr int kArc = 5;
+        for (int j = 0; j <= kArc; ++j) {
+            const float at = a + slice * 1.15f * (static_cast<float>(j) / kArc);
+            outline.push_back({(r - 0.03f) * std::cos(at), (r - 0.03f) * std::sin(at)});
+        }
+        std::reverse(outline.begin(), outline.end());
+        k.add(shapes::prism(outline, y - 0.035f, y, 0.004f), tread);
+        const Vec3f out = around(a + 0.5f * slice) * (r - 0.05f), foot = out + Vec3f{0, y, 0};
+        const float high = std::min(kRailing, s.y - y);
+        if (high > 0.1f) k.rod(metal, foot, foot + Vec3f{0, high, 0}, 0.01f, -1, 6);
+        if (y + kRailing < s.y) hand.push_back(foot + Vec3f{0, kRailing, 0});
+    }
+    if (hand.size() > 3) k.add(shapes::tube(hand, 0.022f, 8), rail);
+    k.piece.clearance_front_m = 0.7f;
+}
+
+}  // namespace
+
+// Stairs in two flights with a landing at the back, up to a gallery, where there is the width; else a spiral.
 void build_staircase(Kit& k) {
+    constexpr float kLeastForTwo = 2.1f;
+    if (k.request.size_m.x < kLeastForTwo) return spiral_stairs(k, k.wanted({1.5f, 2.35f, 1.5f}));
     const Vec3f s = k.wanted({2.6f, 4.1f, 4.4f});
     const StairMaterials m{k.main(k.style.wood), k.material(plain("string", {0.66f, 0.65f, 0.62f}, 0.5f)),
                            k.material(k.style.metal), k.material(k.style.wood2)};
     const float up = s.y - kRailing;
     const int all = std::max(6, static_cast<int>(up / kRise));
-    constexpr float kLeastForTwo = 2.1f;
-    if (s.x < kLeastForTwo) {
-        const int steps = std::min(all, static_cast<int>(s.z / kGoing));
-        const std::array<float, 2> both{-1.f, 1.f};
-        flight(k, m, {{0, 0, 0.5f * s.z}, {0, 0, -1}, steps, s.x}, both);
-        k.piece.clearance_front_m = 0.9f;
-        return;
-    }
     const float width = 0.5f * s.x - 0.08f, deep = width;
     const int most = static_cast<int>((s.z - deep) / kGoing), first = std::min(all / 2, most),
               second = std::min(all - first, most);
