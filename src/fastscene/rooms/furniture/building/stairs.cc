@@ -206,7 +206,7 @@ void build_elevator_doors(Kit& k) {
     k.board(frame, {0, high, 0.5f * s.z}, {s.x, s.y - high, s.z}, 0.006f);
     block(k, panel, {0, high + 0.05f, s.z}, {0.3f, 0.12f, 0.006f});
     block(k, lamp, {0, high + 0.075f, s.z + 0.004f}, {0.06f, 0.07f, 0.004f});
-    k.piece.mount = Mount::wall;
+    k.piece.against_wall = true, k.piece.clearance_front_m = 0.5f;
 }
 
 // The plate with the buttons of the floors.
