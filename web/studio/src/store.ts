@@ -1,0 +1,83 @@
+// What all pages share: the server's state, kept current by its stream of events.
+import { useEffect, useState } from 'preact/hooks';
+import { get, type Job, type State } from './api';
+
+export interface Notice { id: number; text: string; action?: { label: string; run: () => void }; bad?: boolean }
+
+interface Shared { state: State | null; jobs: Job[]; notices: Notice[]; online: boolean; path: string }
+const shared: Shared = { state: null, jobs: [], notices: [], online: true, path: location.pathname };
+const listeners = new Set<() => void>();
+const tell = () => listeners.forEach((listener) => listener());
+
+export const useShared = (): Shared => {
+    const [, again] = useState(0);
+    useEffect(() => {
+        const listener = () => again((n) => n + 1);
+        listeners.add(listener);
+        return () => { listeners.delete(listener); };
+    }, []);
+    return shared;
+};
+
+export const refresh = async () => {
+    try {
+        shared.state = await get<State>('state');
+        shared.jobs = shared.state.jobs;
+        shared.online = true;
+    } catch {
+        shared.online = false;
+    }
+    tell();
+};
+
+let notices = 0;
+const shown_ms = 8000;
+export const notify = (text: string, more: Omit<Notice, 'id' | 'text'> = {}) => {
+    const id = ++notices;
+    shared.notices = [...shared.notices.slice(-2), { id, text, ...more }];
+    tell();
+    setTimeout(() => dismiss(id), shown_ms);
+};
+export const dismiss = (id: number) => {
+    shared.notices = shared.notices.filter((n) => n.id !== id);
+    tell();
+};
+export const fail = (error: unknown) => {
+    if (error instanceof DOMException && error.name === 'AbortError') return;
+    notify(error instanceof Error ? error.message : String(error), { bad: true });
+};
+
+export const go = (path: string) => {
+    if (path !== location.pathname) history.pushState(null, '', path);
+    shared.path = path;
+    tell();
+    scrollTo(0, 0);
+};
+addEventListener('popstate', () => { shared.path = location.pathname; tell(); });
+
+// Scenes and costs change when a job ends; while it runs only the jobs do.
+const ended = (jobs: Job[]) => jobs.filter((j) => j.state === 'finished' || j.state === 'failed').map((j) => j.id).join();
+
+let source: EventSource | null = null;
+const listen = () => {
+    source = new EventSource('/api/events');
+    source.onopen = () => { if (!shared.online) refresh(); };
+    source.onmessage = (event) => {
+        const { jobs } = JSON.parse(event.data) as { jobs: Job[] };
+        const scenes = ended(jobs) !== ended(shared.jobs) || jobs.length !== shared.jobs.length;
+        shared.jobs = jobs;
+        shared.online = true;
+        if (scenes) refresh();
+        else tell();
+    };
+    source.onerror = () => { shared.online = false; tell(); };
+};
+// A browser opens few connections to one server: pages in the background leave theirs to others.
+export const begin = () => {
+    refresh();
+    listen();
+    document.addEventListener('visibilitychange', () => {
+        source?.close();
+        if (document.visibilityState === 'visible') { refresh(); listen(); }
+    });
+};
