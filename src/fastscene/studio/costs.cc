@@ -9,8 +9,8 @@
 namespace fastscene::studio {
 namespace {
 
-constexpr std::size_t kLatest = 9;     // finished scenes that count: rooms differ, and so does the machine's load
-constexpr double kBusyShare = 0.92;    // of two cores' time, over a whole run
+constexpr std::size_t kLatest = 9;      // finished scenes that count: rooms differ, and so does the machine's load
+constexpr double kBusyShare = 0.92;     // of two cores' time, over a whole run
 constexpr int kMostUsefulThreads = 16;  // more were not measured
 
 double median(std::vector<double> values) {
@@ -19,25 +19,38 @@ double median(std::vector<double> values) {
     return *middle;
 }
 
+struct Measured {
+    std::vector<double> seconds, bytes;
+};
+
+Measured measured(const Json& scenes, const std::string& quality) {
+    Measured out;
+    for (const Json& scene : scenes) {
+        if (scene.at("quality") != quality || !scene.at("finished") || !scene.at("has_room")) continue;
+        if (scene.at("seconds") <= 0 || out.seconds.size() == kLatest) continue;
+        out.seconds.push_back(scene.at("seconds"));
+        out.bytes.push_back(scene.at("peak_memory_bytes"));
+    }
+    return out;
+}
+
 }  // namespace
 
 Json costs(const Json& scenes, int threads) {
+    const double cores = kBusyShare * std::clamp(threads, 1, kMostUsefulThreads);
+    const auto expected = [&](const std::string& quality) { return 60 * scene_cost(quality).cpu_minutes / cores; };
+    // How much slower than expected this machine is; one quality tells of the others.
+    std::vector<double> slower;
+    for (const std::string& quality : qualities())
+        for (const double seconds : measured(scenes, quality).seconds) slower.push_back(seconds / expected(quality));
+    const double factor = slower.empty() ? 1 : median(slower);
     Json out = Json::array();
     for (const std::string& quality : qualities()) {
-        std::vector<double> seconds, bytes;
-        for (const Json& scene : scenes) {
-            if (scene.at("quality") != quality || !scene.at("finished") || !scene.at("has_room")) continue;
-            if (scene.at("seconds") > 0 && seconds.size() < kLatest) {
-                seconds.push_back(scene.at("seconds"));
-                bytes.push_back(scene.at("peak_memory_bytes"));
-            }
-        }
-        const SceneCost cost = scene_cost(quality);
-        const double cores = kBusyShare * std::clamp(threads, 1, kMostUsefulThreads);
+        const Measured here = measured(scenes, quality);
         out.push_back({{"quality", quality},
-                       {"seconds", seconds.empty() ? 60 * cost.cpu_minutes / cores : median(seconds)},
-                       {"gib", bytes.empty() ? cost.gib : median(bytes) / (1 << 30)},
-                       {"measured", seconds.size()}});
+                       {"seconds", here.seconds.empty() ? factor * expected(quality) : median(here.seconds)},
+                       {"gib", here.bytes.empty() ? scene_cost(quality).gib : median(here.bytes) / (1 << 30)},
+                       {"measured", here.seconds.size()}});
     }
     return out;
 }

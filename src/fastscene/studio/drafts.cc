@@ -17,7 +17,8 @@ T needed(const Json& step, const char* key) {
     try {
         return step.at(key).get<T>();
     } catch (const Json::exception&) {
-        throw Refusal(400, "edit: expected \"{}\" in {}", key, step.dump(-1, ' ', false, Json::error_handler_t::replace));
+        throw Refusal(400, "edit: expected \"{}\" in {}", key,
+                      step.dump(-1, ' ', false, Json::error_handler_t::replace));
     }
 }
 
@@ -87,11 +88,9 @@ Drafts::State Drafts::load(const std::string& scene) const {
 }
 
 void Drafts::save(const std::string& scene, const State& state) const {
-    write_file(file(scene), Json{{"revision", state.revision},
-                                 {"past", state.past},
-                                 {"future", state.future},
-                                 {"now", state.now}}
-                                .dump());
+    write_file(
+        file(scene),
+        Json{{"revision", state.revision}, {"past", state.past}, {"future", state.future}, {"now", state.now}}.dump());
 }
 
 RoomDocument Drafts::document(const std::string& scene, const State& state) const {

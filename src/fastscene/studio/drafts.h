@@ -19,8 +19,8 @@ class Drafts {
 
     // {revision, view, changes: [{id, what}], can_undo, can_redo}; revision 0: nothing was changed.
     Json draft(const std::string& scene);
-    // `step`: {op: move|turn|recolor|remove|add|style|time|say|undo|redo|reset, …}. Throws Refusal 409 unless `revision`
-    // is the draft's; UsageError and Error as edit_document does.
+    // `step`: {op: move|turn|recolor|remove|add|style|time|say|undo|redo|reset, …}. Throws Refusal 409 unless
+    // `revision` is the draft's; UsageError and Error as edit_document does.
     Json edit(const std::string& scene, int revision, const Json& step);
     // The edited room as a file for `edit DIR --room FILE`, and what was changed. Throws Refusal 409 as above, or if
     // nothing was.

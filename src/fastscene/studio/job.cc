@@ -20,14 +20,15 @@ std::string_view name_of(JobState state) { return kJobStates[static_cast<std::si
 }  // namespace
 
 Json json_of_job(const Job& job) {
-    return {{"id", job.id},           {"state", name_of(job.state)},        {"error", job.error},
-            {"work", job.work},       {"overall", job.overall},             {"seconds_left", job.seconds_left},
-            {"seconds", job.seconds}, {"warnings", job.warnings},           {"request", job.request}};
+    return {{"id", job.id},           {"state", name_of(job.state)}, {"error", job.error},
+            {"work", job.work},       {"overall", job.overall},      {"seconds_left", job.seconds_left},
+            {"seconds", job.seconds}, {"warnings", job.warnings},    {"request", job.request}};
 }
 
 Json record_of_job(const Job& job) {
-    return {{"id", job.id},       {"arguments", job.arguments}, {"look", job.look}, {"request", job.request},
-            {"state", name_of(job.state)}, {"error", job.error},         {"pid", job.pid}};
+    return {{"id", job.id},           {"arguments", job.arguments},  {"look", job.look},
+            {"request", job.request}, {"state", name_of(job.state)}, {"error", job.error},
+            {"pid", job.pid}};
 }
 
 Job job_from_record(const Json& record, const std::string& file) {

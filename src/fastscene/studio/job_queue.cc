@@ -15,7 +15,7 @@ namespace fs = std::filesystem;
 namespace {
 
 using namespace std::chrono_literals;
-constexpr auto kLogEvery = 200ms;   // how often a log is read: progress looks steady
+constexpr auto kLogEvery = 200ms;  // how often a log is read: progress looks steady
 constexpr auto kOtherEvery = 500ms;
 constexpr std::uintmax_t kFullDisk = 32 << 20;  // bytes left on a disk that is called full
 
@@ -52,7 +52,8 @@ std::string why_it_failed(const Job& job, int code, const fs::path& folder) {
     const bool full = !none && space.available < kFullDisk;
     if (!job.error.empty()) return job.error;
     if (full) return "the disk is full: make room, then resume";
-    if (code == 128 + SIGKILL) return "the process was killed: is there enough memory? Resume, or choose a lower quality";
+    if (code == 128 + SIGKILL)
+        return "the process was killed: is there enough memory? Resume, or choose a lower quality";
     return fmt::format("the process ended with code {} and said nothing", code);
 }
 
@@ -99,9 +100,8 @@ JobQueue::Entry& JobQueue::entry(const std::string& id) {
 
 bool JobQueue::has(const std::string& id) const {
     const std::lock_guard lock(mutex_);
-    return std::any_of(entries_.begin(), entries_.end(), [&](const Entry& e) {
-        return e.job.id == id && e.job.state != JobState::finished;
-    });
+    return std::any_of(entries_.begin(), entries_.end(),
+                       [&](const Entry& e) { return e.job.id == id && e.job.state != JobState::finished; });
 }
 
 void JobQueue::add(Job job) {
@@ -192,9 +192,8 @@ void JobQueue::work(const std::stop_token& end) {
         {
             std::unique_lock lock(mutex_);
             condition_.wait(lock, end, [&] {
-                const auto found = std::find_if(entries_.begin(), entries_.end(), [](const Entry& e) {
-                    return e.job.state == JobState::waiting;
-                });
+                const auto found = std::find_if(entries_.begin(), entries_.end(),
+                                                [](const Entry& e) { return e.job.state == JobState::waiting; });
                 next = found == entries_.end() ? nullptr : &*found;
                 return next != nullptr;
             });

@@ -110,7 +110,7 @@ Json Library::summary(const std::string& name) const {
     out["finished"] = fs::exists(folder.report_json()) && fs::exists(folder.scene_compressed_ply());
     out["has_walk"] = fs::exists(folder.viewer_html());
     out["has_panorama"] = fs::exists(folder.panorama_color());
-    out["picture"] = fs::exists(folder.preview_jpg()) ? "preview.jpg"
+    out["picture"] = fs::exists(folder.preview_jpg())      ? "preview.jpg"
                      : fs::exists(folder.panorama_color()) ? "panorama/color.png"
                                                            : "";
     out["made"] = seconds_since_1970(fs::exists(folder.report_json()) ? folder.report_json() : folder.run_json());

@@ -67,13 +67,17 @@ Json thing_json(const Placed& p, const std::string& id, const std::vector<std::s
 }
 
 Json plan_json(const Plan& plan) {
-    Json out{{"width", rounded(plan.width)},   {"depth", rounded(plan.depth)},
-             {"height", rounded(plan.height)}, {"floor", seen_color(plan.style.floor)},
-             {"floor_name", plan.style.floor.name}, {"wall", seen_color(plan.style.wall)},
-             {"blocks", Json::array()},        {"openings", Json::array()}};
+    Json out{{"width", rounded(plan.width)},
+             {"depth", rounded(plan.depth)},
+             {"height", rounded(plan.height)},
+             {"floor", seen_color(plan.style.floor)},
+             {"floor_name", plan.style.floor.name},
+             {"wall", seen_color(plan.style.wall)},
+             {"blocks", Json::array()},
+             {"openings", Json::array()}};
     for (const Block& b : plan.blocks)
-        out["blocks"].push_back({{"low", {rounded(b.low.x), rounded(b.low.y)}},
-                                 {"high", {rounded(b.high.x), rounded(b.high.y)}}});
+        out["blocks"].push_back(
+            {{"low", {rounded(b.low.x), rounded(b.low.y)}}, {"high", {rounded(b.high.x), rounded(b.high.y)}}});
     for (const Opening& o : plan.openings) out["openings"].push_back(opening_json(plan, o));
     return out;
 }

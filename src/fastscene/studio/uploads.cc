@@ -97,10 +97,7 @@ Json Uploads::range_map(const std::string& given, const std::function<bool(const
     const fs::path file = receive(name, read);
     return looked_at(file, name, [&] {
         const ImageF range = load_float(file);
-        return Json{{"id", file.filename().string()},
-                    {"name", name},
-                    {"width", range.width},
-                    {"height", range.height}};
+        return Json{{"id", file.filename().string()}, {"name", name}, {"width", range.width}, {"height", range.height}};
     });
 }
 

@@ -77,13 +77,18 @@ std::vector<std::string> parts_of(const std::string& path) {
 }
 
 std::string type_of(const fs::path& file) {
-    static constexpr std::pair<std::string_view, const char*> kTypes[] = {
-        {".html", "text/html; charset=utf-8"}, {".js", "text/javascript; charset=utf-8"},
-        {".css", "text/css; charset=utf-8"},   {".json", "application/json"},
-        {".svg", "image/svg+xml"},             {".png", "image/png"},
-        {".jpg", "image/jpeg"},                {".jpeg", "image/jpeg"},
-        {".webp", "image/webp"},               {".woff2", "font/woff2"},
-        {".txt", "text/plain; charset=utf-8"}, {".glb", "model/gltf-binary"}};
+    static constexpr std::pair<std::string_view, const char*> kTypes[] = {{".html", "text/html; charset=utf-8"},
+                                                                          {".js", "text/javascript; charset=utf-8"},
+                                                                          {".css", "text/css; charset=utf-8"},
+                                                                          {".json", "application/json"},
+                                                                          {".svg", "image/svg+xml"},
+                                                                          {".png", "image/png"},
+                                                                          {".jpg", "image/jpeg"},
+                                                                          {".jpeg", "image/jpeg"},
+                                                                          {".webp", "image/webp"},
+                                                                          {".woff2", "font/woff2"},
+                                                                          {".txt", "text/plain; charset=utf-8"},
+                                                                          {".glb", "model/gltf-binary"}};
     const std::string ending = file.extension().string();
     for (const auto& [known, type] : kTypes)
         if (ending == known) return type;
@@ -100,13 +105,17 @@ void send_json(Response& response, int status, const Json& json) {
 void send_file(const Request& request, Response& response, const fs::path& path, const char* policy) {
     struct File {
         int descriptor;
-        ~File() { ::close(descriptor); }
+        explicit File(const fs::path& path) : descriptor(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NOFOLLOW)) {}
+        ~File() {
+            if (descriptor >= 0) ::close(descriptor);
+        }
+        File(const File&) = delete;
+        File& operator=(const File&) = delete;
     };
-    const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NOFOLLOW);
+    const auto file = std::make_shared<File>(path);
     struct stat status {};
-    if (descriptor < 0) return send_json(response, 404, {{"error", "there is no such file"}});
-    const auto file = std::make_shared<File>(File{descriptor});
-    ::fstat(descriptor, &status);
+    if (file->descriptor < 0 || ::fstat(file->descriptor, &status) != 0 || !S_ISREG(status.st_mode))
+        return send_json(response, 404, {{"error", "there is no such file"}});
     const std::string tag = fmt::format("\"{:x}-{:x}-{:x}\"", status.st_mtim.tv_sec, status.st_mtim.tv_nsec,
                                         status.st_size);
     response.set_header("ETag", tag);
@@ -116,7 +125,6 @@ void send_file(const Request& request, Response& response, const fs::path& path,
         response.status = 304;
         return;
     }
-    if (response.status < 0) response.status = 200;
     if (status.st_size == 0) return response.set_content("", type_of(path));
     response.set_content_provider(static_cast<std::size_t>(status.st_size), type_of(path),
                                   [file](std::size_t offset, std::size_t length, httplib::DataSink& sink) {
@@ -153,7 +161,7 @@ class WebServer {
             if (allowed(q, r)) post(q, r);
         });
         server.set_error_handler([](const Request&, Response& r) {
-            if (!r.body.empty()) return;
+            if (!r.body.empty() || r.has_header("Content-Type")) return;
             const char* text = r.status == 413 ? "too large" : "the studio cannot answer this";
             r.set_content(Json{{"error", text}}.dump(), "application/json");
         });
@@ -200,15 +208,15 @@ class WebServer {
     std::optional<std::string> why_refused(const Request& request) const {
         const auto hosts = values_of(request, "Host"), origins = values_of(request, "Origin");
         const std::string site = request.get_header_value("Sec-Fetch-Site");
-        if ((site == "cross-site" || site == "same-site") &&
-            request.get_header_value("Sec-Fetch-Mode") != "navigate")
+        if ((site == "cross-site" || site == "same-site") && request.get_header_value("Sec-Fetch-Mode") != "navigate")
             return "the request comes from a page of another site";
         if (params_.token.empty()) return refusal(hosts, origins);
         if (hosts.size() != 1) return "expected one Host header";
         const std::string own = (is_tls() ? "https://" : "http://") + hosts.front();
         if (std::any_of(origins.begin(), origins.end(), [&](const std::string& o) { return o != own; }))
             return "the request comes from a page of another site";
-        if (!equal(cookie_of(request), params_.token)) return "open the address that the studio printed, with its token";
+        if (!equal(cookie_of(request), params_.token))
+            return "open the address that the studio printed, with its token";
         return {};
     }
 
@@ -228,8 +236,7 @@ class WebServer {
         const std::vector<std::string> parts = parts_of(request.path);
         const std::string first = parts.empty() ? "" : parts[0];
         if (first == "api" && parts.size() == 2 && parts[1] == "events") return stream(response);
-        if (first == "api")
-            return send(request, response, api_.answer({"GET", {parts.begin() + 1, parts.end()}, {}}));
+        if (first == "api") return send(request, response, api_.answer({"GET", {parts.begin() + 1, parts.end()}, {}}));
         if (first == "files" && parts.size() > 2) {
             const std::size_t skip = request.path.find(parts[1], 6) + parts[1].size() + 1;
             const auto file = library_.file(parts[1], request.path.substr(skip));
@@ -239,7 +246,7 @@ class WebServer {
         if (first == "assets" || first == "icon.svg" || first == "licenses.txt") return asset(request, response, parts);
         const bool known = parts.empty() || (first == "gallery" && parts.size() == 1) ||
                            (first == "scene" && parts.size() == 2 && api_.has_scene(parts[1]));
-        response.status = known ? 200 : 404;
+        if (!known) response.status = 404;
         send_file(request, response, params_.pages / "index.html", kPagePolicy);
     }
 
@@ -259,7 +266,8 @@ class WebServer {
         if (answer.file.empty()) return send_json(response, answer.status, answer.json);
         if (!answer.save_as.empty()) {
             std::string name = answer.save_as;
-            std::replace_if(name.begin(), name.end(), [](unsigned char c) { return c < ' ' || c == '"' || c > '~'; }, '_');
+            std::replace_if(
+                name.begin(), name.end(), [](unsigned char c) { return c < ' ' || c == '"' || c > '~'; }, '_');
             response.set_header("Content-Disposition", fmt::format("attachment; filename=\"{}\"", name));
         }
         send_file(request, response, answer.file, kFilePolicy);
@@ -305,11 +313,11 @@ class WebServer {
             [this, seen](std::size_t, httplib::DataSink& sink) {
                 const std::uint64_t now = board_.wait(*seen, kStreamWait);
                 if (stop_.stop_requested()) return false;
-                const std::string text = now == *seen ? std::string(": still here\n\n")
-                                                      : "data: " +
-                                                            api_.live().dump(-1, ' ', false,
-                                                                             Json::error_handler_t::replace) +
-                                                            "\n\n";
+                const std::string text = now == *seen
+                                             ? std::string(": still here\n\n")
+                                             : "data: " +
+                                                   api_.live().dump(-1, ' ', false, Json::error_handler_t::replace) +
+                                                   "\n\n";
                 if (now != *seen) std::this_thread::sleep_for(kStreamEvery);
                 *seen = now;
                 return sink.write(text.data(), text.size());

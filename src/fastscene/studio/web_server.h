@@ -13,8 +13,8 @@ namespace fastscene::studio {
 struct WebParams {
     std::filesystem::path pages;  // the folder of index.html
     std::string host = "127.0.0.1";
-    int port = 8420;                      // 0: any free one
-    std::string token;                    // needed from every browser; empty: only this machine may ask
+    int port = 8420;                                 // 0: any free one
+    std::string token;                               // needed from every browser; empty: only this machine may ask
     std::filesystem::path tls_certificate, tls_key;  // PEM; empty: plain HTTP
 };
 

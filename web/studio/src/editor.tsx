@@ -66,6 +66,14 @@ export const Editor = ({ scene }: { scene: SceneDetails }) => {
     const turn = (one: Thing, by_deg: number) => change({ op: 'turn', id: one.id, by_deg });
     const remove = (one: Thing) => { setSelected(''); return change({ op: 'remove', id: one.id }); };
     const cost = state?.costs.find((c) => c.quality === scene.quality);
+    // Near the top once there are some: what to do next.
+    const changes = <section aria-labelledby="changes-title"><div class="row"><h2 id="changes-title" class="small-title grow">{t.changes}</h2>
+                <button class="quiet" disabled={busy || !draft.can_undo} onClick={() => change({ op: 'undo' })}>{t.undo}</button>
+                <button class="quiet" disabled={busy || !draft.can_redo} onClick={() => change({ op: 'redo' })}>{t.redo}</button>
+                <button class="quiet" disabled={busy || draft.changes.length === 0} onClick={() => change({ op: 'reset' })}>{t.reset}</button></div>
+                <ol class="change-list" aria-live="polite">{draft.changes.map((c, i) => <li key={i}><strong>{c.id}</strong> {c.what}</li>)}</ol>
+                {draft.changes.length === 0 ? <p class="hint">{t.no_changes}</p> : <p class="hint">{t.saved_later}</p>}
+                <button class="primary" disabled={busy || draft.changes.length === 0} onClick={make}>{t.remake}{cost ? ` · ${t.about} ${minutes(cost.seconds)}` : ''}</button></section>;
     return <div class="editor">
         <div class={`editor-plan ${busy ? 'is-busy' : ''}`}>
             <Plan view={draft.view} label={t.plan} selected={selected} onSelect={setSelected} onMove={move} onTurn={turn} onRemove={remove} busy={busy} />
@@ -89,15 +97,10 @@ export const Editor = ({ scene }: { scene: SceneDetails }) => {
                     <label>{t.style}<select value={draft.view.style} disabled={busy} onChange={(e) => change({ op: 'style', value: e.currentTarget.value })}>{state?.choices.styles.map((s) => <option key={s}>{s}</option>)}</select></label>
                     <label>{t.hour}<select value={draft.view.hour} disabled={busy} onChange={(e) => change({ op: 'time', value: e.currentTarget.value })}>{state?.choices.hours.map((h) => <option key={h}>{h}</option>)}</select></label></div>
                 <Colors label={t.walls} onPick={(looks) => change({ op: 'recolor', surface: 'wall', looks })} /></section>}
+            {draft.changes.length > 0 && changes}
             <section><Say label={t.add} hint={t.add_hint} button={t.add_do} busy={busy} list={state?.choices.kinds} onSay={(words) => change({ op: 'add', words: /^(an?|the|two|three|some|\d)\b/.test(words) ? words : `a ${words}` })} />
                 <Say label={t.say} hint={t.say_hint} button={t.say_do} busy={busy} onSay={(words) => change({ op: 'say', words })} /></section>
-            <section aria-labelledby="changes-title"><div class="row"><h2 id="changes-title" class="small-title grow">{t.changes}</h2>
-                <button class="quiet" disabled={busy || !draft.can_undo} onClick={() => change({ op: 'undo' })}>{t.undo}</button>
-                <button class="quiet" disabled={busy || !draft.can_redo} onClick={() => change({ op: 'redo' })}>{t.redo}</button>
-                <button class="quiet" disabled={busy || draft.changes.length === 0} onClick={() => change({ op: 'reset' })}>{t.reset}</button></div>
-                <ol class="change-list" aria-live="polite">{draft.changes.map((c, i) => <li key={i}><strong>{c.id}</strong> {c.what}</li>)}</ol>
-                {draft.changes.length === 0 ? <p class="hint">{t.no_changes}</p> : <p class="hint">{t.saved_later}</p>}
-                <button class="primary" disabled={busy || draft.changes.length === 0} onClick={make}>{t.remake}{cost ? ` · ${t.about} ${minutes(cost.seconds)}` : ''}</button></section>
+            {draft.changes.length === 0 && changes}
         </aside>
     </div>;
 };

@@ -74,7 +74,8 @@ const symbol = ({ kind, w, d, color, mount }: Thing): JSX.Element => {
     return <g {...s}>{rect(x, y, w, d, 0.03)}</g>;
 };
 
-const floorLines = ({ floor, floor_name }: PlanView) => {
+const floorLines = ({ floor: own, floor_name }: PlanView) => {
+    const floor = mixed(own, 255, 0.28);  // as on paper: things stand out
     const tone = { stroke: line(floor), 'stroke-width': 0.008, 'stroke-opacity': 0.28, fill: 'none' };
     if (/tile|stone|marble|terrazzo|slate|concrete|checker/.test(floor_name))
         return <pattern id="floor" width={0.5} height={0.5} patternUnits="userSpaceOnUse"><rect width={0.5} height={0.5} fill={floor} /><path d="M0 0H0.5M0 0V0.5" {...tone} /></pattern>;

@@ -50,15 +50,15 @@ const FileRow = ({ scene, file, onMade }: { scene: string; file: Download; onMad
         <button disabled={busy} aria-label={`${t.download}: ${file.file}`} onClick={save}>{t.download}</button></li>;
 };
 
-const Files = ({ scene, onMade }: { scene: SceneDetails; onMade: () => void }) => <div class="files">
+const Files = ({ scene, onMade }: { scene: SceneDetails; onMade: () => void }) => <div class="files"><div>
     {Object.entries(t.groups).map(([group, title]) => {
         const files = scene.downloads.filter((d) => d.group === group);
         return files.length > 0 && <section key={group}><h2 class="small-title">{title}</h2>
             <ul>{files.map((f) => <FileRow key={f.id} scene={scene.name} file={f} onMade={onMade} />)}</ul></section>;
-    })}
-    <section><h2 class="small-title">{t.command}</h2>
+    })}</div>
+    <aside><h2 class="small-title">{t.command}</h2>
         {[scene.command, scene.downloads.find((d) => d.id === 'room')?.command].filter(Boolean).map((c) =>
-            <div key={c} class="command"><code>{c}</code><button onClick={() => copy(c!)}>{t.copy}</button></div>)}</section>
+            <div key={c} class="command"><code>{c}</code><button onClick={() => copy(c!)}>{t.copy}</button></div>)}</aside>
 </div>;
 
 const tabs = ['walk', 'panorama', 'change', 'files'] as const;

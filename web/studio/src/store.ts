@@ -1,6 +1,7 @@
 // What all pages share: the server's state, kept current by its stream of events.
 import { useEffect, useState } from 'preact/hooks';
-import { get, type Job, type State } from './api';
+import { get, part, type Job, type State } from './api';
+import { t } from './text';
 
 export interface Notice { id: number; text: string; action?: { label: string; run: () => void }; bad?: boolean }
 
@@ -58,6 +59,18 @@ addEventListener('popstate', () => { shared.path = location.pathname; tell(); })
 // Scenes and costs change when a job ends; while it runs only the jobs do.
 const ended = (jobs: Job[]) => jobs.filter((j) => j.state === 'finished' || j.state === 'failed').map((j) => j.id).join();
 
+// Who looks at another page learns that a scene is ready.
+const tellEnds = (before: Job[], now: Job[]) => {
+    for (const job of now) {
+        const was = before.find((one) => one.id === job.id)?.state;
+        if (was === job.state || was === undefined) continue;
+        if (job.state === 'finished') notify(`${job.request.title}: ${t.finished}`, { action: { label: t.open, run: () => go(`/scene/${part(job.id)}`) } });
+        if (job.state === 'failed') notify(`${job.request.title}: ${job.error}`, { bad: true });
+    }
+    const running = now.find((job) => job.state === 'running');
+    if (!shared.path.startsWith('/scene/')) document.title = running ? `${Math.round(100 * running.overall)} % · ${running.request.title}` : 'fastscene studio';
+};
+
 let source: EventSource | null = null;
 const listen = () => {
     source = new EventSource('/api/events');
@@ -65,6 +78,7 @@ const listen = () => {
     source.onmessage = (event) => {
         const { jobs } = JSON.parse(event.data) as { jobs: Job[] };
         const scenes = ended(jobs) !== ended(shared.jobs) || jobs.length !== shared.jobs.length;
+        tellEnds(shared.jobs, jobs);
         shared.jobs = jobs;
         shared.online = true;
         if (scenes) refresh();
