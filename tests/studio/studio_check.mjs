@@ -132,9 +132,9 @@ try {
     await other.context().close();
     const thing = page.locator('.plan-thing[aria-label="armchair 1"]');
     await thing.focus();
-    await page.keyboard.press('r');
-    await until('R turns it', async () => await page.locator('.change-list li').count() === 2);
-    await page.click('button:has-text("Undo")');
+    await page.keyboard.press('Delete');
+    await until('Delete removes it', async () => await page.locator('.change-list li').count() >= 2 && await thing.count() === 0);
+    await page.click('.inspector button:has-text("Undo")');
     await until('undo', async () => await page.locator('.change-list li').count() === 1);
     await usable(page, 'change');
     await legible(page, 'change');
