@@ -12,20 +12,6 @@ namespace fastscene::studio {
 namespace fs = std::filesystem;
 namespace {
 
-// The first picture: a room that is recognized, in two and a half seconds of one core, most of them for building it.
-const std::vector<std::string> kLookFlags{"--quality",
-                                          "draft",
-                                          "--panorama-width",
-                                          "320",
-                                          "--panorama-cell",
-                                          "0.2",
-                                          "--panorama-cell-samples",
-                                          "12",
-                                          "--panorama-pixel-samples",
-                                          "1",
-                                          "--panorama-outside-detail",
-                                          "0"};
-
 template <class T>
 T field(const Json& body, const char* key, const T& usual) {
     const auto found = body.find(key);
@@ -56,6 +42,10 @@ std::vector<std::string> arguments_of(const std::string& verb, const std::string
     append(out, flags);
     if (prompt.starts_with('-')) append(out, {"--", prompt});
     return out;
+}
+
+std::vector<std::string> look_of(const std::string& prompt, std::uint64_t seed) {
+    return arguments_of("panorama", prompt, {"--seed", std::to_string(seed)});
 }
 
 // As a shell reads it, with the program's name first.
@@ -131,7 +121,8 @@ Api::Api(Library& library, Board& board, ApiParams params)
       drafts_(library, planner_),
       downloads_(library, params_.program),
       uploads_(library),
-      queue_(library, board, {params_.program, params_.threads}) {}
+      looks_(library, board, params_.program),
+      queue_(library, board, looks_, {params_.program, params_.threads}) {}
 
 bool Api::has_scene(const std::string& name) const {
     try {
@@ -157,7 +148,7 @@ ApiAnswer Api::upload(const std::string& kind, const std::string& name,
     });
 }
 
-Json Api::live() const { return {{"jobs", queue_.jobs()}, {"version", board_.version()}}; }
+Json Api::live() const { return {{"jobs", queue_.jobs()}, {"version", board_.version()}, {"look", looks_.latest()}}; }
 
 ApiAnswer Api::state() {
     const Json scenes = library_.scenes();
@@ -210,6 +201,10 @@ ApiAnswer Api::get(const std::vector<std::string>& path) {
             if (const fs::path look = queue_.look(path[1]); !look.empty()) return {200, {}, look, {}};
         throw Refusal(404, "there is no picture yet");
     }
+    if (path.size() == 2 && what == "looks") {
+        if (const fs::path picture = looks_.picture(path[1]); !picture.empty()) return {200, {}, picture, {}};
+        throw Refusal(404, "there is no picture yet");
+    }
     if (path.size() == 2 && what == "uploads") return {200, {}, uploads_.file(path[1]), {}};
     throw Refusal(404, "the studio knows no such address");
 }
@@ -218,6 +213,13 @@ ApiAnswer Api::post(const std::vector<std::string>& path, const Json& body) {
     const std::string what = path.empty() ? "" : path[0];
     if (path.size() == 1 && what == "plan")
         return {200, planner_.plan(field<std::string>(body, "prompt", ""), seed_in(body)), {}, {}};
+    if (path.size() == 1 && what == "look") {
+        const std::string prompt = field<std::string>(body, "prompt", "");
+        understand_prompt(prompt, false);
+        const std::vector<std::string> wished = look_of(prompt, seed_in(body));
+        looks_.wish(wished);
+        return {200, {{"key", Looks::key_of(wished)}}, {}, {}};
+    }
     if (path.size() == 1 && what == "jobs") return {200, create(body), {}, {}};
     if (path.size() == 3 && what == "jobs") return post_job(path[1], path[2]);
     if (path.size() == 3 && what == "scenes") return post_scene(path[1], path[2], body);
@@ -277,11 +279,7 @@ Json Api::create(const Json& body) {
     job.arguments = arguments_of("make", prompt, flags);
     job.request = {{"title", title}, {"seed", seed}, {"quality", quality}, {"from", ""}};
     job.request["command"] = command_line(job.arguments);
-    if (picture.empty()) {
-        std::vector<std::string> look{"--seed", std::to_string(seed)};
-        append(look, kLookFlags);
-        job.look = arguments_of("panorama", prompt, look);
-    }
+    if (picture.empty()) job.look = look_of(prompt, seed);
     const Json out{{"id", job.id}};
     queue_.add(std::move(job));
     return out;
@@ -304,7 +302,7 @@ Json Api::remake(const std::string& scene, const Json& body) {
     job.arguments = {"edit", (library_.root() / scene).string(), "--room", made.room.string(),
                      "-o",   (library_.root() / job.id).string()};
     job.look = {"panorama", "--room", made.room.string(), "--seed", before.at("seed").dump()};
-    append(job.look, kLookFlags);
+    looks_.forget(job.look);
     job.request = {{"title", title}, {"seed", before.at("seed")}, {"quality", before.at("quality")},
                    {"from", scene},  {"changes", made.changes},   {"command", command_line(job.arguments)}};
     const Json out{{"id", job.id}};

@@ -13,6 +13,7 @@
 #include "fastscene/studio/drafts.h"
 #include "fastscene/studio/job_queue.h"
 #include "fastscene/studio/library.h"
+#include "fastscene/studio/looks.h"
 #include "fastscene/studio/planner.h"
 #include "fastscene/studio/uploads.h"
 
@@ -67,6 +68,7 @@ class Api {
     Drafts drafts_;
     Downloads downloads_;
     Uploads uploads_;
+    Looks looks_;
     JobQueue queue_;
 };
 

@@ -59,8 +59,8 @@ std::string why_it_failed(const Job& job, int code, const fs::path& folder) {
 
 }  // namespace
 
-JobQueue::JobQueue(Library& library, Board& board, QueueParams params)
-    : library_(library), board_(board), params_(std::move(params)), folder_(library.own("jobs")) {
+JobQueue::JobQueue(Library& library, Board& board, Looks& looks, QueueParams params)
+    : library_(library), board_(board), looks_(looks), params_(std::move(params)), folder_(library.own("jobs")) {
     std::vector<fs::path> files;
     for (const auto& file : fs::directory_iterator(folder_))
         if (file.path().extension() == ".json") files.push_back(file.path());
@@ -86,8 +86,13 @@ JobQueue::~JobQueue() {
 fs::path JobQueue::record(const std::string& id) const { return folder_ / (id + ".json"); }
 fs::path JobQueue::log(const std::string& id) const { return folder_ / (id + ".log"); }
 fs::path JobQueue::look(const std::string& id) const {
-    const fs::path picture = library_.own("looks") / id / "panorama" / "color.png";
-    return fs::exists(picture) ? picture : fs::path();
+    std::string key;
+    {
+        const std::lock_guard lock(mutex_);
+        for (const Entry& e : entries_)
+            if (e.job.id == id && !e.job.look.empty()) key = Looks::key_of(e.job.look);
+    }
+    return key.empty() ? fs::path() : looks_.picture(key);
 }
 
 void JobQueue::save(const Entry& entry) const { write_json(record(entry.job.id), record_of_job(entry.job)); }
@@ -155,8 +160,6 @@ void JobQueue::forget(const std::string& id) {
         std::error_code none;
         fs::remove(record(id), none);
         fs::remove(log(id), none);
-        fs::remove(folder_ / (id + ".look.log"), none);
-        fs::remove_all(library_.own("looks") / id, none);
         fs::remove(library_.root() / id, none);  // only if nothing was made
         entries_.remove_if([&](const Entry& other) { return &other == &e; });
     }
@@ -180,7 +183,8 @@ Json JobQueue::jobs() const {
         Json json = json_of_job(e.job);
         if (e.job.state == JobState::running) json["seconds"] = steady_seconds() - e.started;
         const RunFolder folder{library_.root() / e.job.id};
-        json["picture"] = fs::exists(folder.panorama_color()) ? "panorama" : look(e.job.id).empty() ? "" : "look";
+        const bool looked = !e.job.look.empty() && !looks_.picture(Looks::key_of(e.job.look)).empty();
+        json["picture"] = fs::exists(folder.panorama_color()) ? "panorama" : looked ? "look" : "";
         out.push_back(std::move(json));
     }
     return out;
@@ -240,7 +244,6 @@ void JobQueue::run(Entry& e, const std::stop_token& end) {
             job.error.clear();
             std::error_code none;
             fs::remove(record(job.id), none);
-            fs::remove_all(library_.own("looks") / job.id, none);
         } else {
             job.state = JobState::failed;
             job.error = failure.empty() ? why_it_failed(job, code, folder_) : failure;
@@ -264,20 +267,13 @@ void JobQueue::wait_for_other(Entry& e, const std::stop_token& stop) {
     }
 }
 
-// A picture within seconds; that it fails is no reason to stop: the job itself will tell why.
 void JobQueue::make_look(Entry& e, const std::stop_token& stop) {
-    if (e.job.look.empty() || !look(e.job.id).empty()) return;
-    if (fs::exists(RunFolder{library_.root() / e.job.id}.panorama_color())) return;
-    const std::vector<std::string> arguments = with_flags(
-        e.job.look, {"-o", (library_.own("looks") / e.job.id).string(), "--progress", "none"});
+    if (e.job.look.empty() || fs::exists(RunFolder{library_.root() / e.job.id}.panorama_color())) return;
     {
         const std::lock_guard lock(mutex_);
         e.job.work = "look";
     }
-    const fs::path said = folder_ / (e.job.id + ".look.log");
-    std::error_code none;
-    fs::remove(said, none);
-    run_program(params_.program, arguments, {said, {}, stop, {}});
+    looks_.make(e.job.look, stop);
     board_.changed();
 }
 

@@ -15,6 +15,7 @@
 #include "fastscene/studio/board.h"
 #include "fastscene/studio/job.h"
 #include "fastscene/studio/library.h"
+#include "fastscene/studio/looks.h"
 
 namespace fastscene::studio {
 
@@ -26,7 +27,7 @@ struct QueueParams {
 class JobQueue {
   public:
     // Reads the jobs that an earlier studio left.
-    JobQueue(Library& library, Board& board, QueueParams params);
+    JobQueue(Library& library, Board& board, Looks& looks, QueueParams params);
     ~JobQueue();  // stops the running job; it waits for the next studio
 
     void add(Job job);
@@ -63,6 +64,7 @@ class JobQueue {
 
     Library& library_;
     Board& board_;
+    Looks& looks_;
     QueueParams params_;
     std::filesystem::path folder_;
     mutable std::mutex mutex_;

@@ -27,9 +27,12 @@ class Studio : public testing::Test {
     // As a run on disk: what a gallery reads of it.
     void add_scene(const std::string& name, const std::string& prompt = "a bedroom") const {
         make_directories(root / name);
-        write_json(root / name / "run.json",
-                   {{"prompt", prompt}, {"identity", "x"}, {"contents", Json::object()}, {"seed", 3},
-                    {"quality", "draft"}, {"params", Json::object()}});
+        write_json(root / name / "run.json", {{"prompt", prompt},
+                                              {"identity", "x"},
+                                              {"contents", Json::object()},
+                                              {"seed", 3},
+                                              {"quality", "draft"},
+                                              {"params", Json::object()}});
     }
     // A program in place of fastscene: it tells of progress, writes a panorama, and does what its prompt says.
     fs::path program() const {
@@ -67,9 +70,9 @@ bool soon(const Condition& condition) {
 
 TEST_F(Studio, NamesOfScenesAreSingleVisibleFolders) {
     for (const char* good : {"bedroom", "a b", "büro", "x.y", "-"}) EXPECT_TRUE(is_scene_name(good)) << good;
-    for (const std::string& bad : {std::string(""), std::string("."), std::string(".."), std::string(".studio"),
-                                   std::string("a/b"), std::string("a\\b"), std::string("a\0b", 3),
-                                   std::string(201, 'a')})
+    for (const std::string& bad :
+         {std::string(""), std::string("."), std::string(".."), std::string(".studio"), std::string("a/b"),
+          std::string("a\\b"), std::string("a\0b", 3), std::string(201, 'a')})
         EXPECT_FALSE(is_scene_name(bad)) << bad;
 }
 
@@ -84,8 +87,8 @@ TEST_F(Studio, NoPathLeavesAScene) {
     fs::create_directory_symlink(root / "other", root / "bedroom/folder");
     fs::create_directory_symlink(root / "other", root / "linked");
     EXPECT_TRUE(library.file("bedroom", "panorama/color.png"));
-    for (const char* path : {"../secret", "../other/run.json", "panorama/../run.json", "/etc/passwd", "", ".", "link.txt",
-                             "folder/run.json", "panorama", "panorama//color.png/..", "..\\secret"})
+    for (const char* path : {"../secret", "../other/run.json", "panorama/../run.json", "/etc/passwd", "", ".",
+                             "link.txt", "folder/run.json", "panorama", "panorama//color.png/..", "..\\secret"})
         EXPECT_FALSE(library.file("bedroom", path)) << path;
     EXPECT_FALSE(library.file("linked", "run.json"));
     EXPECT_FALSE(library.file("..", "etc/passwd"));
@@ -154,7 +157,9 @@ struct Running {
     int status(std::vector<std::string> path, const Json& body = Json::object()) {
         return api.answer({"POST", std::move(path), body}).status;
     }
-    std::string make(const std::string& prompt) { return post({"jobs"}, {{"prompt", prompt}, {"quality", "draft"}})["id"]; }
+    std::string make(const std::string& prompt) {
+        return post({"jobs"}, {{"prompt", prompt}, {"quality", "draft"}})["id"];
+    }
     Json job(const std::string& id) {
         const Json live = api.live();
         for (const Json& job : live["jobs"])

@@ -44,7 +44,9 @@ class WebServer : public testing::Test {
         thread_.join();
         fs::remove_all(root_);
     }
-    int get(const std::string& path, const Headers& headers = {}) { return client_->Get(path.c_str(), headers)->status; }
+    int get(const std::string& path, const Headers& headers = {}) {
+        return client_->Get(path.c_str(), headers)->status;
+    }
     int post(const std::string& path, const Headers& headers, const std::string& type = "application/json") {
         return client_->Post(path.c_str(), headers, R"({"prompt":"a bedroom"})", type.c_str())->status;
     }
@@ -65,7 +67,8 @@ TEST_F(WebServer, OnlyThePageOfThisMachineIsAnswered) {
     EXPECT_EQ(get("/"), 200);
     EXPECT_EQ(get("/api/live"), 200);
     EXPECT_EQ(get("/", {{"Host", "evil.example"}}), 403);
-    EXPECT_EQ(get("/files/bedroom/viewer.html", {{"Sec-Fetch-Site", "cross-site"}, {"Sec-Fetch-Mode", "no-cors"}}), 403);
+    EXPECT_EQ(get("/files/bedroom/viewer.html", {{"Sec-Fetch-Site", "cross-site"}, {"Sec-Fetch-Mode", "no-cors"}}),
+              403);
     EXPECT_EQ(get("/", {{"Sec-Fetch-Site", "cross-site"}, {"Sec-Fetch-Mode", "navigate"}}), 200);
     EXPECT_EQ(post("/api/plan", {{"Origin", own}}), 200);
     EXPECT_EQ(post("/api/plan", {{"Origin", "http://evil.example"}}), 403);
@@ -116,7 +119,8 @@ TEST_F(WebServer, WithATokenNothingIsAnsweredWithoutIt) {
     EXPECT_NE(cookie.find("HttpOnly; SameSite=Strict"), std::string::npos) << cookie;
     const Headers known{{"Cookie", "a=b; fastscene_studio=0123456789abcdef"}};
     EXPECT_EQ(get("/api/live", known), 200);
-    EXPECT_EQ(post("/api/plan", {{"Cookie", "fastscene_studio=0123456789abcdef"}, {"Origin", "http://evil.example"}}), 403);
+    EXPECT_EQ(post("/api/plan", {{"Cookie", "fastscene_studio=0123456789abcdef"}, {"Origin", "http://evil.example"}}),
+              403);
 }
 
 TEST_F(WebServer, APortInUseIsSaid) {

@@ -85,9 +85,9 @@ export const Editor = ({ scene }: { scene: SceneDetails }) => {
                 {!thing && <p class="hint">{t.nothing_selected}</p>}
                 {thing && <><p class="hint">{thing.color_name || thing.material ? `${[thing.color_name, thing.material].filter(Boolean).join(', ')} · ` : ''}{thing.w.toFixed(2)} × {thing.d.toFixed(2)} × {thing.h.toFixed(2)} {t.metres}. {t.move_help}</p>
                     <div class="row" role="group" aria-label={t.turn}>
-                        <button aria-label={t.turn_left} disabled={busy} onClick={() => turn(thing, -15)}>↺ 15°</button>
-                        <button aria-label={t.turn_right} disabled={busy} onClick={() => turn(thing, 15)}>↻ 15°</button>
-                        <button disabled={busy} onClick={() => turn(thing, 90)}>↻ 90°</button>
+                        <button aria-label={t.turn_left} disabled={busy} onClick={() => turn(thing, 15)}>↺ 15°</button>
+                        <button aria-label={t.turn_right} disabled={busy} onClick={() => turn(thing, -15)}>↻ 15°</button>
+                        <button disabled={busy} onClick={() => turn(thing, -90)}>↻ 90°</button>
                         <button class="danger" disabled={busy} onClick={() => remove(thing)}>{t.remove}</button></div>
                     <Colors label={t.color} onPick={(looks) => change({ op: 'recolor', id: thing.id, looks })} />
                     <label>{t.material}<select value="" disabled={busy} onChange={(e) => { change({ op: 'recolor', id: thing.id, looks: e.currentTarget.value }); e.currentTarget.value = ''; }}><option value="">{thing.material || t.as_is}</option>{materials.map((m) => <option key={m}>{m}</option>)}</select></label></>}

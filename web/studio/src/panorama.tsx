@@ -59,9 +59,9 @@ const load = async (gl: WebGL2RenderingContext, unit: number, url: string) => {
 
 const clamp = (x: number, low: number, high: number) => Math.min(high, Math.max(low, x));
 
-export const Panorama = ({ url, before, label }: { url: string; before?: string; label: string }) => {
+export const Panorama = ({ url, before, label, yaw = 0 }: { url: string; before?: string; label: string; yaw?: number }) => {
     const canvas = useRef<HTMLCanvasElement>(null), frame = useRef<HTMLDivElement>(null);
-    const view = useRef({ yaw: 0, pitch: -0.12, fov: 1.35, split: 0 });
+    const view = useRef({ yaw, pitch: -0.12, fov: 1.35, split: 0 });
     const draw = useRef(() => {});
     const [split, setSplit] = useState(before ? 0.5 : 0);
     const [compare, setCompare] = useState(Boolean(before));

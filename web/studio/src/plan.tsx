@@ -1,4 +1,5 @@
 // A floor plan: walls, openings, and things in their colors, seen from above. Selected and moved where it may be edited.
+// The far wall (+z) is at the top. The room's frame is right-handed with y up: seen from above, +x is at the left.
 import type { JSX } from 'preact';
 import { useMemo, useRef, useState } from 'preact/hooks';
 import type { PlanView, Thing } from './api';
@@ -88,8 +89,8 @@ const label = (thing: Thing) => {
     if (thing.w * thing.d < 0.3 || thing.flat || thing.mount !== 'floor') return null;
     const words = thing.name.split(' '), two = thing.name.length * 0.075 > thing.w && words.length > 1;
     const dark = luminance(thing.color) < 0.42;
-    return <text class="plan-name" x={thing.cx} y={-thing.cz + 0.045} fill={dark ? '#fff' : '#1d1813'} stroke={dark ? '#0007' : '#fff9'}>
-        {two ? words.map((word, i) => <tspan key={i} x={thing.cx} dy={i ? 0.14 : -0.07 * (words.length - 1)}>{word}</tspan>) : thing.name}</text>;
+    return <text class="plan-name" x={-thing.cx} y={-thing.cz + 0.045} fill={dark ? '#fff' : '#1d1813'} stroke={dark ? '#0007' : '#fff9'}>
+        {two ? words.map((word, i) => <tspan key={i} x={-thing.cx} dy={i ? 0.14 : -0.07 * (words.length - 1)}>{word}</tspan>) : thing.name}</text>;
 };
 
 export const Plan = ({ view, label: name, selected, onSelect, onMove, onTurn, onRemove, busy }: Props) => {
@@ -103,7 +104,8 @@ export const Plan = ({ view, label: name, selected, onSelect, onMove, onTurn, on
     }, [view]);
     const metres = (event: PointerEvent) => {
         const m = svg.current!.getScreenCTM()!.inverse();
-        return new DOMPoint(event.clientX, event.clientY).matrixTransform(m);
+        const p = new DOMPoint(event.clientX, event.clientY).matrixTransform(m);
+        return { x: -p.x, y: p.y };
     };
     const down = (thing: Thing) => (event: PointerEvent) => {
         if (!onSelect) return;
@@ -127,9 +129,9 @@ export const Plan = ({ view, label: name, selected, onSelect, onMove, onTurn, on
         setDrag(null);
     };
     const key = (thing: Thing) => (event: KeyboardEvent) => {
-        const by = { ArrowLeft: [-step, 0], ArrowRight: [step, 0], ArrowUp: [0, step], ArrowDown: [0, -step] }[event.key];
+        const by = { ArrowLeft: [step, 0], ArrowRight: [-step, 0], ArrowUp: [0, step], ArrowDown: [0, -step] }[event.key];
         if (by && onMove && !busy) onMove(thing, thing.x + by[0], thing.z + by[1]);
-        else if ((event.key === 'r' || event.key === 'R') && !event.ctrlKey && !event.metaKey) onTurn?.(thing, event.shiftKey ? -15 : 15);
+        else if ((event.key === 'r' || event.key === 'R') && !event.ctrlKey && !event.metaKey) onTurn?.(thing, event.shiftKey ? 15 : -15);
         else if (event.key === 'Delete' || event.key === 'Backspace') onRemove?.(thing);
         else if (event.key === 'Enter' || event.key === ' ') onSelect?.(thing.id);
         else return;
@@ -139,16 +141,16 @@ export const Plan = ({ view, label: name, selected, onSelect, onMove, onTurn, on
     return <svg ref={svg} class="plan" viewBox={`${x0 - margin} ${y0 - margin} ${w + 2 * margin} ${d + 2 * margin}`} role={onSelect ? 'group' : 'img'} aria-label={name}
         onPointerDown={() => onSelect?.('')}>
         <defs>{floorLines(view)}
-            <clipPath id="inside"><rect x={x0} y={y0} width={w} height={d} /></clipPath></defs>
+        </defs>
+        <g transform="scale(-1 1)">
         <rect class="plan-wall" x={x0 - thickness} y={y0 - thickness} width={w + 2 * thickness} height={d + 2 * thickness} rx={0.02} />
         <rect x={x0} y={y0} width={w} height={d} fill="url(#floor)" />
         {view.blocks.map((b, i) => <rect key={i} class="plan-wall" x={b.low[0] - 0.01} y={-b.high[1] - 0.01} width={b.high[0] - b.low[0] + 0.02} height={b.high[1] - b.low[1] + 0.02} />)}
         {view.openings.map((o, i) => {
             const [ax, az] = o.a, [bx, bz] = o.b, long = Math.hypot(bx - ax, bz - az);
-            const outward = [[0, -1], [1, 0], [0, 1], [-1, 0]][o.wall] ?? [0, 0];
             const angle = Math.atan2(-(bz - az), bx - ax) * 180 / Math.PI;
             // Along the wall from a to b; outside is at negative y of this frame.
-            return <g key={i} transform={`translate(${ax} ${-az}) rotate(${angle})`} class={`plan-${o.kind}`} data-out={outward.join()}>
+            return <g key={i} transform={`translate(${ax} ${-az}) rotate(${angle})`} class={`plan-${o.kind}`}>
                 <rect class="plan-gap" x={0} y={-thickness - 0.01} width={long} height={thickness + 0.02} />
                 {o.kind === 'window' && <path d={`M0 ${-thickness}H${long}M0 ${-thickness / 2}H${long}M0 0H${long}`} />}
                 {o.kind === 'door' && <path d={`M0 0V${long}A${long} ${long} 0 0 0 ${long} 0`} fill="none" />}</g>;
@@ -164,6 +166,7 @@ export const Plan = ({ view, label: name, selected, onSelect, onMove, onTurn, on
                 {onSelect && <rect class="plan-hit" x={-Math.max(thing.w, 0.2) / 2} y={-Math.max(thing.d, 0.2) / 2} width={Math.max(thing.w, 0.2)} height={Math.max(thing.d, 0.2)} rx={0.04} />}
             </g>;
         })}
+        </g>
         <g aria-hidden="true">{things.map((thing) => (!drag || !riders(thing.id, drag.id)) && <g key={thing.id}>{label(thing)}</g>)}
             <g class="plan-dimension">
                 <path d={`M${x0} ${y0 - 0.34}H${-x0}M${x0} ${y0 - 0.39}v0.1M${-x0} ${y0 - 0.39}v0.1M${x0 - 0.34} ${y0}V${-y0}M${x0 - 0.39} ${y0}h0.1M${x0 - 0.39} ${-y0}h0.1`} />

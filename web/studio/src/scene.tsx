@@ -1,6 +1,6 @@
 // One scene: walk in it, look around, change its room, take it along.
 import { useEffect, useMemo, useState } from 'preact/hooks';
-import { fileUrl, get, part, Refused, type Download, type SceneDetails } from './api';
+import { fileUrl, get, part, Refused, type Download, type Draft, type SceneDetails } from './api';
 import { Editor } from './editor';
 import { hasWebGL, Panorama } from './panorama';
 import { fail, go, notify } from './store';
@@ -18,12 +18,24 @@ const Walk = ({ scene }: { scene: SceneDetails }) => {
         <p class="under-stage"><span class="hint">{t.walk_keys}</span> <a href={page} target="_blank" rel="noopener">{t.new_window}</a></p></>;
 };
 
+// Where the first thing that was changed is seen from the camera: radians to the right of the picture's middle.
+const yawOfChange = async (scene: SceneDetails) => {
+    const { view } = await get<Draft>(`scenes/${part(scene.name)}/draft`);
+    const thing = view.things.find((one) => scene.changes.some((c) => c.id === one.id));
+    if (!thing) return 0;
+    const [lx, lz] = view.looks, dx = thing.cx - view.camera[0], dz = thing.cz - view.camera[1];
+    return Math.atan2(dz * lx - dx * lz, dx * lx + dz * lz);
+};
+
 const Around = ({ scene }: { scene: SceneDetails }) => {
     const [webgl] = useState(hasWebGL);
+    const [yaw, setYaw] = useState<number | null>(scene.has_before ? null : 0);
+    useEffect(() => { if (yaw === null) yawOfChange(scene).catch(() => 0).then(setYaw); }, []);
     const url = `${fileUrl(scene.name, 'panorama/color.png')}?${scene.made}`;
     if (!scene.has_panorama) return <p class="empty">{t.no_walk}</p>;
     if (!webgl) return <div class="stage"><p class="stage-message" role="status">{t.no_webgl}</p><img src={url} alt={scene.title} /></div>;
-    return <><Panorama url={url} before={scene.has_before ? fileUrl(scene.from, 'panorama/color.png') : undefined} label={scene.title} />
+    if (yaw === null) return <p class="loading" role="status">…</p>;
+    return <><Panorama yaw={yaw} url={url} before={scene.has_before ? fileUrl(scene.from, 'panorama/color.png') : undefined} label={scene.title} />
         <p class="under-stage hint">{t.panorama_help}</p></>;
 };
 

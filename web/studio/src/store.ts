@@ -5,8 +5,8 @@ import { t } from './text';
 
 export interface Notice { id: number; text: string; action?: { label: string; run: () => void }; bad?: boolean }
 
-interface Shared { state: State | null; jobs: Job[]; notices: Notice[]; online: boolean; path: string }
-const shared: Shared = { state: null, jobs: [], notices: [], online: true, path: location.pathname };
+interface Shared { state: State | null; jobs: Job[]; notices: Notice[]; online: boolean; path: string; look: string }
+const shared: Shared = { state: null, jobs: [], notices: [], online: true, path: location.pathname, look: '' };
 const listeners = new Set<() => void>();
 const tell = () => listeners.forEach((listener) => listener());
 
@@ -76,7 +76,8 @@ const listen = () => {
     source = new EventSource('/api/events');
     source.onopen = () => { if (!shared.online) refresh(); };
     source.onmessage = (event) => {
-        const { jobs } = JSON.parse(event.data) as { jobs: Job[] };
+        const { jobs, look } = JSON.parse(event.data) as { jobs: Job[]; look: string };
+        shared.look = look;
         const scenes = ended(jobs) !== ended(shared.jobs) || jobs.length !== shared.jobs.length;
         tellEnds(shared.jobs, jobs);
         shared.jobs = jobs;
