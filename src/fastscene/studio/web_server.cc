@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <cstdlib>
 #include <memory>
 #include <thread>
 
@@ -291,6 +292,12 @@ class WebServer {
         if (request.get_header_value("Content-Type") != "application/octet-stream") {
             skip();
             return send_json(response, 415, {{"error", "expected application/octet-stream"}});
+        }
+        if (std::strtoll(request.get_header_value("Content-Length").c_str(), nullptr, 10) > kMostUploadBytes) {
+            skip();
+            return send_json(
+                response, 413,
+                {{"error", fmt::format("larger than {} MB: make the picture smaller", kMostUploadBytes >> 20)}});
         }
         const std::vector<std::string> parts = parts_of(request.path);
         const std::string kind = parts.size() == 3 ? parts[2] : "", name = request.get_param_value("name");

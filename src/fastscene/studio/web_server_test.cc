@@ -123,6 +123,16 @@ TEST_F(WebServer, WithATokenNothingIsAnsweredWithoutIt) {
               403);
 }
 
+TEST_F(WebServer, WhatIsTooLargeIsNotKept) {
+    start();
+    const std::string large(static_cast<std::size_t>(kMostUploadBytes) + 1, 'x');
+    const auto answer = client_->Post("/api/upload/panorama?name=a.png", large, "application/octet-stream");
+    ASSERT_TRUE(answer);
+    EXPECT_EQ(answer->status, 413);
+    EXPECT_NE(answer->body.find("64 MB"), std::string::npos) << answer->body;
+    EXPECT_EQ(get("/api/live"), 200);
+}
+
 TEST_F(WebServer, APortInUseIsSaid) {
     start();
     WebParams same = params_;

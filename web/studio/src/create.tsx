@@ -1,6 +1,7 @@
 // A sentence becomes a scene: what is understood of it and the plan of the room appear while it is typed.
 import { useEffect, useMemo, useRef, useState } from 'preact/hooks';
 import { post, Refused, upload, type Reading, type Upload } from './api';
+import { hasWebGL, Panorama } from './panorama';
 import { Plan } from './plan';
 import { Queue } from './queue';
 import { fail, go, notify, refresh, useShared } from './store';
@@ -171,6 +172,9 @@ export const Create = () => {
                     {cost && <span class="hint">{t.about} {minutes(cost.seconds)}, {cost.gib.toFixed(1)} GB {t.memory}</span>}</div>
                 {cost && free > 0 && cost.gib > free && <p class="problem">{fill(t.low_memory, free.toFixed(1))}</p>}
             </div>
+            {panorama && /\.(png|jpe?g|webp)$/.test(panorama.id) && hasWebGL() && <figure class="create-plan own-view">
+                <Panorama key={panorama.id} url={`/api/uploads/${encodeURIComponent(panorama.id)}`} label={panorama.name} />
+                <figcaption>{t.panorama_help}</figcaption></figure>}
             {!panorama && <figure class="create-plan">
                 {view ? <Plan view={view} label={t.plan_of} /> : <div class="plan-empty"><svg viewBox="0 0 200 140" aria-hidden="true"><path d="M10 10H190V130H120M80 130H10V10M80 130A40 40 0 0 1 120 90M120 130V90M60 10v8H110v-8" /></svg><p>{t.plan_waits}</p></div>}
                 {view && seen && <img class={`create-look ${seen === wished ? '' : 'is-old'}`} key={seen} src={`/api/looks/${seen}`} alt={t.look_alt} />}
