@@ -87,6 +87,7 @@ try {
     expect(/not understood\s+kraken/.test(fates) && /understood\s+cozy/.test(fates), 'words have their fates in words');
     await usable(page, 'create');
     await legible(page, 'create');
+    await until('a picture of a sentence that rests', async () => await page.locator('.look').count() > 0);
     await shot(page, 'create');
 
     await page.focus('textarea');

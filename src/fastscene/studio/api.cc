@@ -249,6 +249,11 @@ ApiAnswer Api::post_scene(const std::string& scene, const std::string& what, con
     }
     if (what == "edit")
         return {200, drafts_.edit(scene, field<int>(body, "revision", -1), body.value("step", Json::object())), {}, {}};
+    if (what == "look") {
+        const std::vector<std::string> wished = look_of_draft(scene);
+        looks_.wish(wished);
+        return {200, {{"key", Looks::key_of(wished)}}, {}, {}};
+    }
     if (what == "remake") return {200, remake(scene, body), {}, {}};
     if (what == "complete") {
         complete(scene);
@@ -285,6 +290,11 @@ Json Api::create(const Json& body) {
     return out;
 }
 
+std::vector<std::string> Api::look_of_draft(const std::string& scene) {
+    return {"panorama", "--room", looks_.room_file(drafts_.room(scene)).string(), "--seed",
+            library_.scene(scene).at("seed").dump()};
+}
+
 Json Api::remake(const std::string& scene, const Json& body) {
     const Json before = library_.scene(scene);
     const std::string title = before.at("title");
@@ -301,8 +311,7 @@ Json Api::remake(const std::string& scene, const Json& body) {
     library_.note_origin(job.id, scene, made.changes);
     job.arguments = {"edit", (library_.root() / scene).string(), "--room", made.room.string(),
                      "-o",   (library_.root() / job.id).string()};
-    job.look = {"panorama", "--room", made.room.string(), "--seed", before.at("seed").dump()};
-    looks_.forget(job.look);
+    job.look = look_of_draft(scene);
     job.request = {{"title", title}, {"seed", before.at("seed")}, {"quality", before.at("quality")},
                    {"from", scene},  {"changes", made.changes},   {"command", command_line(job.arguments)}};
     const Json out{{"id", job.id}};

@@ -60,6 +60,7 @@ class Api {
     Json create(const Json& body);
     Json remake(const std::string& scene, const Json& body);
     void complete(const std::string& scene);
+    std::vector<std::string> look_of_draft(const std::string& scene);
 
     Library& library_;
     Board& board_;

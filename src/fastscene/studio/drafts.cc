@@ -165,6 +165,13 @@ Drafts::Made Drafts::write(const std::string& scene, int revision, const std::st
     return {room, state.now.at("changes")};
 }
 
+std::string Drafts::room(const std::string& scene) {
+    const std::lock_guard lock(mutex_);
+    const State state = load(scene);
+    if (state.now.is_null()) throw Refusal(409, "nothing was changed yet");
+    return state.now.at("document").dump(2);
+}
+
 void Drafts::drop(const std::string& scene) {
     const std::lock_guard lock(mutex_);
     std::error_code none;

@@ -29,6 +29,8 @@ class Drafts {
         Json changes;
     };
     Made write(const std::string& scene, int revision, const std::string& new_scene);
+    // The edited room. Throws Refusal 409 if nothing was edited.
+    std::string room(const std::string& scene);
     void drop(const std::string& scene);
 
   private:

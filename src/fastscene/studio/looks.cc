@@ -28,7 +28,7 @@ const std::vector<std::string> kCoarse{"--quality",
                                        "--progress",
                                        "none"};
 constexpr int kNiceness = 10;           // of a wish: scenes in the making go first
-constexpr std::size_t kMostLooks = 48;  // kept; each has some hundred kilobytes
+constexpr std::size_t kMostLooks = 96;  // with the rooms; each has some hundred kilobytes
 
 }  // namespace
 
@@ -54,9 +54,10 @@ fs::path Looks::picture(const std::string& key) const {
     return is_scene_name(key) && fs::exists(picture) ? picture : fs::path();
 }
 
-void Looks::forget(const std::vector<std::string>& arguments) const {
-    std::error_code none;
-    fs::remove_all(library_.own("looks") / key_of(arguments), none);
+fs::path Looks::room_file(std::string_view document) const {
+    const fs::path file = library_.own("looks") / ("room-" + Hash().add(std::string(document)).hex() + ".json");
+    if (!fs::exists(file)) write_file(file, document);
+    return file;
 }
 
 std::string Looks::latest() const {
@@ -127,7 +128,7 @@ void Looks::work(const std::stop_token& end) {
 void Looks::forget_old() const {
     std::vector<fs::path> all;
     for (const auto& entry : fs::directory_iterator(library_.own("looks")))
-        if (entry.is_directory()) all.push_back(entry.path());
+        if (entry.path().filename() != "log") all.push_back(entry.path());
     if (all.size() < kMostLooks) return;
     std::sort(all.begin(), all.end(),
               [](const fs::path& a, const fs::path& b) { return fs::last_write_time(a) < fs::last_write_time(b); });

@@ -8,6 +8,7 @@
 #include <optional>
 #include <stop_token>
 #include <string>
+#include <string_view>
 #include <thread>
 #include <vector>
 
@@ -23,6 +24,8 @@ class Looks {
 
     // The picture's name for arguments of `panorama`, without those for its size and folder.
     static std::string key_of(const std::vector<std::string>& arguments);
+    // A room's document as a file to look at: the same text, the same file.
+    std::filesystem::path room_file(std::string_view document) const;
     // Empty while there is none.
     std::filesystem::path picture(const std::string& key) const;
 
@@ -31,8 +34,6 @@ class Looks {
     // Makes it now, or waits until the wish for the same is fulfilled. That it fails is no error: whoever makes the
     // scene learns why. Throws Stopped.
     void make(const std::vector<std::string>& arguments, const std::stop_token& stop);
-    // For a room document that has changed under its name.
-    void forget(const std::vector<std::string>& arguments) const;
     // The wish that was fulfilled last.
     std::string latest() const;
 

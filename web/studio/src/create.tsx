@@ -2,6 +2,7 @@
 import { useEffect, useMemo, useRef, useState } from 'preact/hooks';
 import { post, Refused, upload, type Reading, type Upload } from './api';
 import { hasWebGL, Panorama } from './panorama';
+import { Look, useLook } from './look';
 import { Plan } from './plan';
 import { Queue } from './queue';
 import { fail, go, notify, refresh, useShared } from './store';
@@ -12,7 +13,6 @@ const examples = language === 'de'
     ? ['ein gemütliches Schlafzimmer mit rotem Sessel und großem Fenster', 'ein japanisches Wohnzimmer mit zwei Pflanzen', 'eine helle Küche mit Holzboden am Morgen']
     : ['a cozy bedroom with a red armchair and a large window', 'an art deco study at night with a green sofa', 'a japandi living room with two plants by the window', 'a bright kitchen with a wooden floor in the morning'];
 const pause_ms = 90;   // after the last key, before the sentence is read
-const rest_ms = 1200;  // … and before a picture is made of it
 const moment_ms = 25;  // for a click: nothing follows it
 
 const fates = { understood: '✓', approximated: '≈', not_understood: '✕' } as const;
@@ -93,7 +93,7 @@ const remembered = (key: string) => { try { return sessionStorage.getItem(key) ?
 const remember = (key: string, value: string) => { try { sessionStorage.setItem(key, value); } catch { /* private window */ } };
 
 export const Create = () => {
-    const { state, jobs, look } = useShared();
+    const { state, jobs } = useShared();
     const [sentence, setSentence] = useState(remembered('sentence'));
     const [style, setStyle] = useState(''), [hour, setHour] = useState(''), [seed, setSeed] = useState(0);
     const [quality, setQuality] = useState(remembered('quality') || 'draft');
@@ -123,14 +123,7 @@ export const Create = () => {
         return () => { clearTimeout(timer); abort.abort(); };
     }, [prompt, seed, quality]);
 
-    // A picture of the room, once the sentence rests.
-    const [wished, setWished] = useState(''), [seen, setSeen] = useState('');
-    useEffect(() => {
-        if (!reading || panorama || !sentence.trim()) return;
-        const timer = setTimeout(() => post<{ key: string }>('look', { prompt, seed }).then(({ key }) => setWished(key)).catch(() => {}), rest_ms);
-        return () => clearTimeout(timer);
-    }, [prompt, seed, Boolean(reading), Boolean(panorama)]);
-    useEffect(() => { if (look && look === wished) setSeen(look); }, [look, wished]);
+    const seen = useLook(reading && !panorama && sentence.trim() ? `${seed} ${prompt}` : '', () => post('look', { prompt, seed }));
 
     const make = async () => {
         if (busy || (!sentence.trim() && !panorama)) return;
@@ -177,7 +170,7 @@ export const Create = () => {
                 <figcaption>{t.panorama_help}</figcaption></figure>}
             {!panorama && <figure class="create-plan">
                 {view ? <Plan view={view} label={t.plan_of} /> : <div class="plan-empty"><svg viewBox="0 0 200 140" aria-hidden="true"><path d="M10 10H190V130H120M80 130H10V10M80 130A40 40 0 0 1 120 90M120 130V90M60 10v8H110v-8" /></svg><p>{t.plan_waits}</p></div>}
-                {view && seen && <img class={`create-look ${seen === wished ? '' : 'is-old'}`} key={seen} src={`/api/looks/${seen}`} alt={t.look_alt} />}
+                {view && <Look look={seen} />}
                 {view && <figcaption><strong>{view.type}</strong> · {view.style} · {view.width.toFixed(1)} × {view.depth.toFixed(1)} {t.metres} · {view.height.toFixed(1)} {t.metres} {t.high} · {view.hour}</figcaption>}
             </figure>}
         </section>

@@ -2,6 +2,7 @@
 // The server keeps the draft; each change names the revision that it was made on.
 import { useEffect, useRef, useState } from 'preact/hooks';
 import { get, part, post, Refused, type Draft, type SceneDetails, type Thing } from './api';
+import { Look, useLook } from './look';
 import { Plan } from './plan';
 import { fail, go, notify, useShared } from './store';
 import { minutes, t } from './text';
@@ -60,6 +61,7 @@ export const Editor = ({ scene }: { scene: SceneDetails }) => {
         }
         setBusy(false);
     };
+    const look = useLook(draft && draft.changes.length > 0 ? String(draft.revision) : '', () => post(`scenes/${part(scene.name)}/look`));
     if (!draft) return <p class="loading" role="status">…</p>;
     const thing = draft.view.things.find((one) => one.id === selected);
     const move = (one: Thing, x: number, z: number) => change({ op: 'move', id: one.id, x, z, yaw_deg: one.yaw_deg });
@@ -75,8 +77,9 @@ export const Editor = ({ scene }: { scene: SceneDetails }) => {
                 {draft.changes.length === 0 ? <p class="hint">{t.no_changes}</p> : <p class="hint">{t.saved_later}</p>}
                 <button class="primary" disabled={busy || draft.changes.length === 0} onClick={make}>{t.remake}{cost ? ` · ${t.about} ${minutes(cost.seconds)}` : ''}</button></section>;
     return <div class="editor">
-        <div class={`editor-plan ${busy ? 'is-busy' : ''}`}>
+        <div class={`editor-plan ${busy ? 'is-busy' : ''} ${look.key ? 'has-look' : ''}`}>
             <Plan view={draft.view} label={t.plan} selected={selected} onSelect={setSelected} onMove={move} onTurn={turn} onRemove={remove} busy={busy} />
+            <Look look={look} />
         </div>
         <aside class="inspector">
             <section>
