@@ -26,12 +26,17 @@ export const hasWebGL = () => {
         const context = document.createElement('canvas').getContext('webgl2');
         context?.getExtension('WEBGL_lose_context')?.loseContext();
         return context !== null;
-    } catch { return false; }
+    } catch {
+        return false;
+    }
 };
 
 const compiled = (gl: WebGL2RenderingContext) => {
     const program = gl.createProgram()!;
-    for (const [kind, text] of [[gl.VERTEX_SHADER, vertex], [gl.FRAGMENT_SHADER, fragment]] as const) {
+    for (const [kind, text] of [
+        [gl.VERTEX_SHADER, vertex],
+        [gl.FRAGMENT_SHADER, fragment],
+    ] as const) {
         const shader = gl.createShader(kind)!;
         gl.shaderSource(shader, text);
         gl.compileShader(shader);
@@ -48,7 +53,8 @@ const load = async (gl: WebGL2RenderingContext, unit: number, url: string) => {
     image.src = url;
     await image.decode();
     const most = gl.getParameter(gl.MAX_TEXTURE_SIZE) as number;
-    const source = image.width > most ? await createImageBitmap(image, { resizeWidth: most, resizeHeight: most / 2 }) : image;
+    const source =
+        image.width > most ? await createImageBitmap(image, { resizeWidth: most, resizeHeight: most / 2 }) : image;
     gl.activeTexture(gl.TEXTURE0 + unit);
     gl.bindTexture(gl.TEXTURE_2D, gl.createTexture());
     gl.texImage2D(gl.TEXTURE_2D, 0, gl.RGBA, gl.RGBA, gl.UNSIGNED_BYTE, source);
@@ -59,8 +65,19 @@ const load = async (gl: WebGL2RenderingContext, unit: number, url: string) => {
 
 const clamp = (x: number, low: number, high: number) => Math.min(high, Math.max(low, x));
 
-export const Panorama = ({ url, before, label, yaw = 0 }: { url: string; before?: string; label: string; yaw?: number }) => {
-    const canvas = useRef<HTMLCanvasElement>(null), frame = useRef<HTMLDivElement>(null);
+export const Panorama = ({
+    url,
+    before,
+    label,
+    yaw = 0,
+}: {
+    url: string;
+    before?: string;
+    label: string;
+    yaw?: number;
+}) => {
+    const canvas = useRef<HTMLCanvasElement>(null),
+        frame = useRef<HTMLDivElement>(null);
     const view = useRef({ yaw, pitch: -0.12, fov: 1.35, split: 0 });
     const draw = useRef(() => {});
     const [split, setSplit] = useState(before ? 0.5 : 0);
@@ -72,15 +89,21 @@ export const Panorama = ({ url, before, label, yaw = 0 }: { url: string; before?
         const gl = element.getContext('webgl2', { antialias: false, alpha: false });
         if (!gl) return;
         let asked = 0;
-        const program = compiled(gl), at = (name: string) => gl.getUniformLocation(program, name);
+        const program = compiled(gl),
+            at = (name: string) => gl.getUniformLocation(program, name);
         const [size, look, cut] = [at('size'), at('view'), at('split')];
         gl.uniform1i(at('after'), 0);
         gl.uniform1i(at('before'), 1);
         draw.current = () => {
             cancelAnimationFrame(asked);
             asked = requestAnimationFrame(() => {
-                const scale = Math.min(devicePixelRatio, 2), w = Math.round(element.clientWidth * scale), h = Math.round(element.clientHeight * scale);
-                if (element.width !== w || element.height !== h) { element.width = w; element.height = h; }
+                const scale = Math.min(devicePixelRatio, 2),
+                    w = Math.round(element.clientWidth * scale),
+                    h = Math.round(element.clientHeight * scale);
+                if (element.width !== w || element.height !== h) {
+                    element.width = w;
+                    element.height = h;
+                }
                 gl.viewport(0, 0, w, h);
                 gl.uniform2f(size, w, h);
                 gl.uniform3f(look, view.current.yaw, view.current.pitch, view.current.fov);
@@ -88,11 +111,20 @@ export const Panorama = ({ url, before, label, yaw = 0 }: { url: string; before?
                 gl.drawArrays(gl.TRIANGLES, 0, 3);
             });
         };
-        const ready = () => { element.dataset.ready = 'true'; draw.current(); };
-        Promise.all([load(gl, 0, url), before ? load(gl, 1, before) : null]).then(ready).catch(fail);
+        const ready = () => {
+            element.dataset.ready = 'true';
+            draw.current();
+        };
+        Promise.all([load(gl, 0, url), before ? load(gl, 1, before) : null])
+            .then(ready)
+            .catch(fail);
         const watch = new ResizeObserver(() => draw.current());
         watch.observe(element);
-        return () => { watch.disconnect(); cancelAnimationFrame(asked); gl.getExtension('WEBGL_lose_context')?.loseContext(); };
+        return () => {
+            watch.disconnect();
+            cancelAnimationFrame(asked);
+            gl.getExtension('WEBGL_lose_context')?.loseContext();
+        };
     }, [url, before]);
     useEffect(() => draw.current(), [split, compare]);
 
@@ -119,24 +151,66 @@ export const Panorama = ({ url, before, label, yaw = 0 }: { url: string; before?
     };
     const key = (event: KeyboardEvent) => {
         const by: Record<string, [number, number, number]> = {
-            ArrowLeft: [-0.12, 0, 1], ArrowRight: [0.12, 0, 1], ArrowUp: [0, 0.1, 1], ArrowDown: [0, -0.1, 1],
-            '+': [0, 0, 0.88], '=': [0, 0, 0.88], '-': [0, 0, 1.14],
+            ArrowLeft: [-0.12, 0, 1],
+            ArrowRight: [0.12, 0, 1],
+            ArrowUp: [0, 0.1, 1],
+            ArrowDown: [0, -0.1, 1],
+            '+': [0, 0, 0.88],
+            '=': [0, 0, 0.88],
+            '-': [0, 0, 1.14],
         };
         if (!by[event.key]) return;
         turn(...by[event.key]);
         event.preventDefault();
     };
-    return <div class="stage" ref={frame}>
-        <canvas ref={canvas} tabIndex={0} role="img" aria-label={`${label}. ${t.panorama_help}`} onKeyDown={key}
-            onPointerDown={(e) => { canvas.current!.setPointerCapture(e.pointerId); pointers.current.set(e.pointerId, { x: e.clientX, y: e.clientY }); }}
-            onPointerMove={moved} onPointerUp={(e) => pointers.current.delete(e.pointerId)} onPointerCancel={(e) => pointers.current.delete(e.pointerId)}
-            onWheel={(e) => { e.preventDefault(); turn(0, 0, Math.exp(e.deltaY * 0.0012)); }} />
-        {before && compare && <>
-            <div class="split" style={{ left: `${split * 100}%` }} aria-hidden="true"><span>{t.before}</span><span>{t.after}</span></div>
-            <input class="split-range" type="range" min="0" max="1" step="0.005" value={split} aria-label={t.compare}
-                onInput={(e) => setSplit(Number(e.currentTarget.value))} /></>}
-        <div class="stage-tools">
-            {before && <button class="chip" aria-pressed={compare} onClick={() => setCompare(!compare)}>{t.compare}</button>}
-            <button class="chip" onClick={() => frame.current!.requestFullscreen().catch(fail)}>{t.full}</button></div>
-    </div>;
+    return (
+        <div class="stage" ref={frame}>
+            <canvas
+                ref={canvas}
+                tabIndex={0}
+                role="img"
+                aria-label={`${label}. ${t.panorama_help}`}
+                onKeyDown={key}
+                onPointerDown={(e) => {
+                    canvas.current!.setPointerCapture(e.pointerId);
+                    pointers.current.set(e.pointerId, { x: e.clientX, y: e.clientY });
+                }}
+                onPointerMove={moved}
+                onPointerUp={(e) => pointers.current.delete(e.pointerId)}
+                onPointerCancel={(e) => pointers.current.delete(e.pointerId)}
+                onWheel={(e) => {
+                    e.preventDefault();
+                    turn(0, 0, Math.exp(e.deltaY * 0.0012));
+                }}
+            />
+            {before && compare && (
+                <>
+                    <div class="split" style={{ left: `${split * 100}%` }} aria-hidden="true">
+                        <span>{t.before}</span>
+                        <span>{t.after}</span>
+                    </div>
+                    <input
+                        class="split-range"
+                        type="range"
+                        min="0"
+                        max="1"
+                        step="0.005"
+                        value={split}
+                        aria-label={t.compare}
+                        onInput={(e) => setSplit(Number(e.currentTarget.value))}
+                    />
+                </>
+            )}
+            <div class="stage-tools">
+                {before && (
+                    <button class="chip" aria-pressed={compare} onClick={() => setCompare(!compare)}>
+                        {t.compare}
+                    </button>
+                )}
+                <button class="chip" onClick={() => frame.current!.requestFullscreen().catch(fail)}>
+                    {t.full}
+                </button>
+            </div>
+        </div>
+    );
 };

@@ -3,9 +3,21 @@ import { useEffect, useState } from 'preact/hooks';
 import { get, part, type Job, type State } from './api';
 import { t } from './text';
 
-export interface Notice { id: number; text: string; action?: { label: string; run: () => void }; bad?: boolean }
+export interface Notice {
+    id: number;
+    text: string;
+    action?: { label: string; run: () => void };
+    bad?: boolean;
+}
 
-interface Shared { state: State | null; jobs: Job[]; notices: Notice[]; online: boolean; path: string; look: string }
+interface Shared {
+    state: State | null;
+    jobs: Job[];
+    notices: Notice[];
+    online: boolean;
+    path: string;
+    look: string;
+}
 const shared: Shared = { state: null, jobs: [], notices: [], online: true, path: location.pathname, look: '' };
 const listeners = new Set<() => void>();
 const tell = () => listeners.forEach((listener) => listener());
@@ -15,7 +27,9 @@ export const useShared = (): Shared => {
     useEffect(() => {
         const listener = () => again((n) => n + 1);
         listeners.add(listener);
-        return () => { listeners.delete(listener); };
+        return () => {
+            listeners.delete(listener);
+        };
     }, []);
     return shared;
 };
@@ -54,27 +68,42 @@ export const go = (path: string) => {
     tell();
     scrollTo(0, 0);
 };
-addEventListener('popstate', () => { shared.path = location.pathname; tell(); });
+addEventListener('popstate', () => {
+    shared.path = location.pathname;
+    tell();
+});
 
 // Scenes and costs change when a job ends; while it runs only the jobs do.
-const ended = (jobs: Job[]) => jobs.filter((j) => j.state === 'finished' || j.state === 'failed').map((j) => j.id).join();
+const ended = (jobs: Job[]) =>
+    jobs
+        .filter((j) => j.state === 'finished' || j.state === 'failed')
+        .map((j) => j.id)
+        .join();
 
 // Who looks at another page learns that a scene is ready.
 const tellEnds = (before: Job[], now: Job[]) => {
     for (const job of now) {
         const was = before.find((one) => one.id === job.id)?.state;
         if (was === job.state || was === undefined) continue;
-        if (job.state === 'finished') notify(`${job.request.title}: ${t.finished}`, { action: { label: t.open, run: () => go(`/scene/${part(job.id)}`) } });
+        if (job.state === 'finished')
+            notify(`${job.request.title}: ${t.finished}`, {
+                action: { label: t.open, run: () => go(`/scene/${part(job.id)}`) },
+            });
         if (job.state === 'failed') notify(`${job.request.title}: ${job.error}`, { bad: true });
     }
     const running = now.find((job) => job.state === 'running');
-    if (!shared.path.startsWith('/scene/')) document.title = running ? `${Math.round(100 * running.overall)} % · ${running.request.title}` : 'fastscene studio';
+    if (!shared.path.startsWith('/scene/'))
+        document.title = running
+            ? `${Math.round(100 * running.overall)} % · ${running.request.title}`
+            : 'fastscene studio';
 };
 
 let source: EventSource | null = null;
 const listen = () => {
     source = new EventSource('/api/events');
-    source.onopen = () => { if (!shared.online) refresh(); };
+    source.onopen = () => {
+        if (!shared.online) refresh();
+    };
     source.onmessage = (event) => {
         const { jobs, look } = JSON.parse(event.data) as { jobs: Job[]; look: string };
         shared.look = look;
@@ -85,7 +114,10 @@ const listen = () => {
         if (scenes) refresh();
         else tell();
     };
-    source.onerror = () => { shared.online = false; tell(); };
+    source.onerror = () => {
+        shared.online = false;
+        tell();
+    };
 };
 // A browser opens few connections to one server: pages in the background leave theirs to others.
 export const begin = () => {
@@ -93,6 +125,9 @@ export const begin = () => {
     listen();
     document.addEventListener('visibilitychange', () => {
         source?.close();
-        if (document.visibilityState === 'visible') { refresh(); listen(); }
+        if (document.visibilityState === 'visible') {
+            refresh();
+            listen();
+        }
     });
 };
