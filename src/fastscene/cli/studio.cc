@@ -1,6 +1,7 @@
 // The web app on this machine.
 #include <filesystem>
 #include <random>
+#include <thread>
 
 #include "fastscene/base/data_files.h"
 #include "fastscene/base/program.h"
@@ -80,6 +81,7 @@ void act_studio(const StudioFlags& flags, const Session& session) {
     studio::Library library(flags.folder);
     studio::Board board;
     studio::Api api(library, board, std::move(params));
+    const std::jthread warming([&] { api.warm_up(); });
     studio::serve(api, library, board, web, session.stop, [&](const std::string& address) {
         session.print(address, {{"address", address}, {"folder", library.root().string()}});
         session.run(0).note("Ctrl-C ends it; what is being made goes on at the next start");

@@ -124,6 +124,10 @@ Api::Api(Library& library, Board& board, ApiParams params)
       looks_(library, board, params_.program),
       queue_(library, board, looks_, {params_.program, params_.threads}) {}
 
+void Api::warm_up() {
+    guarded([&]() -> ApiAnswer { return {200, planner_.plan("a bedroom", 0), {}, {}}; });
+}
+
 bool Api::has_scene(const std::string& name) const {
     try {
         library_.folder(name);

@@ -41,6 +41,8 @@ class Api {
   public:
     Api(Library& library, Board& board, ApiParams params);
 
+    // Loads what the first answer would wait for: furniture, the lexicon.
+    void warm_up();
     // Never throws: errors are {"error": text} with a status.
     ApiAnswer answer(const ApiRequest& request);
     // `kind`: "panorama" or "range".

@@ -32,7 +32,7 @@ double seconds_since_1970(const fs::path& file) {
 std::string stamp_of(const RunFolder& folder) {
     std::string stamp;
     for (const fs::path& file : {folder.run_json(), folder.report_json(), folder.root / kOrigin, folder.preview_jpg(),
-                                 folder.metrics(), folder.panorama_color(), folder.viewer_html()}) {
+                                 folder.metrics() / "report.json", folder.panorama_color(), folder.viewer_html()}) {
         struct stat status {};
         const bool there = ::stat(file.c_str(), &status) == 0;
         stamp += there ? fmt::format("{}.{}.{} ", status.st_mtim.tv_sec, status.st_mtim.tv_nsec, status.st_size) : "- ";
@@ -119,8 +119,9 @@ Json Library::summary(const std::string& name) const {
     const Json origin = json_or_nothing(folder.root / kOrigin);
     out["from"] = value_or<std::string>(origin, "from", "");
     out["changes"] = origin.value("changes", Json::array());
-    const Json truth = json_or_nothing(folder.metrics() / "report.json");
-    if (truth.contains("psnr") && truth["psnr"].is_number()) out["psnr"] = truth["psnr"];
+    const Json metrics = json_or_nothing(folder.metrics() / "report.json");
+    if (const auto truth = metrics.find("truth"); truth != metrics.end() && truth->is_object())
+        if (const auto psnr = truth->find("psnr_mean"); psnr != truth->end() && psnr->is_number()) out["psnr"] = *psnr;
     return out;
 }
 

@@ -120,8 +120,11 @@ TEST_F(Studio, ADamagedSceneHidesNoOther) {
     add_scene("good", "an attic");
     add_scene("bad");
     write_file(root / "bad/run.json", std::string_view("{\"seed\": \"x\", "));
+    make_directories(root / "good/metrics");
+    write_json(root / "good/metrics/report.json", {{"truth", {{"psnr_mean", 31.5}}}});
     const Json scenes = library.scenes();
     ASSERT_EQ(scenes.size(), 2u);
+    EXPECT_EQ(library.scene("good").at("psnr"), 31.5);
     EXPECT_EQ(library.scene("good").at("title"), "an attic");
     EXPECT_EQ(library.scene("bad").at("title"), "bad");
 }
