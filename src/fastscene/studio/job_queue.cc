@@ -160,7 +160,9 @@ void JobQueue::forget(const std::string& id) {
         std::error_code none;
         fs::remove(record(id), none);
         fs::remove(log(id), none);
-        fs::remove(library_.root() / id, none);  // only if nothing was made
+        const RunFolder folder{library_.root() / id};
+        if (!fs::exists(folder.run_json())) fs::remove(folder.root / "studio.json", none);
+        fs::remove(folder.root, none);  // only if nothing was made
         entries_.remove_if([&](const Entry& other) { return &other == &e; });
     }
     board_.changed();

@@ -118,7 +118,7 @@ const FileRow = ({ scene, file, onMade }: { scene: string; file: Download; onMad
     return (
         <li class="file">
             <span class="file-name">{file.file}</span>
-            <span class="file-about">{file.about}</span>
+            <span class="file-about">{t.abouts[file.id] ?? file.about}</span>
             <span class="file-size">{busy ? t.preparing : file.bytes === null ? t.on_demand : size(file.bytes)}</span>
             <button disabled={busy} aria-label={`${t.download}: ${file.file}`} onClick={save}>
                 {t.download}
@@ -187,6 +187,9 @@ export const ScenePage = ({ name }: { name: string }) => {
     useEffect(() => {
         if (scene && !scene.has_walk && tab === 'walk' && scene.has_panorama) setTab('panorama');
     }, [scene]);
+    useEffect(() => {
+        document.getElementById(`tab-${tab}`)?.scrollIntoView({ block: 'nearest', inline: 'nearest' });
+    }, [tab, scene !== null]);
     if (lost)
         return (
             <section class="lost">
