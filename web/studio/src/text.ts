@@ -89,7 +89,7 @@ const en = {
     files: 'Files',
     back: 'All scenes',
     walk_keys:
-        'W A S D or arrows to walk, drag to look around, Shift to run. On a phone: left thumb walks, right thumb looks.',
+        'W A S D or the arrow keys walk, drag to look around, Q and E change the height. On a phone: the joystick walks.',
     new_window: 'Open in a window of its own',
     no_webgl: 'This browser shows no 3D (WebGL 2 is off): here is the panorama as a picture.',
     no_walk: 'This scene has no page to walk in yet.',
@@ -240,7 +240,7 @@ const de: typeof en = {
     files: 'Dateien',
     back: 'Alle Szenen',
     walk_keys:
-        'W A S D oder Pfeiltasten zum Gehen, ziehen zum Umsehen, Umschalt zum Laufen. Am Telefon: linker Daumen geht, rechter schaut.',
+        'W A S D oder Pfeiltasten zum Gehen, ziehen zum Umsehen, Q und E für die Höhe. Am Telefon: Joystick zum Gehen.',
     new_window: 'In eigenem Fenster öffnen',
     no_webgl: 'Dieser Browser zeigt kein 3D (WebGL 2 ist aus): hier ist das Panorama als Bild.',
     no_walk: 'Diese Szene hat noch keine begehbare Seite.',
