@@ -317,6 +317,7 @@ void place_lights(Placement& p, const RecipeStep& step, int) {
     Pattern lights(p, thing, true);
     if (!lights.open() || !is_due(p, step, thing)) return;
     const Plan& plan = p.layout().plan();
+    constexpr float kFree = 0.06f;  // about a piece that fills its cell: pieces that touch count as crossing
     const float pitch = step.pitch_m > 0 ? step.pitch_m : 2.4f;
     const int columns = std::max(1, static_cast<int>(std::lround(plan.width / pitch))),
               rows = std::max(1, static_cast<int>(std::lround(plan.depth / pitch)));
@@ -326,7 +327,11 @@ void place_lights(Placement& p, const RecipeStep& step, int) {
             const Vec2f at{plan.width * ((static_cast<float>(i) + 0.5f) / static_cast<float>(columns) - 0.5f),
                            plan.depth * ((static_cast<float>(j) + 0.5f) / static_cast<float>(rows) - 0.5f)};
             const PromptObject* wish = p.wishes().next(thing);
-            const auto index = p.layout().hanging(p.layout().request(thing, wish), at, wish ? *wish : PromptObject{});
+            PieceRequest request = p.layout().request(thing, wish);
+            if (step.fill)
+                request.size_m.x = plan.width / static_cast<float>(columns) - kFree,
+                request.size_m.z = plan.depth / static_cast<float>(rows) - kFree;
+            const auto index = p.layout().hanging(request, at, wish ? *wish : PromptObject{});
             if (!index && wish) p.wishes().give_back(wish);
         }
 }
@@ -360,7 +365,7 @@ std::span<const StepKind> pattern_kinds() {
          {},
          place_run},
         {"end", {"thing", "first_asked", "probability", "walls", "off_m", "length_m", "then"}, false, {}, place_end},
-        {"lights", {"thing", "first_asked", "probability", "pitch_m"}, false, {}, place_lights},
+        {"lights", {"thing", "first_asked", "probability", "pitch_m", "fill"}, false, {}, place_lights},
     }};
     return all;
 }

@@ -41,7 +41,7 @@ class Touches {
 
     // Below windows whose sill is high enough, where nothing else stands.
     void radiators() {
-        if (is_settled("radiator") || !l_.plan().style.radiators) return;
+        if (is_settled("radiator") || !l_.plan().style.radiators || !type_.radiators) return;
         for (const Opening& o : l_.plan().openings) {
             if (o.kind != Opening::Kind::window || o.y0 < 0.75f || !l_.rng().chance(0.6f)) continue;
             PieceRequest r = l_.request("radiator");

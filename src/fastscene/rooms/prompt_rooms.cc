@@ -89,6 +89,18 @@ void leave_outside(Matches& m) {
     }
 }
 
+// "a hallway with a staircase": what may be a room by itself is a thing of the room that is named otherwise.
+void take_as_things(Matches& m) {
+    const auto is_named = [](const Match& x) { return x.is(WordKind::room) && !x.negated; };
+    for (std::size_t i = m.size(); i-- > 0;) {
+        const RoomType* type = is_named(m[i]) ? find_room_type(m[i].word->meaning) : nullptr;
+        if (!type || type->as_thing.empty()) continue;
+        const bool another = std::any_of(m.begin(), m.end(),
+                                         [&](const Match& x) { return is_named(x) && x.word->meaning != type->name; });
+        if (another) m[i].word = Word{WordKind::object, type->as_thing};
+    }
+}
+
 // A word for the whole house ("apartment", "castle") only names the room when no other word does.
 void choose_room(Matches& m, PromptSpec& spec) {
     for (std::size_t i = 0; i < m.size(); ++i)
@@ -235,6 +247,7 @@ void settle_rooms(Reading& r) {
     count_other_rooms(r.m);
     qualify_rooms(r.m);
     leave_outside(r.m);
+    take_as_things(r.m);
     choose_room(r.m, r.spec);
     furnish_parts(r.m);
     if (r.spec.structure.empty()) find_next_room(r);

@@ -133,6 +133,7 @@ class StepReader {
         s_.block = t_.whole("block", 0, 0, kMostPieces);
         s_.most = t_.whole("most", 0, 0, kMostPieces);
         s_.alike = t_.flag("alike", false);
+        s_.fill = t_.flag("fill", false);
     }
 
     const TomlTable& t_;

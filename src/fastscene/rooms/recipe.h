@@ -63,6 +63,7 @@ struct RecipeStep {
     float length_m = 0;                   // at most
     int rows = 0, block = 0, most = 0;    // at most; 0: as many as fit
     bool alike = false;                   // one is like the other
+    bool fill = false;                    // as large as the cell of the grid that it hangs in: vaults
     std::vector<RecipeStep> then;         // at the piece that was placed
 };
 

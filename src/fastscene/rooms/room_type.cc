@@ -45,12 +45,11 @@ std::vector<std::string> things(const TomlTable& table, std::string_view key) {
 
 const std::vector<std::string>& keys_of_types() {
     static const std::vector<std::string> keys{
-        "name",         "title",           "words",      "words_near",     "rank",        "wet",
-        "for_children", "deep_paints",     "next_rooms", "next_door",      "second_room", "styles",
-        "look_at",      "surfaces",        "kind_of",    "guess_rank",     "main_thing",  "own_things",
-        "table",        "table_when_near", "cooks",      "upright_chairs", "per_person",  "most_people",
-        "mess",         "meanings",        "size",       "shape",          "windows",     "touches",
-        "furnished_as", "recipe"};
+        "name",        "title",          "words",      "words_near",   "rank",       "wet",      "for_children",
+        "deep_paints", "next_rooms",     "next_door",  "second_room",  "styles",     "look_at",  "surfaces",
+        "kind_of",     "guess_rank",     "main_thing", "as_thing",     "own_things", "table",    "table_when_near",
+        "cooks",       "upright_chairs", "per_person", "most_people",  "mess",       "meanings", "size",
+        "shape",       "windows",        "touches",    "furnished_as", "recipe"};
     return keys;
 }
 
@@ -194,6 +193,7 @@ class TypeReader {
         constexpr int kMostPeople = 99, kMostLying = 9;
         t_.guess_rank = top_.whole("guess_rank", 0, 0, 1000);
         t_.main_thing = one_thing("main_thing");
+        t_.as_thing = one_thing("as_thing");
         t_.own_things = some_things("own_things");
         t_.table = one_thing("table");
         t_.table_when_near = one_thing("table_when_near");
@@ -215,7 +215,7 @@ class TypeReader {
     void read_touches() {
         const TomlTable t = table("touches", {"pieces", "pieces_per_m2", "sills", "shelves", "wall_shelf_probability",
                                               "mirror_probability", "clock_probability", "picture_probability",
-                                              "curtains", "chandeliers", "floor_lamp", "lived_in"});
+                                              "curtains", "chandeliers", "radiators", "floor_lamp", "lived_in"});
         t_.lived_in = t.flag("lived_in", true);
         t_.pieces = things(t, "pieces");
         t_.pieces_per_m2 = share(t, "pieces_per_m2");
@@ -227,6 +227,7 @@ class TypeReader {
         t_.picture_probability = share_or(t, "picture_probability", t_.picture_probability);
         t_.curtains = t.flag("curtains", t_.curtains);
         t_.chandeliers = t.flag("chandeliers", t_.chandeliers);
+        t_.radiators = t.flag("radiators", t_.radiators);
         if (t.has("floor_lamp")) t_.floor_lamp = file_fields::choice<FloorLamp>(t, "floor_lamp");
     }
 

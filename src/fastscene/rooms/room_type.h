@@ -76,6 +76,7 @@ struct RoomType {
     // What its furniture says of it and it of its furniture.
     int guess_rank = 0;                   // order in which types are guessed from things; 0: never
     std::string main_thing;               // stands for it as a part of another room: "a desk" for "an office corner"
+    std::string as_thing;                 // what its words mean in a room that is named otherwise: "a staircase"
     std::vector<std::string> own_things;  // stand here and hardly anywhere else
     std::string table;                    // what "a table" means
     std::string table_when_near;          // … in a room of `words_near`
@@ -103,7 +104,7 @@ struct RoomType {
     Shelves shelves = Shelves::books;
     float wall_shelf_probability = 0, mirror_probability = 0, clock_probability = 0;
     float picture_probability = 0.8f;  // of each picture
-    bool curtains = true, chandeliers = true;
+    bool curtains = true, chandeliers = true, radiators = true;
     FloorLamp floor_lamp = FloorLamp::usual;
 };
 

@@ -121,7 +121,9 @@ float lamp_level(const PromptSpec& spec, const Plan& plan) {
     if (spec.light == "neon") return 0.3f;  // beside it they only keep the dark from being black
     if (spec.light == "lamps on" || spec.time == "night" || spec.time == "dusk") return 1.f;
     if (spec.mood == "cozy" || spec.time == "evening") return 0.55f;
-    return 0.f;
+    // In shops, halls and offices they are lit by day too.
+    constexpr float kPublicByDay = 0.4f;
+    return room_type(spec.room).lived_in ? 0.f : kPublicByDay;
 }
 
 std::string name_of(const Placed& placed) {

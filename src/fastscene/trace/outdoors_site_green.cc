@@ -152,8 +152,6 @@ void settle_neighbours(Site& site) {
         if (!is_free(taken, at, 8)) continue;
         site.world.stand(houses[static_cast<std::size_t>(k % 4)], at,
                          site.facing + 0.5f * kPi * static_cast<float>(r.index(4)) + r.uniform(-0.1f, 0.1f));
-        const Vec2f gate = at * (27 / length(at));
-        if (r.chance(0.6f)) site.world.lanterns.push_back({{gate.x, 3.f, gate.y}, {}});
     }
     const std::vector<std::uint32_t> tall = tall_trees(site, 5), dark = spruces(site, 2, 12);
     for (int k = 0; k < 150; ++k) {

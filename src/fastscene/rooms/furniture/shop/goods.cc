@@ -103,6 +103,7 @@ float step_of(Goods goods) {
         case Goods::bread: return 0.2f;
         case Goods::boxes: return 0.4f;
         case Goods::cartons: return 0.11f;
+        case Goods::films: return 0.142f;
         case Goods::jars: return 0.1f;
         case Goods::cans: return 0.085f;
         default: return 0.1f;
@@ -175,6 +176,13 @@ void stock(Kit& k, Goods goods, float x0, float x1, float y, float room_y, float
                 const float h = std::min(room_y - 0.05f, k.rng.uniform(0.22f, 0.38f));
                 block(k, crusts[2], {x, y, z - 0.2f}, {step - 0.04f, h, 0.34f});
                 block(k, sole, {x, y + 0.3f * h, z - 0.029f}, {0.12f, 0.3f * h, 0.003f});
+                break;
+            }
+            case Goods::films: {  // covers to the front: a picture, a title below
+                const float high = std::min(room_y - 0.01f, 0.19f), lean = 0.02f;
+                block(k, any(), {x, y, z - 0.03f - lean}, {0.132f, high, 0.016f});
+                block(k, any(), {x, y + 0.34f * high, z - 0.021f - lean}, {0.1f, 0.56f * high, 0.002f});
+                block(k, sole, {x, y + 0.12f * high, z - 0.021f - lean}, {0.09f, 0.1f * high, 0.002f});
                 break;
             }
             default: break;

@@ -5,7 +5,7 @@
 
 namespace fastscene::furniture {
 
-enum class Goods { packets, cans, books, shoes, toys, bread, jars, bottles, cartons, boxes, records };
+enum class Goods { packets, cans, books, shoes, toys, bread, jars, bottles, cartons, boxes, records, films };
 
 // A box of twelve triangles, by the middle of its lower face.
 void block(Kit& k, int material, Vec3f base_center, Vec3f size);

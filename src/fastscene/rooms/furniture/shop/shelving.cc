@@ -80,6 +80,8 @@ void build_shoe_wall(Kit& k) { wall_shelving(k, {{1.3f, 2.0f, 0.36f}, 6, true, f
 void build_toy_shelf(Kit& k) { wall_shelving(k, {{1.3f, 1.9f, 0.4f}, 5, true, true}, Goods::toys); }
 void build_bread_shelf(Kit& k) { wall_shelving(k, {{1.3f, 2.0f, 0.4f}, 5, true, false, 0.7f}, Goods::bread); }
 void build_jar_shelf(Kit& k) { wall_shelving(k, {{1.1f, 2.1f, 0.32f}, 6, true, false}, Goods::jars); }
+void build_video_shelf(Kit& k) { wall_shelving(k, {{1.2f, 2.0f, 0.3f}, 7, false, true, 0.2f}, Goods::films); }
+void build_video_island(Kit& k) { island(k, {1.6f, 1.3f, 0.6f}, 5, false, Goods::films); }
 void build_record_crates(Kit& k) {
     const Vec3f s = k.wanted({1.3f, 0.86f, 0.62f});
     const int wood = k.main(k.style.wood);
