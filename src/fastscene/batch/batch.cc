@@ -16,22 +16,15 @@
 #include "fastscene/batch/index_page.h"
 #include "fastscene/pipeline/build_info.h"
 #include "fastscene/pipeline/run_folder.h"
+#include "fastscene/pipeline/scene_cost.h"
 
 namespace fastscene {
 namespace fs = std::filesystem;
 namespace {
 
-// Peak memory of a scene in GiB by quality: measured and rounded up; "high" is estimated from its number of splats.
-constexpr std::pair<const char*, double> kSceneGib[] = {{"draft", 1.2}, {"standard", 2.2}, {"high", 7}};
 constexpr double kMemoryShare = 0.85;        // of the free memory that scenes may take
 constexpr double kLongestWaitSeconds = 900;  // for another process that makes the scene: the longest at `standard`
 constexpr double kIndexEverySeconds = 20;    // the page is written again at most so often
-
-double scene_gib(const std::string& quality) {
-    for (const auto& [name, gib] : kSceneGib)
-        if (quality == name) return gib;
-    return kSceneGib[1].second;
-}
 
 double seconds() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
 
@@ -173,7 +166,7 @@ int jobs_that_fit(const BatchParams& params) {
     const int cores = params.threads > 0 ? params.threads : thread_count();
     const std::int64_t free = available_memory();
     if (free <= 0) return cores;
-    const double fit = kMemoryShare * static_cast<double>(free) / (scene_gib(params.quality) * (1 << 30));
+    const double fit = kMemoryShare * static_cast<double>(free) / (scene_cost(params.quality).gib * (1 << 30));
     return std::clamp(static_cast<int>(fit), 1, cores);
 }
 
