@@ -33,6 +33,22 @@ float side_shown(Vec3f eye, const FilmSubject& subject) {
     return 1 - std::fabs(off - kThreeQuarterDeg) / 90;
 }
 
+// The share of a picture that shows things right before the camera: a lampshade, the side of a cupboard.
+float crowded(const FilmSet& set, Vec3f eye, Aim aim) {
+    if (!set.sight) return 0;
+    constexpr float kNear_m = 0.9f;
+    const Rigid pose = world_from_camera_at({}, aim.yaw_deg, aim.pitch_deg);
+    const float wide = std::tan(set.fov_deg / 2 / kDegreesPerRadian);
+    int near = 0, all = 0;
+    for (const float x : {-0.9f, -0.45f, 0.f, 0.45f, 0.9f})
+        for (const float y : {-0.45f, 0.f, 0.45f}) {
+            near += set.sight(eye, normalize(pose.rotation * Vec3f{x * wide, y * wide, 1})) < kNear_m;
+            ++all;
+        }
+    return static_cast<float>(near) / static_cast<float>(all);
+}
+constexpr float kCrowded = 0.07f;  // one of the rays
+
 }  // namespace
 
 Aim aim_at(Vec3f eye, Vec3f target) {
@@ -76,7 +92,9 @@ std::vector<Lookout> lookouts_for(const FilmSet& set, const FilmSubject& subject
             return std::hypot(gap.x, gap.y) > kApart_m;
         });
         // Rays are dear: only for places that would be taken.
-        if (apart && is_seen(set, set.eye(set.grid.places()[one.place]), subject)) best.push_back(one);
+        const Vec3f eye = set.eye(set.grid.places()[one.place]);
+        if (apart && is_seen(set, eye, subject) && crowded(set, eye, aim_at(eye, subject.center_m)) < kCrowded)
+            best.push_back(one);
         if (best.size() == most) break;
     }
     if (best.empty()) best.push_back(all.front());
@@ -97,6 +115,7 @@ std::size_t widest_place(const FilmSet& set) {
                                 0.42f * set.fov_deg;
             if (framed) score += 1.f / static_cast<float>(set.subjects.size());
         }
+        if (score > best_score) score -= 4 * crowded(set, eye, aim_at(eye, set.middle));
         if (score > best_score) best_score = score, best = i;
     }
     return best;

@@ -78,16 +78,18 @@ std::vector<float> headings(const std::vector<Vec2f>& curve) {
     return calmed(std::move(out));
 }
 
-// What the walk ends with: the main subject, unless one would have to turn round for it.
+// What the walk ends with: a subject that needs little turning and fills the picture, the main ones rather.
 Vec3f last_look(const FilmSet& set, Vec3f eye, float heading_deg) {
-    constexpr float kTurnRoundDeg = 110, kNearest_m = 1;
+    constexpr float kTurn_deg = 60, kDistance_m = 2.5f, kRank = 0.2f;  // what costs as much as one another
     const auto turn = [&](Vec3f target) { return std::fabs(turn_between(heading_deg, aim_at(eye, target).yaw_deg)); };
     Vec3f best = set.middle;
+    float least = turn(best) / kTurn_deg + 1, rank = 0;
     for (const FilmSubject& subject : set.subjects) {
         const Vec3f way = subject.center_m - eye;
-        if (std::hypot(way.x, way.z) < kNearest_m || !is_seen(set, eye, subject)) continue;
-        if (turn(subject.center_m) < kTurnRoundDeg) return subject.center_m;
-        if (turn(subject.center_m) < turn(best)) best = subject.center_m;
+        const float off = std::fabs(std::hypot(way.x, way.z) - kDistance_m) / kDistance_m;
+        const float cost = turn(subject.center_m) / kTurn_deg + 2 * off + rank;
+        rank += kRank;
+        if (cost < least && is_seen(set, eye, subject)) least = cost, best = subject.center_m;
     }
     return best;
 }
