@@ -8,7 +8,7 @@ namespace fastscene {
 namespace {
 
 // Steeper than this, verticals converge.
-constexpr float kLowestPitchDeg = -13, kHighestPitchDeg = 5;
+constexpr float kLowestPitchDeg = -15, kHighestPitchDeg = 5;
 // A camera nearer than this to furniture shows it blurred and huge.
 constexpr float kRoomy_m = 0.35f;
 
