@@ -31,6 +31,7 @@ RenderSubject subject_of_room(const std::string& folder, int samples, const Sess
         throw UsageError("--of room: expected the folder of a run from a prompt, found the file {}", folder);
     const RunFolder run_folder{folder};
     const RecordedRun recorded = recorded_run(run_folder);
+    unlit_room_of_run(run_folder, recorded, run);  // another version's room is refused before its light is gathered
     const std::shared_ptr<const TracedRoom> room = room_of_run(run_folder, recorded, 0, run);
     const ShotParts parts = final_parts(samples);
     const Run quiet{recorded.seed, nullptr, run.stop};
