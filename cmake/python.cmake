@@ -2,7 +2,8 @@
 option(FASTSCENE_PYTHON "Build the Python module" ON)
 # Where the component `python` is installed: pip names its own folder.
 set(FASTSCENE_PYTHON_DIR lib/python3/dist-packages/fastscene CACHE STRING "Folder of the Python package when installed")
-if(FASTSCENE_PYTHON)
+# Python cannot load what is built with a sanitizer.
+if(FASTSCENE_PYTHON AND NOT CMAKE_CXX_FLAGS MATCHES "-fsanitize")
   # Debian's own Python, whose numpy and headers packages bring, before others on PATH.
   if(NOT Python_EXECUTABLE AND EXISTS /usr/bin/python3)
     set(Python_EXECUTABLE /usr/bin/python3)
