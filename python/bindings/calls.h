@@ -1,4 +1,5 @@
-// Long work without the interpreter's lock: other Python threads go on, Ctrl-C stops it, and callbacks get the lock back.
+// Long work without the interpreter's lock: other Python threads go on, Ctrl-C stops it, and callbacks get the lock
+// back.
 #pragma once
 
 #include <pybind11/pybind11.h>

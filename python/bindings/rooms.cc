@@ -62,7 +62,8 @@ py::list objects_of(const TracedRoom& room) {
     py::list out;
     for (const RoomObject& object : room.room().objects) {
         py::dict entry;
-        entry["id"] = object.id, entry["kind"] = object.kind, entry["name"] = object.name, entry["color"] = object.color;
+        entry["id"] = object.id, entry["kind"] = object.kind, entry["name"] = object.name,
+        entry["color"] = object.color;
         entry["size_m"] = std::vector<float>{object.size_m.x, object.size_m.y, object.size_m.z};
         entry["world_from_object"] = matrix_of_pose(object.world_from_object);
         entry["requested"] = object.requested;
@@ -95,8 +96,8 @@ Shot perspective_of(const TracedRoom& room, const Pinhole& camera, const py::obj
 void bind_pictures_of_rooms(py::module_& m) {
     py::class_<Panorama>(m, "Panorama", "The full 360 degree view from a place: equirectangular.")
         .def(py::init([](const py::array& color, const py::array& range, const py::object& pose) {
-                 return Panorama{color_from(color, "color"), floats_from(range, "range"), {},
-                                 pose_from(pose, "world_from_pano")};
+                 return Panorama{
+                     color_from(color, "color"), floats_from(range, "range"), {}, pose_from(pose, "world_from_pano")};
              }),
              py::arg("color"), py::arg("range"), py::arg("world_from_pano") = py::none())
         .def_property_readonly(
@@ -105,9 +106,9 @@ void bind_pictures_of_rooms(py::module_& m) {
         .def_property_readonly(
             "range", [](py::object self) { return shown(self.cast<Panorama&>().range, self); },
             "Metres along each pixel's ray; inf: the sky.")
-        .def_property_readonly("world_from_pano",
-                               [](const Panorama& p) { return matrix_of_pose(p.world_from_pano); })
-        .def("rgb8", [](const Panorama& p) { return array_of(srgb8_from_linear(p.color)); }, "As sRGB of uint8.");
+        .def_property_readonly("world_from_pano", [](const Panorama& p) { return matrix_of_pose(p.world_from_pano); })
+        .def(
+            "rgb8", [](const Panorama& p) { return array_of(srgb8_from_linear(p.color)); }, "As sRGB of uint8.");
     py::class_<Shot>(m, "Shot", "A traced picture and what it shows, per pixel.")
         .def_property_readonly("color", [](py::object self) { return shown(self.cast<Shot&>().color, self); })
         .def_property_readonly(
@@ -118,30 +119,11 @@ void bind_pictures_of_rooms(py::module_& m) {
         .def_property_readonly(
             "object", [](py::object self) { return shown(self.cast<Shot&>().object, self); },
             "Index into TracedRoom.objects; -1: walls, floor, ceiling; -2: outside.")
-        .def("rgb8", [](const Shot& s) { return array_of(srgb8_from_linear(s.color)); }, "As sRGB of uint8.");
+        .def(
+            "rgb8", [](const Shot& s) { return array_of(srgb8_from_linear(s.color)); }, "As sRGB of uint8.");
 }
 
-}  // namespace
-
-void bind_rooms(py::module_& m) {
-    bind_pictures_of_rooms(m);
-    m.def(
-        "understand_prompt",
-        [](const std::string& text, bool strict) {
-            PanoramaParams params;
-            params.strict = strict;
-            return python_of(to_json(read_prompt(text, params)));
-        },
-        py::arg("text"), py::arg("strict") = false,
-        "What became of every word of a sentence: understood, approximated, not_understood.");
-    m.def("plan_document", &plan, py::arg("prompt"), py::arg("seed") = 0,
-          "The furnished room that a sentence asks for, as a document.");
-    m.def("edit_by_sentence", &edit, py::arg("document"), py::arg("sentence"),
-          "Changes a document in words; returns the new one and a list of (id, what changed).");
-    m.def("make_traced_room", &traced, py::arg("room"), py::arg("seed") = 0, py::arg("on_progress") = py::none(),
-          "The room of a sentence or a document, with its light: ready to be rendered. Settings: those of --panorama "
-          "that concern light, as cell, cell_samples, outside_detail.");
-
+void bind_traced_room(py::module_& m) {
     py::class_<TracedRoom, std::shared_ptr<TracedRoom>>(m, "TracedRoom")
         .def("panorama", &panorama_of, py::arg("width") = 1024, py::arg("world_from_pano") = py::none(),
              py::arg("samples") = 32, py::arg("seed") = 0, py::arg("on_progress") = py::none(),
@@ -174,6 +156,29 @@ void bind_rooms(py::module_& m) {
                 });
             },
             py::arg("path"), "The room for engines and modellers.");
+}
+
+}  // namespace
+
+void bind_rooms(py::module_& m) {
+    bind_pictures_of_rooms(m);
+    m.def(
+        "understand_prompt",
+        [](const std::string& text, bool strict) {
+            PanoramaParams params;
+            params.strict = strict;
+            return python_of(to_json(read_prompt(text, params)));
+        },
+        py::arg("text"), py::arg("strict") = false,
+        "What became of every word of a sentence: understood, approximated, not_understood.");
+    m.def("plan_document", &plan, py::arg("prompt"), py::arg("seed") = 0,
+          "The furnished room that a sentence asks for, as a document.");
+    m.def("edit_by_sentence", &edit, py::arg("document"), py::arg("sentence"),
+          "Changes a document in words; returns the new one and a list of (id, what changed).");
+    m.def("make_traced_room", &traced, py::arg("room"), py::arg("seed") = 0, py::arg("on_progress") = py::none(),
+          "The room of a sentence or a document, with its light: ready to be rendered. Settings: those of --panorama "
+          "that concern light, as cell, cell_samples, outside_detail.");
+    bind_traced_room(m);
 }
 
 }  // namespace fastscene::python

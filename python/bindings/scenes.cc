@@ -33,9 +33,8 @@ py::object make(const py::object& room, const std::filesystem::path& folder, con
     visit_sections(request.params,
                    [&](std::string_view section, auto& fields) { settings.take(fields, std::string(section)); });
     settings.finish();
-    return python_of(long_call(seed, std::move(on_progress), [&](const Run& run, Caller&) {
-        return make_scene(request, RunFolder{folder}, run);
-    }));
+    return python_of(long_call(seed, std::move(on_progress),
+                               [&](const Run& run, Caller&) { return make_scene(request, RunFolder{folder}, run); }));
 }
 
 CameraPath plan(const std::filesystem::path& folder, const std::string& kind, float seconds, float fps, float fov_deg,

@@ -49,7 +49,8 @@ class Settings {
             try {
                 value = given.cast<T>();
             } catch (const py::cast_error&) {
-                throw UsageError("{}: expected {}, found {}", name, kind_of(value), py::repr(given).cast<std::string>());
+                throw UsageError("{}: expected {}, found {}", name, kind_of(value),
+                                 py::repr(given).cast<std::string>());
             }
             settings.left_.attr("pop")(name);
         }

@@ -58,9 +58,7 @@ FittedSplats fit(const ViewSet& views, std::uint64_t seed, py::object on_step, p
     return long_call(seed, std::move(on_progress), [&](const Run& run, Caller& caller) {
         StepListener listener;
         if (!on_step.is_none())
-            listener = [&](const StepReport& r) {
-                caller.call([&] { on_step(r.step, r.steps, r.loss, r.psnr); });
-            };
+            listener = [&](const StepReport& r) { caller.call([&] { on_step(r.step, r.steps, r.loss, r.psnr); }); };
         return fit_splats(views, params, run, listener);
     });
 }
@@ -78,8 +76,7 @@ void bind_views(py::module_& m) {
              py::arg("weight") = py::none(), py::arg("name") = "")
         .def_readonly("name", &View::name)
         .def_readonly("camera", &View::camera)
-        .def_property_readonly("world_from_camera",
-                               [](const View& v) { return matrix_of_pose(v.world_from_camera); })
+        .def_property_readonly("world_from_camera", [](const View& v) { return matrix_of_pose(v.world_from_camera); })
         .def_property_readonly(
             "color", [](py::object self) { return shown(self.cast<View&>().color, self); }, "sRGB of uint8.");
     py::class_<ViewSet>(m, "ViewSet", "Views, and points on the surfaces that they show, from which training starts.")
@@ -138,6 +135,9 @@ void bind_splat_data(py::module_& m) {
                 return shown(s.sh_rest.data(), {static_cast<Index>(s.size()), 3, s.rest_coefficients()}, self);
             },
             "N x 3 x K, K = (degree + 1)^2 - 1.");
+}
+
+void bind_splat_files(py::module_& m) {
     m.def(
         "load_splats",
         [](const std::filesystem::path& path) {
@@ -190,11 +190,13 @@ void bind_rendering(py::module_& m) {
         .def_property_readonly(
             "depth_z", [](py::object self) { return shown(self.cast<SplatPicture&>().depth_z, self); },
             "Metres along the optical axis; 0: empty.")
-        .def("rgb8", [](const SplatPicture& p) { return array_of(srgb8_from_unit(p.color)); }, "As sRGB of uint8.");
+        .def(
+            "rgb8", [](const SplatPicture& p) { return array_of(srgb8_from_unit(p.color)); }, "As sRGB of uint8.");
     py::class_<Renderer>(m, "SplatRenderer", "Renders pictures of the same splats.")
         .def(py::init([](std::shared_ptr<Splats> splats, std::array<float, 3> background, const std::string& backend,
                          const std::string& device) {
-                 return Renderer{splats, std::make_unique<SplatRenderer>(*splats, SplatBackend{backend, device}),
+                 return Renderer{splats,
+                                 std::make_unique<SplatRenderer>(*splats, SplatBackend{backend, device}),
                                  {background[0], background[1], background[2]}};
              }),
              py::arg("splats"), py::arg("background") = std::array<float, 3>{0, 0, 0}, py::arg("backend") = "cpu",
@@ -203,9 +205,8 @@ void bind_rendering(py::module_& m) {
             "picture",
             [](const Renderer& r, const Pinhole& camera, const py::object& pose) {
                 const Rigid at = pose_from(pose);
-                return long_call(0, py::none(), [&](const Run&, Caller&) {
-                    return r.renderer->picture(camera, at, r.background);
-                });
+                return long_call(0, py::none(),
+                                 [&](const Run&, Caller&) { return r.renderer->picture(camera, at, r.background); });
             },
             py::arg("camera"), py::arg("world_from_camera") = py::none())
         .def(
@@ -237,6 +238,7 @@ void bind_rendering(py::module_& m) {
 void bind_splats(py::module_& m) {
     bind_views(m);
     bind_splat_data(m);
+    bind_splat_files(m);
     bind_training(m);
     bind_rendering(m);
 }

@@ -8,7 +8,7 @@ ran=
 # run NAME ARGUMENT…
 run() { local name=$1; shift; ran="$ran $name"; "$python" "$examples/$name.py" "$@" >"$name.txt" || fail "$name"; }
 says() { grep -q "$2" "$1.txt" || fail "$1: expected \"$2\", found: $(cat "$1.txt")"; }
-run read_prompt; says read_prompt "not_understood.*zorblax"
+run read_prompt; says read_prompt "zorblax: not understood"; says read_prompt "armchair: object: armchair, color red"
 run plan_room room.json; says plan_room "green"; grep -q '"things"' room.json || fail "room.json"
 run trace_panorama all.jpg; grep -q GPano all.jpg || fail "all.jpg is not marked"
 run trace_views view.png; says trace_views "yaw 240"

@@ -141,8 +141,8 @@ class Errors(unittest.TestCase):
             fastscene.fit_splats(box_views(), steps=1, coarse=3.0)
         with self.assertRaises(fastscene.UsageError):
             fastscene.understand_prompt("")
-        with self.assertRaisesRegex(fastscene.Error, "typ"):
-            fastscene.make_traced_room({"format": "fastscene-room", "version": 1, "typ": "bedroom"})
+        with self.assertRaisesRegex(fastscene.Error, 'unknown key "stile"; did you mean "style"'):
+            fastscene.make_traced_room({"format": "fastscene-room", "version": 1, "room": "bedroom", "stile": "boho"})
 
 
 class Training(unittest.TestCase):
@@ -184,10 +184,10 @@ class Training(unittest.TestCase):
 
         thread = threading.Thread(target=count)
         thread.start()
-        fastscene.fit_splats(box_views(), count=500, steps=300)
+        fastscene.fit_splats(box_views(), count=500, steps=600)
         done.set()
         thread.join()
-        self.assertGreater(counted[0], 20)
+        self.assertGreater(counted[0], 5)  # with the lock held, one or two
 
 
 class Rooms(unittest.TestCase):
