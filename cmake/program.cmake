@@ -38,5 +38,15 @@ install(CODE "execute_process(
   COMMAND bash \"${PROJECT_SOURCE_DIR}/packaging/man.sh\" \"$<TARGET_FILE:fastscene>\"
     \"\$ENV{DESTDIR}\${CMAKE_INSTALL_PREFIX}/${CMAKE_INSTALL_MANDIR}/man1\"
   COMMAND_ERROR_IS_FATAL ANY)" COMPONENT program)
-install(FILES ${PROJECT_SOURCE_DIR}/packaging/completion.bash
-  DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions RENAME fastscene COMPONENT program)
+# So are the completions, each where its shell looks for those of packages.
+foreach(shell bash zsh fish)
+  set(place_bash bash-completion/completions/fastscene)
+  set(place_zsh zsh/vendor-completions/_fastscene)
+  set(place_fish fish/vendor_completions.d/fastscene.fish)
+  install(CODE "get_filename_component(folder
+  \"\$ENV{DESTDIR}\${CMAKE_INSTALL_PREFIX}/${CMAKE_INSTALL_DATADIR}/${place_${shell}}\" DIRECTORY)
+file(MAKE_DIRECTORY \"\${folder}\")
+execute_process(COMMAND \"$<TARGET_FILE:fastscene>\" completion ${shell}
+  OUTPUT_FILE \"\$ENV{DESTDIR}\${CMAKE_INSTALL_PREFIX}/${CMAKE_INSTALL_DATADIR}/${place_${shell}}\"
+  COMMAND_ERROR_IS_FATAL ANY)" COMPONENT program)
+endforeach()

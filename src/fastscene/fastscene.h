@@ -7,6 +7,12 @@
 // The whole: a run folder is made, or gone on with.
 #include "fastscene/pipeline/pipeline.h"
 #include "fastscene/pipeline/share.h"
+// Films: planned camera paths, camera files, both eyes, video files.
+#include "fastscene/film/encode.h"
+#include "fastscene/film/plan.h"
+#include "fastscene/film/stereo.h"
+#include "fastscene/film/subjects.h"
+#include "fastscene/io/camera_path_io.h"
 // The stages, left to right.
 #include "fastscene/depth/depth.h"
 #include "fastscene/inpaint/inpaint.h"

@@ -121,6 +121,49 @@ says "frames from 00002.png on belong to an earlier film"
 if command -v ffprobe >/dev/null; then
   [ "$(ffprobe -v error -count_frames -show_entries stream=nb_read_frames -of csv=p=0 film.mp4)" = 2 ] || fail "the film goes on in an earlier one's frames"
 fi
+# Paths of the scene's own, camera files of other programs, spheres and stereo.
+small=(--size 64x36 --fps 5)
+for kind in tour orbit walkthrough; do
+  expect 0 "$fastscene" render run --path $kind "${small[@]}" --write-path $kind.json --path-only
+  has $kind.json; lacks run/$kind.mp4
+done
+expect 0 "$fastscene" render run --path tour.json --write-path tour.chan --path-only
+expect 0 "$fastscene" render run --path tour.json --write-path ns.json --path-format nerfstudio --path-only
+expect 0 "$fastscene" render run --path tour.chan "${small[@]}" --write-path again.json --path-only
+expect 2 "$fastscene" render run --path tour --seconds 0.5
+says "--seconds: expected at least"
+expect 2 "$fastscene" render run/splat/scene.ply --path tour
+says "expected the folder of a run"
+expect 2 "$fastscene" render run --stereo vr180
+says "--stereo: expected with --sphere"
+expect 2 "$fastscene" render run --path-only --path tour
+says "--path-only: expected with --write-path"
+expect 0 "$fastscene" render run --sphere --size 64x32 -o sphere.jpg
+grep -q GPano:ProjectionType sphere.jpg || fail "sphere.jpg is not marked as a panorama"
+grep -q GPano:ProjectionType run/panorama/color.png || fail "the run's panorama is not marked as one"
+if command -v ffmpeg >/dev/null; then
+  # Frames at exactly i / fps; the second try renders nothing that is there already.
+  sed 's/"fps": 4/"fps": 29.97/' path.json >television.json
+  expect 0 "$fastscene" render run --path television.json -o television.mp4
+  lacks television.mp4.frames
+  ffprobe -v error -show_entries packet=pts_time -of csv=p=0 television.mp4 | tr -d , | sort -n |
+    awk '{ if (($1 - (NR - 1) * 1001 / 30000) ^ 2 > 1e-11) exit 1 } END { exit NR != 31 }' || fail "frame times of television.mp4"
+  expect 0 "$fastscene" render run --path path.json -o film.webm --keep-frames
+  has film.webm film.webm.frames/00004.png
+  sphere=(--sphere --size 64x32 --path short.json)
+  expect 0 "$fastscene" render run "${sphere[@]}" -o sphere.mp4
+  ffprobe -v error -show_streams sphere.mp4 >log; says "side_data_type=Spherical Mapping"; says "projection=equirectangular"
+  expect 0 "$fastscene" render run "${sphere[@]}" --stereo top-bottom -o both.mp4
+  ffprobe -v error -show_streams both.mp4 >log; says "type=top and bottom"; says "height=64"
+  expect 0 "$fastscene" render run "${sphere[@]}" --stereo vr180 -o vr180.mp4
+  ffprobe -v error -show_streams vr180.mp4 >log; says "type=side by side"; says "tiled equirectangular"
+  expect 0 "$fastscene" render run "${sphere[@]}" --stereo top-bottom -o both.webm
+  ffprobe -v error -show_streams both.webm >log; says "type=top and bottom"; says "projection=equirectangular"
+  expect 0 "$fastscene" render run --of room --samples 16 "${sphere[@]}" --stereo top-bottom -o traced.mp4
+  has traced.mp4
+  expect 1 env PATH=/nowhere "$fastscene" render run --path path.json -o none.mp4
+  says "expected ffmpeg on PATH"
+fi
 echo '{"keys": []}' >bad.json
 expect 1 "$fastscene" render run --path bad.json -o film
 says bad.json

@@ -19,7 +19,8 @@ done
 dpkg-deb -x "$package" "$work/root"
 usr=$work/root/usr
 for file in bin/fastscene share/man/man1/fastscene.1 share/man/man1/fastscene-make.1 \
-  share/bash-completion/completions/fastscene share/doc/fastscene/copyright; do
+  share/bash-completion/completions/fastscene share/zsh/vendor-completions/_fastscene \
+  share/fish/vendor_completions.d/fastscene.fish share/man/man1/fastscene-completion.1 share/doc/fastscene/copyright; do
   [ -s "$usr/$file" ] || [ -s "$usr/$file.gz" ] || fail "not in the package: $file"
 done
 

@@ -55,6 +55,8 @@ Verb add_doctor(CLI::App& app);
 Verb add_rooms(CLI::App& app);
 Verb add_edit(CLI::App& app);
 Verb add_export(CLI::App& app);
+Verb add_completion(CLI::App& app);
+Verb add_demo(CLI::App& app);
 Verb add_version(CLI::App& app);
 
 }  // namespace fastscene::cli

@@ -24,8 +24,6 @@ namespace {
 
 constexpr int kPreviewWidth = 1280, kPreviewHeight = 720;
 
-float radians(float degrees) { return degrees * std::numbers::pi_v<float> / 180.f; }
-
 std::set<std::string> sources_of(const RunFolder& folder) {
     std::set<std::string> sources;
     if (!fs::exists(folder.room_json())) return sources;  // splats of photographs
@@ -55,11 +53,6 @@ std::string credits_of(const RunFolder& folder, const std::optional<fs::path>& v
 }
 
 }  // namespace
-
-Rigid world_from_camera_at(Vec3f position_m, float yaw_deg, float pitch_deg) {
-    return {rotation_about(Vec3f{0, 1, 0}, radians(yaw_deg)) * rotation_about(Vec3f{1, 0, 0}, radians(pitch_deg)),
-            position_m};
-}
 
 ImageRgb8 picture_of(const Splats& splats, const Pinhole& camera, const Rigid& world_from_camera) {
     return srgb8_from_unit(render_splats(splats, camera, world_from_camera).color);

@@ -9,13 +9,12 @@
 #include "fastscene/geometry/pinhole.h"
 #include "fastscene/image/image.h"
 #include "fastscene/pipeline/run_folder.h"
+#include "fastscene/scene/camera_path.h"
 #include "fastscene/scene/splats.h"
 #include "fastscene/scene/walkable.h"
 
 namespace fastscene {
 
-// Yaw turns right about the world's down axis, pitch turns up; no roll.
-Rigid world_from_camera_at(Vec3f position_m, float yaw_deg, float pitch_deg);
 // Renders the splats to an 8-bit picture on black.
 ImageRgb8 picture_of(const Splats& splats, const Pinhole& camera, const Rigid& world_from_camera);
 

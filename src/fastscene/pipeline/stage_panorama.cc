@@ -5,6 +5,7 @@
 
 #include "fastscene/base/file.h"
 #include "fastscene/image/color.h"
+#include "fastscene/io/gpano.h"
 #include "fastscene/io/image_io.h"
 #include "fastscene/panorama/more_panoramas.h"
 #include "fastscene/pipeline/stage_code.h"
@@ -91,7 +92,7 @@ std::shared_ptr<const TracedRoom> make_panorama(const SceneSource& source, const
                                                 SourceFiles& files, const fs::path& out, const Run& run) {
     const Making with{params, files, out.parent_path(), run};
     Made made = std::visit([&](const auto& one) { return made_from(one, with); }, source);
-    save_png(out / "color.png", srgb8_from_linear(made.color));
+    save_panorama(out / "color.png", srgb8_from_linear(made.color));
     if (const fs::path list = more_of(source); !list.empty())
         save_more_panoramas(list, {made.color.width, made.color.height}, files, out / "more", run);
     write_json(out / "prompt.json", made.prompt);

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -154,7 +155,15 @@ inline Splats initial_splats(const std::vector<SurfacePoint>& points, int count,
 // Trains. Throws Error if the views are inconsistent, memory is insufficient, or a checkpoint is damaged, has other
 // settings or cannot be written (once training runs, a full disk only warns); throws Stopped when asked to stop, after
 // writing the checkpoint if one is configured. Resuming from a checkpoint gives the same bytes as an uninterrupted run.
-FittedSplats fit_splats(const ViewSet& views, const SplatParams& params, const Run& run);
+// `on_step` is called after every step whose loss is known, in order and by the calling thread; a graphics card's come
+// some steps late.
+struct StepReport {
+    int step, steps;   // from 1; of how many
+    float loss, psnr;  // of the step's view
+};
+using StepListener = std::function<void(const StepReport&)>;
+FittedSplats fit_splats(const ViewSet& views, const SplatParams& params, const Run& run,
+                        const StepListener& on_step = {});
 // Whether `file` is a checkpoint of these views, settings and seed. Reads its header only, so it may still be damaged.
 bool is_checkpoint_of(const std::string& file, const ViewSet& views, const SplatParams& params, std::uint64_t seed);
 

@@ -143,10 +143,12 @@ std::int64_t memory_of_half_views(const ViewSet& set, const SplatParams& params)
 // A training run: its state and its constants.
 class Training {
   public:
-    Training(const ViewSet& set, const SplatParams& params, const TrainTuning& tuning, const Run& run)
+    Training(const ViewSet& set, const SplatParams& params, const TrainTuning& tuning, const Run& run,
+             const StepListener& on_step)
         : params_(params),
           tuning_(tuning),
           run_(run),
+          on_step_(on_step),
           views_(split_views(set, params)),
           order_(views_.train.size(), run.seed),
           stepper_(make_stepper(params.backend)),
@@ -259,6 +261,7 @@ class Training {
         for (const LossSums& sums : stepper_->losses()) {
             state_.loss_sum += sums.loss, state_.squared_error_sum += sums.squared_error, ++state_.sum_steps;
             if (++summed_ % kCurveSteps == 0) close_curve(state_.curve, summed_);
+            if (on_step_) on_step_({summed_, last_, static_cast<float>(sums.loss), psnr_of(sums.squared_error)});
         }
     }
     // All of the state on the host.
@@ -343,6 +346,7 @@ class Training {
     const SplatParams& params_;
     const TrainTuning& tuning_;
     const Run& run_;
+    const StepListener& on_step_;
     Split views_;
     ViewOrder order_;
     std::unique_ptr<Stepper> stepper_;
@@ -358,11 +362,12 @@ class Training {
 
 }  // namespace
 
-FittedSplats fit(const ViewSet& set, const SplatParams& asked, const TrainTuning& tuning, const Run& run) {
+FittedSplats fit(const ViewSet& set, const SplatParams& asked, const TrainTuning& tuning, const Run& run,
+                 const StepListener& on_step) {
     check_views(set);
     SplatParams params = asked;
     params.sh_degree = std::max(0, params.sh_degree);
-    return Training(set, params, tuning, run).go();
+    return Training(set, params, tuning, run, on_step).go();
 }
 
 }  // namespace fastscene::splat
@@ -406,9 +411,9 @@ bool is_checkpoint_of(const std::string& file, const ViewSet& views, const Splat
     return splat::has_checkpoint_key(file, splat::key_of(views, params, seed));
 }
 
-FittedSplats fit_splats(const ViewSet& views, const SplatParams& params, const Run& run) {
+FittedSplats fit_splats(const ViewSet& views, const SplatParams& params, const Run& run, const StepListener& on_step) {
     check_splat_params(params);
-    return splat::fit(views, params, {}, run);
+    return splat::fit(views, params, {}, run, on_step);
 }
 
 }  // namespace fastscene

@@ -20,6 +20,7 @@ struct TrainTuning {
     int rest_every = 2;      // update SH degrees >= 1 every this many steps: they dominate memory traffic
 };
 
-FittedSplats fit(const ViewSet& views, const SplatParams& params, const TrainTuning& tuning, const Run& run);
+FittedSplats fit(const ViewSet& views, const SplatParams& params, const TrainTuning& tuning, const Run& run,
+                 const StepListener& on_step = {});
 
 }  // namespace fastscene::splat

@@ -323,6 +323,9 @@ RayCamera perspective_camera(const Rigid& world_from_camera, const Pinhole& came
 Vec3f world_direction(const RayCamera& camera, Vec2f pixel) {
     return normalize(camera.world_from_camera.rotation * camera.direction(pixel));
 }
+Vec3f world_origin(const RayCamera& camera, Vec2f pixel) {
+    return camera.offset ? camera.world_from_camera * camera.offset(pixel) : camera.world_from_camera.translation;
+}
 
 ImageColor cached_picture(const ShadeScene& scene, const RayCamera& camera, const ShotParts& parts, int samples,
                           const Look* look, ImageColor* albedo, const Run& run) {
@@ -336,11 +339,10 @@ ImageColor cached_picture(const ShadeScene& scene, const RayCamera& camera, cons
     const auto key_of_pixel = [&](int x, int y) {
         return mix64(run.seed ^ 0x9a7e1ull) ^ (static_cast<std::uint64_t>(y) << 32 | static_cast<std::uint64_t>(x));
     };
-    const auto towards = [&](int x, int y, Sampler& sampler) {
+    const auto point_in = [&](int x, int y, Sampler& sampler) {
         const Vec2f offset = sampler.next2();
-        return world_direction(camera, {static_cast<float>(x) + offset.x, static_cast<float>(y) + offset.y});
+        return Vec2f{static_cast<float>(x) + offset.x, static_cast<float>(y) + offset.y};
     };
-    const Vec3f from = camera.world_from_camera.translation;
     // Each ray covers its share of the pixel: filtering textures over the whole pixel would blur them twice.
     const float ray_angle = camera.pixel_angle / std::sqrt(static_cast<float>(round));
     // At least `least` rays.
@@ -349,8 +351,9 @@ ImageColor cached_picture(const ShadeScene& scene, const RayCamera& camera, cons
         do {
             for (int s = 0; s < round; ++s) {
                 Sampler sampler(key_of_pixel(x, y), static_cast<std::uint32_t>(pixel.taken));
-                const Vec3f direction = towards(x, y, sampler);
-                const Shaded shaded = shade_ray(scene, from, direction, ray_angle, sampler);
+                const Vec2f point = point_in(x, y, sampler);
+                const Shaded shaded = shade_ray(scene, world_origin(camera, point), world_direction(camera, point),
+                                                ray_angle, sampler);
                 // Samples are tone mapped before averaging, so that edges against a bright window stay antialiased.
                 pixel.add(shaded, look ? develop(*look, shaded.radiance) : shaded.radiance);
             }
@@ -407,7 +410,8 @@ ImageColor cached_picture(const ShadeScene& scene, const RayCamera& camera, cons
     const auto meets_another = [&](int x, int y) {
         for (int s = round; s < next; ++s) {
             Sampler sampler(key_of_pixel(x, y), static_cast<std::uint32_t>(s));
-            const Met met = met_by_ray(scene, from, towards(x, y, sampler));
+            const Vec2f point = point_in(x, y, sampler);
+            const Met met = met_by_ray(scene, world_origin(camera, point), world_direction(camera, point));
             if (another_surface(noisy->guides.position.at(x, y), noisy->guides.normal.at(x, y), met.position,
                                 met.normal))
                 return true;
@@ -439,10 +443,9 @@ ImageColor path_traced_picture(const PathScene& scene, const RayCamera& camera, 
                 for (int s = 0; s < samples; ++s) {
                     Sampler sampler(key, static_cast<std::uint32_t>(s));
                     const Vec2f offset = sampler.next2();
-                    const Vec3f direction = world_direction(
-                        camera, {static_cast<float>(x) + offset.x, static_cast<float>(y) + offset.y});
-                    sum += path_radiance(scene, camera.world_from_camera.translation, direction, camera.pixel_angle,
-                                         sampler);
+                    const Vec2f point{static_cast<float>(x) + offset.x, static_cast<float>(y) + offset.y};
+                    sum += path_radiance(scene, world_origin(camera, point), world_direction(camera, point),
+                                         camera.pixel_angle, sampler);
                 }
                 const Vec3f mean = sum / static_cast<float>(samples);
                 out.at(x, y) = look ? develop(*look, mean) : mean;

@@ -18,11 +18,14 @@ struct RayCamera {
     int width = 0, height = 0;
     std::function<Vec3f(Vec2f)> direction;  // by pixel position; camera frame, any length
     float pixel_angle = 0;
-    bool panorama = false;  // equirectangular: columns wrap, and crowd towards the poles
+    bool panorama = false;                    // equirectangular: columns wrap, and crowd towards the poles
+    std::function<Vec3f(Vec2f)> offset = {};  // of a ray's start, by pixel position; camera frame; empty: none
 };
 RayCamera panorama_camera(const Rigid& world_from_pano, EquirectSize size);
 RayCamera perspective_camera(const Rigid& world_from_camera, const Pinhole& camera);
 Vec3f world_direction(const RayCamera& camera, Vec2f pixel);
+// Where the ray through a pixel position starts.
+Vec3f world_origin(const RayCamera& camera, Vec2f pixel);
 inline bool is_asked_for(const ShotParts& parts, int x, int y) { return !parts.only || parts.only->at(x, y) != 0; }
 
 // Renders from the cache with at most `samples` rays per pixel (ShotParts::noise, ::denoise). Returns radiance, or

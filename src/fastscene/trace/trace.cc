@@ -8,6 +8,7 @@
 
 #include "fastscene/base/check.h"
 #include "fastscene/base/parallel.h"
+#include "fastscene/geometry/eyes.h"
 #include "fastscene/trace/film.h"
 #include "fastscene/trace/irradiance.h"
 #include "fastscene/trace/lights.h"
@@ -104,13 +105,12 @@ struct TracedRoom::Impl {
             for (auto y = static_cast<int>(begin); y < end; ++y)
                 for (int x = 0; x < camera.width; ++x) {
                     if (!is_asked_for(parts, x, y)) continue;
-                    const Vec3f direction = world_direction(
-                        camera, {static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f});
-                    const RayHit hit = bvh.first_hit(camera.world_from_camera.translation, direction);
+                    const Vec2f center{static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f};
+                    const Vec3f origin = world_origin(camera, center), direction = world_direction(camera, center);
+                    const RayHit hit = bvh.first_hit(origin, direction);
                     if (parts.range) shot.range.at(x, y) = hit.distance;
                     if (parts.mirrored_range)
-                        shot.mirrored_range.at(x, y) = distance_by_mirrors(camera.world_from_camera.translation,
-                                                                           direction, hit);
+                        shot.mirrored_range.at(x, y) = distance_by_mirrors(origin, direction, hit);
                     if (!hit) continue;
                     const Mesh& mesh = room.meshes[static_cast<std::size_t>(hit.mesh)];
                     if (parts.object) shot.object.at(x, y) = mesh.object;
@@ -144,6 +144,13 @@ void TracedRoom::gather_light(const TraceParams& params, const Run& run, const s
 Shot TracedRoom::panorama(const Rigid& world_from_pano, EquirectSize size, const ShotParts& parts,
                           const Run& run) const {
     return impl_->shoot(panorama_camera(world_from_pano, size), parts, run);
+}
+
+Shot TracedRoom::eye_panorama(const Rigid& world_from_pano, EquirectSize size, float eye_m, const ShotParts& parts,
+                              const Run& run) const {
+    RayCamera camera = panorama_camera(world_from_pano, size);
+    camera.offset = [size, eye_m](Vec2f pixel) { return eye_offset(pixel, size, eye_m); };
+    return impl_->shoot(camera, parts, run);
 }
 
 Shot TracedRoom::perspective(const Rigid& world_from_camera, const Pinhole& camera, const ShotParts& parts,

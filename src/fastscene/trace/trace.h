@@ -90,6 +90,12 @@ class TracedRoom {
     Shot perspective(const Rigid& world_from_camera, const Pinhole& camera, const ShotParts& parts,
                      const Run& run) const;
 
+    // Omnidirectional stereo: the panorama of one eye, exact in every column: its rays start `eye_m` metres to the
+    // right of the pose's center as seen in that column's direction (negative: the left eye). Towards the poles, where
+    // the two eyes would turn about each other, the offset fades (eye_offset).
+    Shot eye_panorama(const Rigid& world_from_pano, EquirectSize size, float eye_m, const ShotParts& parts,
+                      const Run& run) const;
+
     // The outside in all directions, as if there were no room: linear radiance as a camera sees it.
     ImageColor outside(const Mat3f& world_from_pano, EquirectSize size) const;
 
