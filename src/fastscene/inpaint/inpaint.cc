@@ -3,8 +3,8 @@
 namespace fastscene {
 
 std::unique_ptr<Inpainter> make_inpainter(std::string_view name, const std::filesystem::path& weights,
-                                          const std::string& device) {
-    return registered_entry<InpaintBackend>("--walk-inpainter", name).make(weights, device);
+                                          const std::string& device, const std::vector<std::string>& trusted) {
+    return registered_entry<InpaintBackend>("--walk-inpainter", name).make(weights, device, trusted);
 }
 
 }  // namespace fastscene

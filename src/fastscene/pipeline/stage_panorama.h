@@ -10,12 +10,15 @@
 #include "fastscene/pipeline/source.h"
 #include "fastscene/pipeline/source_files.h"
 #include "fastscene/trace/trace.h"
+#include "fastscene/walk/walk.h"
 
 namespace fastscene {
 
 // Writes the stage's files into `out` (names in run_folder.h). Returns the traced and lit room, for a walk that renders
 // it again; null if there is none.
+// `walk`: resolved; its inpainter fills what a partial panorama lacks.
 std::shared_ptr<const TracedRoom> make_panorama(const SceneSource& source, const PanoramaParams& params,
-                                                SourceFiles& files, const std::filesystem::path& out, const Run& run);
+                                                const WalkParams& walk, SourceFiles& files,
+                                                const std::filesystem::path& out, const Run& run);
 
 }  // namespace fastscene

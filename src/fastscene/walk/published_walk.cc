@@ -82,7 +82,7 @@ Image<double> filled_range(const PublishedWarp& warp) {
 
 Json walk_as_published(const Panorama& first, const WalkParams& params, const Run& run, const TakePanorama& take,
                        const RangeEstimator& estimate) {
-    const auto inpainter = make_inpainter(params.inpainter, params.inpaint_weights, params.device);
+    const auto inpainter = make_inpainter(params.inpainter, params.inpaint_weights, params.device, params.trusted);
     const Painter paint = [&](const ImageRgb8& color, const ImageMask& hole) {
         return srgb8_from_linear(inpainter->fill(linear_from_srgb8(color), hole, run));
     };

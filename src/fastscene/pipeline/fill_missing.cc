@@ -1,0 +1,111 @@
+#include "fastscene/pipeline/fill_missing.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "fastscene/geometry/cubemap.h"
+#include "fastscene/image/color.h"
+#include "fastscene/inpaint/harmonic_sphere.h"
+
+namespace fastscene {
+namespace {
+
+constexpr float kFillFov_deg = 100;    // faces overlap, so that their borders do not show
+constexpr float kRim_deg = 12;         // what the inpainter continues; beyond, only the smooth fill
+constexpr float kSeamShare = 1.f / 8;  // of the columns, repeated beyond the seam on each side
+
+// Smooth in what eyes see, not in light.
+ImageColor smooth_fill(const ImageColor& color, const ImageMask& missing, const Run& run) {
+    const ImageColor filled = filled_on_sphere(unit_from_linear(color), missing, run);
+    ImageColor out = color;
+    for (std::size_t i = 0; i < out.size(); ++i)
+        if (missing.pixels[i])
+            for (std::size_t c = 0; c < 3; ++c) out.pixels[i][c] = linear_from_srgb(filled.pixels[i][c]);
+    return out;
+}
+
+// The missing pixels within so many pixels of known ones, along rows and columns.
+ImageMask rim_of(const ImageMask& missing, int reach) {
+    ImageMask near(missing.width, missing.height), out = near;
+    const auto any_known = [&](const ImageMask& known, int x, int y, int dx, int dy) {
+        for (int k = -reach; k <= reach; ++k) {
+            const int i = x + k * dx, j = y + k * dy;
+            if (i >= 0 && j >= 0 && i < known.width && j < known.height && !known.at(i, j)) return true;
+        }
+        return false;
+    };
+    for (int y = 0; y < missing.height; ++y)
+        for (int x = 0; x < missing.width; ++x) near.at(x, y) = !any_known(missing, x, y, 1, 0);
+    for (int y = 0; y < missing.height; ++y)
+        for (int x = 0; x < missing.width; ++x)
+            out.at(x, y) = missing.at(x, y) && any_known(near, x, y, 0, 1) ? 255 : 0;
+    return out;
+}
+
+// Continues structures across the rim, one cube face at a time.
+ImageColor rim_painted(const ImageColor& smooth, const ImageMask& missing, const Inpainter& inpainter, const Run& run) {
+    const EquirectSize size{smooth.width, smooth.height};
+    const int side = std::max(16, static_cast<int>(static_cast<float>(smooth.width) * kFillFov_deg / 360));
+    const Pinhole camera = Pinhole::with_fov(side, side, kFillFov_deg);
+    const int reach = std::max(2, static_cast<int>(static_cast<float>(side) * kRim_deg / kFillFov_deg));
+    ImageColor out = smooth;
+    for (const CubeFace face : kCubeFaces) {
+        run.check_stop();
+        const Mat3f pano_from_camera = pano_from_face(face);
+        ImageMask hole(side, side);
+        for (int y = 0; y < side; ++y)
+            for (int x = 0; x < side; ++x) {
+                const Vec2f at = pixel_of_direction(
+                    pano_from_camera *
+                        camera.direction_at({static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f}),
+                    size);
+                hole.at(x, y) = missing.at(wrap_column(static_cast<int>(at.x), size.width),
+                                           std::min(static_cast<int>(at.y), size.height - 1));
+            }
+        const ImageMask rim = rim_of(hole, reach);
+        if (std::none_of(rim.pixels.begin(), rim.pixels.end(), [](std::uint8_t v) { return v != 0; })) continue;
+        const ImageColor painted = inpainter.fill(face_from_equirect(smooth, face, camera), rim, run);
+        for (int y = 0; y < size.height; ++y)
+            for (int x = 0; x < size.width; ++x) {
+                if (!missing.at(x, y)) continue;
+                const Vec3f d = direction_of_pixel(x, y, size);
+                if (face_of_direction(d) != face) continue;
+                const Vec2f at = *camera.project(transpose(pano_from_camera) * d);
+                if (rim.at(std::clamp(static_cast<int>(at.x), 0, side - 1),
+                           std::clamp(static_cast<int>(at.y), 0, side - 1)))
+                    out.at(x, y) = sample_flat(painted, at);
+            }
+    }
+    return out;
+}
+
+// The panorama with columns repeated on both sides.
+template <class Pixel>
+Image<Pixel> continued(const Image<Pixel>& picture, int beyond) {
+    Image<Pixel> out(picture.width + 2 * beyond, picture.height);
+    for (int y = 0; y < out.height; ++y)
+        for (int x = 0; x < out.width; ++x) out.at(x, y) = picture.at(wrap_column(x - beyond, picture.width), y);
+    return out;
+}
+
+ImageColor painted_whole(const ImageColor& smooth, const ImageMask& missing, const Inpainter& inpainter,
+                         const Run& run) {
+    const int beyond = static_cast<int>(static_cast<float>(smooth.width) * kSeamShare);
+    const ImageColor painted = inpainter.fill(continued(smooth, beyond), continued(missing, beyond), run);
+    ImageColor out = smooth;
+    for (int y = 0; y < out.height; ++y)
+        for (int x = 0; x < out.width; ++x)
+            if (missing.at(x, y)) out.at(x, y) = painted.at(x + beyond, y);
+    return out;
+}
+
+}  // namespace
+
+ImageColor with_missing_filled(const ImageColor& color, const ImageMask& missing, const Inpainter& inpainter,
+                               const Run& run) {
+    const ImageColor smooth = smooth_fill(color, missing, run);
+    return inpainter.invents() ? painted_whole(smooth, missing, inpainter, run)
+                               : rim_painted(smooth, missing, inpainter, run);
+}
+
+}  // namespace fastscene
