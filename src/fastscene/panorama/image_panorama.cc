@@ -19,10 +19,11 @@ namespace {
 constexpr int kLeastWidth = 64;        // minimum width: smaller "panoramas" are icons
 constexpr int kGreatestWidth = 16384;  // 16384 x 8192 floats of color are 1.6 GB, the maximum for a desktop
 
-void check_panorama_width(const std::filesystem::path& path, EquirectSize size) {
-    if (!(size.width >= kLeastWidth && size.width <= kGreatestWidth))
+// `found`: the file's own size.
+void check_panorama_width(const std::filesystem::path& path, int width, EquirectSize found) {
+    if (!(width >= kLeastWidth && width <= kGreatestWidth))
         throw Error("{}: expected a panorama {} to {} pixels wide, found {} x {}", path.string(), kLeastWidth,
-                    kGreatestWidth, size.width, size.height);
+                    kGreatestWidth, found.width, found.height);
 }
 
 // Tone maps radiance of unknown scale: walls bright, windows below white. White balance is kept, as the camera has
@@ -67,7 +68,7 @@ SpherePart part_in(const std::filesystem::path& picture, std::string_view bytes,
                                                                  : EquirectSize{info.width, info.height};
     check_name(picture);
     SpherePart part = sphere_part(picture, size, gpano_of(bytes), layout);
-    check_panorama_width(picture, part.size());
+    check_panorama_width(picture, part.size().width, size);
     if (size.width > kGreatestWidth || size.height > kGreatestWidth)
         throw Error("{}: expected a picture of at most {} pixels a side, found {} x {}", picture.string(),
                     kGreatestWidth, size.width, size.height);
@@ -165,7 +166,6 @@ PictureFile picture_file_from(std::string_view bytes, const std::filesystem::pat
     }
     picture.remarks.insert(picture.remarks.end(), part.remarks.begin(), part.remarks.end());
     remark_missing(picture);
-    check_panorama_width(file, picture.size());
     return picture;
 }
 

@@ -89,6 +89,9 @@ EquirectSize SpherePart::size() const {
         case Kind::cross: w = width; break;
         default: w = width * 2 * kHalfTurn / across;
     }
+    // A whole sphere that is not quite 2:1 loses a column or row instead of gaining one.
+    if (kind == Kind::sphere && across > 2 * kHalfTurn - 1e-9 && down > kHalfTurn - 1e-9)
+        w = std::min(width, 2 * height) / 2 * 2;
     constexpr double kGreatest = 16384;  // the largest panorama that is read
     const int half = static_cast<int>(std::lround(std::min(w, kGreatest) / 2));
     return {2 * half, half};

@@ -14,6 +14,40 @@ constexpr float kFillFov_deg = 100;    // faces overlap, so that their borders d
 constexpr float kRim_deg = 12;         // what the inpainter continues; beyond, only the smooth fill
 constexpr float kSeamShare = 1.f / 8;  // of the columns, repeated beyond the seam on each side
 
+// A side of the panorama that is missing shows the rest mirrored at its edge: walls, floor and ceiling continue, as in
+// a room, where a smooth fill would be fog. In the middle of the gap the mirrored pictures of both edges fade into each
+// other. Returns what is still missing.
+ImageMask mirror_sides(ImageColor& color, const ImageMask& missing) {
+    constexpr int kLeastGap = 18;                        // a share of the width: 20 degrees; smaller ones are painted
+    constexpr float kFadeFrom = 0.35f, kFadeTo = 0.65f;  // of the gap
+    const int w = color.width;
+    ImageMask rest = missing;
+    for (int y = 0; y < color.height; ++y) {
+        const std::uint8_t* row = missing.row(y);
+        const auto is_missing = [&](int x) { return row[wrap_column(x, w)] != 0; };
+        for (int begin = 0; begin < w; ++begin) {
+            if (!is_missing(begin) || is_missing(begin - 1)) continue;
+            int gap = 1;
+            while (gap < w && is_missing(begin + gap)) ++gap;
+            if (gap < w / kLeastGap) continue;
+            for (int k = 0; k < gap; ++k) {
+                const int left = begin - 1 - k, right = begin + gap + (gap - 1 - k);
+                const bool has_left = k < w - gap && !is_missing(left),
+                           has_right = gap - 1 - k < w - gap && !is_missing(right);
+                if (!has_left && !has_right) continue;
+                const float t = (static_cast<float>(k) + 0.5f) / static_cast<float>(gap),
+                            s = std::clamp((t - kFadeFrom) / (kFadeTo - kFadeFrom), 0.f, 1.f);
+                const float share = !has_right ? 0 : !has_left ? 1 : s * s * (3 - 2 * s);
+                const int x = wrap_column(begin + k, w);
+                color.at(x, y) = lerp(color.at(wrap_column(has_left ? left : right, w), y),
+                                      color.at(wrap_column(has_right ? right : left, w), y), share);
+                rest.at(x, y) = 0;
+            }
+        }
+    }
+    return rest;
+}
+
 // Smooth in what eyes see, not in light.
 ImageColor smooth_fill(const ImageColor& color, const ImageMask& missing, const Run& run) {
     const ImageColor filled = filled_on_sphere(unit_from_linear(color), missing, run);
@@ -103,9 +137,10 @@ ImageColor painted_whole(const ImageColor& smooth, const ImageMask& missing, con
 
 ImageColor with_missing_filled(const ImageColor& color, const ImageMask& missing, const Inpainter& inpainter,
                                const Run& run) {
-    const ImageColor smooth = smooth_fill(color, missing, run);
-    return inpainter.invents() ? painted_whole(smooth, missing, inpainter, run)
-                               : rim_painted(smooth, missing, inpainter, run);
+    if (inpainter.invents()) return painted_whole(smooth_fill(color, missing, run), missing, inpainter, run);
+    ImageColor sides = color;
+    const ImageMask rest = mirror_sides(sides, missing);
+    return rim_painted(smooth_fill(sides, rest, run), rest, inpainter, run);
 }
 
 }  // namespace fastscene

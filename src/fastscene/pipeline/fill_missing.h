@@ -7,8 +7,8 @@
 
 namespace fastscene {
 
-// `missing`: nonzero = to be filled; other pixels are returned unchanged. What lies far from the picture is continued
-// smoothly over the sphere. The inpainter continues the structures at the picture's rim on overlapping cube faces; one
+// `missing`: nonzero = to be filled; other pixels are returned unchanged. Missing sides show the rest mirrored; what else
+// lies far from the picture is continued smoothly over the sphere. The inpainter continues the structures at the picture's rim on overlapping cube faces; one
 // that invents (Inpainter::invents) paints everything, on the panorama with its columns continued across the seam.
 ImageColor with_missing_filled(const ImageColor& color, const ImageMask& missing, const Inpainter& inpainter,
                                const Run& run);
