@@ -75,7 +75,8 @@ template <class V>
 void visit_fields(PictureSource& s, V&& v) {
     v("prompt", s.prompt, source_flags::kPrompt, source_flags::kPromptSentence);
     v("picture", s.picture, SourceFlag{"--panorama", "FILE|diffusion360", "picture"},
-      "Start from this 2:1 picture (.jpg, .png, .webp, .tif, .hdr, .exr) instead of a prompt; or diffusion360: "
+      "Start from this panorama instead of a prompt: a picture of the whole sphere (2:1) or of a part of it, or the "
+      "faces of a cube (docs/photographs.md); or diffusion360: "
       "generate it from the prompt with --weights.");
     v("range_map", s.range_map, SourceFlag{"--range", "FILE", "range map"},
       "Range map of that picture (.exr, .pfm, .tif, 16-bit .png in millimetres); without it range is estimated.");
