@@ -23,6 +23,8 @@ struct Inpainter {
     // Whether it paints large holes better than a smooth fill does.
     virtual bool invents() const { return false; }
 };
+// The same for a panorama: an inpainter that invents sees its columns continued across the seam, on both sides.
+ImageColor fill_panorama(const Inpainter& inpainter, const ImageColor& panorama, const ImageMask& hole, const Run& run);
 // A way to fill holes, in a source file of its own under inpaint/inpainters/: what is there is what --walk-inpainter
 // offers, and what the contract test asks.
 struct InpaintBackend {

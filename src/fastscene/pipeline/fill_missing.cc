@@ -10,16 +10,15 @@
 namespace fastscene {
 namespace {
 
-constexpr float kFillFov_deg = 100;    // faces overlap, so that their borders do not show
-constexpr float kRim_deg = 12;         // what the inpainter continues; beyond, only the smooth fill
-constexpr float kSeamShare = 1.f / 8;  // of the columns, repeated beyond the seam on each side
+constexpr float kFillFov_deg = 100;  // faces overlap, so that their borders do not show
+constexpr float kRim_deg = 12;       // what the inpainter continues; beyond, only the smooth fill
 
 // A side of the panorama that is missing shows the rest mirrored at its edge: walls, floor and ceiling continue, as in
 // a room, where a smooth fill would be fog. In the middle of the gap the mirrored pictures of both edges fade into each
 // other. Returns what is still missing.
 ImageMask mirror_sides(ImageColor& color, const ImageMask& missing) {
     constexpr int kLeastGap = 18;                        // a share of the width: 20 degrees; smaller ones are painted
-    constexpr float kFadeFrom = 0.35f, kFadeTo = 0.65f;  // of the gap
+    constexpr float kFadeFrom = 0.42f, kFadeTo = 0.58f;  // of the gap
     const int w = color.width;
     ImageMask rest = missing;
     for (int y = 0; y < color.height; ++y) {
@@ -113,31 +112,11 @@ ImageColor rim_painted(const ImageColor& smooth, const ImageMask& missing, const
     return out;
 }
 
-// The panorama with columns repeated on both sides.
-template <class Pixel>
-Image<Pixel> continued(const Image<Pixel>& picture, int beyond) {
-    Image<Pixel> out(picture.width + 2 * beyond, picture.height);
-    for (int y = 0; y < out.height; ++y)
-        for (int x = 0; x < out.width; ++x) out.at(x, y) = picture.at(wrap_column(x - beyond, picture.width), y);
-    return out;
-}
-
-ImageColor painted_whole(const ImageColor& smooth, const ImageMask& missing, const Inpainter& inpainter,
-                         const Run& run) {
-    const int beyond = static_cast<int>(static_cast<float>(smooth.width) * kSeamShare);
-    const ImageColor painted = inpainter.fill(continued(smooth, beyond), continued(missing, beyond), run);
-    ImageColor out = smooth;
-    for (int y = 0; y < out.height; ++y)
-        for (int x = 0; x < out.width; ++x)
-            if (missing.at(x, y)) out.at(x, y) = painted.at(x + beyond, y);
-    return out;
-}
-
 }  // namespace
 
 ImageColor with_missing_filled(const ImageColor& color, const ImageMask& missing, const Inpainter& inpainter,
                                const Run& run) {
-    if (inpainter.invents()) return painted_whole(smooth_fill(color, missing, run), missing, inpainter, run);
+    if (inpainter.invents()) return fill_panorama(inpainter, smooth_fill(color, missing, run), missing, run);
     ImageColor sides = color;
     const ImageMask rest = mirror_sides(sides, missing);
     return rim_painted(smooth_fill(sides, rest, run), rest, inpainter, run);

@@ -151,6 +151,11 @@ void claim(const RunFolder& folder, const SceneRequest& request, const Json& wan
     claim_folder(folder, wanted, request.start_over, clash, describe(wanted, recorded));
 }
 
+Filler filler_of(const SceneRequest& request) {
+    const WalkParams walk = walk_of(request.source, request.params.depth, request.params.walk);
+    return {walk.inpainter, walk.inpaint_weights, walk.device, walk.trusted};
+}
+
 // The walk's inpainter fills what a partial panorama lacks, and only that.
 Json panorama_settings(const SceneRequest& request, SourceFiles& files, const RunFolder& folder) {
     Json json = fields_json(request.params.panorama);
@@ -158,8 +163,8 @@ Json panorama_settings(const SceneRequest& request, SourceFiles& files, const Ru
     const bool partial = !picture.empty() && (files.has_picture(picture) ? !files.picture(picture).missing.empty()
                                                                          : fs::exists(folder.panorama_missing()));
     if (partial) {
-        const WalkParams walk = walk_of(request.source, request.params.depth, request.params.walk);
-        json["filled_by"] = {walk.inpainter, walk.inpaint_weights};
+        const Filler filler = filler_of(request);
+        json["filled_by"] = {filler.inpainter, filler.weights};
     }
     return json;
 }
@@ -188,7 +193,7 @@ Json make_scene(const SceneRequest& request, const RunFolder& folder, const Run&
     Stream stream(folder, request, wanted.at("identity").get<std::string>(), run);
     std::shared_ptr<const TracedRoom> room;  // kept for a walk that renders the room again
     stream.stage("panorama", panorama_settings(request, files, folder), [&](const fs::path& out, const Run& r) {
-        auto made = make_panorama(source, params.panorama, walk_of(source, params.depth, params.walk), files, out, r);
+        auto made = make_panorama(source, params.panorama, filler_of(request), files, out, r);
         if (looks_into_room(walk_of(source, params.depth, params.walk))) room = std::move(made);
     });
     files.drop_pictures();

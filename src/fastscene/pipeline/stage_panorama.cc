@@ -7,7 +7,6 @@
 #include "fastscene/image/color.h"
 #include "fastscene/io/image_io.h"
 #include "fastscene/panorama/more_panoramas.h"
-#include "fastscene/pipeline/fill_missing.h"
 #include "fastscene/pipeline/stage_code.h"
 #include "fastscene/pipeline/run_files.h"
 
@@ -20,7 +19,7 @@ struct Completed {
     ImageColor color;
     ImageMask missing;
 };
-Completed completed(PictureFile picture, int width, const WalkParams& walk, const Run& run) {
+Completed completed(PictureFile picture, int width, const Filler& filler, const Run& run) {
     Completed out;
     out.missing = reduced_missing(picture.missing, width);
     Panorama panorama;
@@ -28,19 +27,19 @@ Completed completed(PictureFile picture, int width, const WalkParams& walk, cons
     out.color = reduced_panorama(panorama, width).color;
     if (!out.missing.empty())
         out.color = with_missing_filled(
-            out.color, out.missing, *make_inpainter(walk.inpainter, walk.inpaint_weights, walk.device, walk.trusted),
+            out.color, out.missing, *make_inpainter(filler.inpainter, filler.weights, filler.device, filler.trusted),
             run);
     return out;
 }
 
-void save_more_panoramas(const fs::path& list, EquirectSize size, const WalkParams& walk, SourceFiles& files,
+void save_more_panoramas(const fs::path& list, EquirectSize size, const Filler& filler, SourceFiles& files,
                          const fs::path& out, const Run& run) {
     make_directories(out);
     std::vector<Viewpoint> viewpoints;
     for (const MorePanorama& more : read_more_panoramas(list)) {
         run.check_stop();
         Panorama one;
-        one.color = completed(files.take(more.color), size.width, walk, run).color;
+        one.color = completed(files.take(more.color), size.width, filler, run).color;
         one.world_from_pano = more.world_from_pano;
         one = in_first_orientation(one, size);
         viewpoints.push_back({name_of_viewpoint(viewpoints.size() + 1), one.world_from_pano});
@@ -58,7 +57,7 @@ struct Made {
 };
 struct Making {
     const PanoramaParams& params;
-    const WalkParams& walk;
+    const Filler& filler;
     SourceFiles& files;
     fs::path run_folder;
     const Run& run;
@@ -90,7 +89,7 @@ Made made_from(const PaintingSource& source, const Making& with) {
 }
 
 Made made_from(const PictureSource& source, const Making& with) {
-    Completed picture = completed(with.files.take(source.picture), with.params.width, with.walk, with.run);
+    Completed picture = completed(with.files.take(source.picture), with.params.width, with.filler, with.run);
     Made made;
     made.color = std::move(picture.color), made.missing = std::move(picture.missing);
     if (!source.weights.empty() && with.params.diffusion.upscale != "none")
@@ -108,14 +107,14 @@ Made made_from(const CaptureSource&, const Making&) {
 }  // namespace
 
 std::shared_ptr<const TracedRoom> make_panorama(const SceneSource& source, const PanoramaParams& params,
-                                                const WalkParams& walk, SourceFiles& files, const fs::path& out,
+                                                const Filler& filler, SourceFiles& files, const fs::path& out,
                                                 const Run& run) {
-    const Making with{params, walk, files, out.parent_path(), run};
+    const Making with{params, filler, files, out.parent_path(), run};
     Made made = std::visit([&](const auto& one) { return made_from(one, with); }, source);
     save_png(out / "color.png", srgb8_from_linear(made.color));
     if (!made.missing.empty()) save_png(out / "missing.png", made.missing);
     if (const fs::path list = more_of(source); !list.empty())
-        save_more_panoramas(list, {made.color.width, made.color.height}, walk, files, out / "more", run);
+        save_more_panoramas(list, {made.color.width, made.color.height}, filler, files, out / "more", run);
     write_json(out / "prompt.json", made.prompt);
     write_json(out / "room.json", made.room);
     return made.traced;

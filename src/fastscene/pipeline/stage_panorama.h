@@ -6,19 +6,19 @@
 #include <memory>
 
 #include "fastscene/panorama/panorama.h"
+#include "fastscene/pipeline/fill_missing.h"
 #include "fastscene/pipeline/run_folder.h"
 #include "fastscene/pipeline/source.h"
 #include "fastscene/pipeline/source_files.h"
 #include "fastscene/trace/trace.h"
-#include "fastscene/walk/walk.h"
 
 namespace fastscene {
 
 // Writes the stage's files into `out` (names in run_folder.h). Returns the traced and lit room, for a walk that renders
 // it again; null if there is none.
-// `walk`: resolved; its inpainter fills what a partial panorama lacks.
+// `filler`: for what a partial panorama lacks.
 std::shared_ptr<const TracedRoom> make_panorama(const SceneSource& source, const PanoramaParams& params,
-                                                const WalkParams& walk, SourceFiles& files,
+                                                const Filler& filler, SourceFiles& files,
                                                 const std::filesystem::path& out, const Run& run);
 
 }  // namespace fastscene
