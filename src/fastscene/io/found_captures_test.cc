@@ -1,6 +1,7 @@
 // Captures as people meet them: six pictures of a wall, their cameras written by other programs, on other machines.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -92,6 +93,41 @@ TEST(FoundColmap, NamesWithBlanksUmlautsAndBackslashes) {
     expect_six(load_colmap_capture(dir, {}), "blanks");
     save_colmap_text(dir, {.names = "left\\A shot (ü) {}.png"});
     expect_six(load_colmap_capture(dir, {}), "backslashes");
+}
+
+TEST(FoundColmap, ThreeDigitExponentsAndNoEmptyLineAtTheEnd) {
+    const fs::path dir = fresh("odd lines");
+    save_pictures(dir / "images", "{}.png");
+    save_colmap_text(dir, {});
+    std::string cameras = "1 PINHOLE 64 48 5.000000000000000e+001 5.0e+001 3.2e+001 2.4e+001",
+                images = read_file(dir / "sparse/0/images.txt");
+    while (images.back() == '\n') images.pop_back();
+    write_file(dir / "sparse/0/cameras.txt", cameras);
+    write_file(dir / "sparse/0/images.txt", images);
+    expect_six(load_colmap_capture(dir, {}), "odd lines");
+}
+
+TEST(FoundColmap, RigsAndMasksForSome) {
+    const fs::path dir = fresh("rigs");
+    std::string images = "# images\n";
+    for (int i = 0; i < kPictures; ++i) {
+        const fs::path file = dir / fmt::format("images/cam{}/{}.png", i / 3, i);
+        fs::create_directories(file.parent_path());
+        save_png(file, ImageRgb8(kWidth, kHeight));
+        images += fmt::format("{} 1 0 0 0 {} 0 0 1 cam{}/{}.png\n\n", i + 1, -right_of(i), i / 3, i);
+    }
+    save_colmap_text(dir, {});
+    write_file(dir / "sparse/0/images.txt", images);
+    // COLMAP 4 keeps them beside the model; the poses stand in images.txt as before.
+    write_file(dir / "sparse/0/rigs.txt", std::string_view("# rigs\n1 2 CAMERA 1 CAMERA 2 1 1 0 0 0 0.2 0 0\n"));
+    write_file(dir / "sparse/0/frames.txt", std::string_view("# frames\n1 1 1 0 0 0 0 0 0 2 CAMERA 1 1 CAMERA 2 2\n"));
+    fs::create_directories(dir / "masks/cam0");
+    for (int i = 0; i < 3; ++i)
+        save_png(dir / fmt::format("masks/cam0/{}.png.png", i), ImageMask(kWidth, kHeight, 255));
+    const Capture capture = load_colmap_capture(dir, {});
+    expect_six(capture, "rigs");
+    EXPECT_EQ(
+        std::count_if(capture.photos.begin(), capture.photos.end(), [](const Photo& p) { return !p.mask.empty(); }), 3);
 }
 
 TEST(FoundColmap, CamerasAndPosesThatAreNotFinite) {
