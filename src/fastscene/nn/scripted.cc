@@ -45,6 +45,15 @@ ScriptedNetwork ScriptedNetwork::load(const fs::path& file, const std::vector<st
 
 namespace {
 
+// The network's own traceback ends with what went wrong: "RuntimeError: …".
+std::string last_line(const std::string& text) {
+    const std::size_t end = text.find_last_not_of(" \n");
+    if (end == std::string::npos) return text;
+    const std::size_t begin = text.find_last_of('\n', end);
+    return text.substr(begin == std::string::npos ? 0 : begin + 1,
+                       end - (begin == std::string::npos ? 0 : begin + 1) + 1);
+}
+
 // The tensor that `wanted` names in what a network returned.
 c10::IValue chosen_output(const fs::path& file, c10::IValue value, const std::string& wanted) {
     if (value.isTensor()) return value;
@@ -54,8 +63,13 @@ c10::IValue chosen_output(const fs::path& file, c10::IValue value, const std::st
         throw Error("{}: expected an output \"{}\", found none of that name", file.string(), wanted);
     }
     std::vector<c10::IValue> parts;
-    if (value.isTuple()) parts = {value.toTupleRef().elements().begin(), value.toTupleRef().elements().end()};
-    else if (value.isList()) parts = {value.toListRef().begin(), value.toListRef().end()};
+    if (value.isTuple()) {
+        const auto& elements = value.toTupleRef().elements();
+        parts.assign(elements.begin(), elements.end());
+    } else if (value.isList()) {
+        const auto elements = value.toListRef();
+        parts.assign(elements.begin(), elements.end());
+    }
     const std::size_t index = wanted.empty() ? 0 : std::strtoul(wanted.c_str(), nullptr, 10);
     if (index >= parts.size())
         throw Error("{}: expected an output number {}, found {} outputs", file.string(), index, parts.size());
@@ -86,7 +100,7 @@ PicturePlanes ScriptedNetwork::run(const std::vector<PicturePlanes>& inputs, con
     } catch (const std::exception& e) {  // of libtorch, or raised by the network's own code
         if (is_lack_of_memory(e)) throw std::bad_alloc();
         throw Error("{}: cannot run on {} x {} pixels: {}", state_->file.string(), inputs.at(0).width,
-                    inputs.at(0).height, short_message(e));
+                    inputs.at(0).height, last_line(short_message(e)));
     }
     while (found.dim() > 3 && found.size(0) == 1) found = found.squeeze(0);
     if (found.dim() == 2) found = found.unsqueeze(0);
