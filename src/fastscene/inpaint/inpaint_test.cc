@@ -98,7 +98,8 @@ TEST(Inpainters, AnUnknownNameIsToldTheNames) {
         make_inpainter("crayon");
         FAIL() << "expected an error";
     } catch (const UsageError& e) {
-        EXPECT_EQ(std::string(e.what()), "--walk-inpainter: expected aotgan, harmonic or torchscript, found \"crayon\"");
+        EXPECT_EQ(std::string(e.what()),
+                  "--walk-inpainter: expected aotgan, harmonic or torchscript, found \"crayon\"");
     }
 }
 

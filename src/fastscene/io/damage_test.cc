@@ -309,7 +309,8 @@ TEST(Damage, Photogrammetry) {
 </components><cameras>)";
     for (int i = 0; i < 4; ++i)
         cameras += fmt::format(
-            "<camera id=\"{0}\" sensor_id=\"0\" component_id=\"0\" label=\"{0}\"><transform>1 0 0 "
+            "<camera id=\"{0}\" sensor_id=\"0\" component_id=\"0\" label=\"{0}\">"
+            "<transform>1 0 0 "
             "{0} 0 1 0 0 0 0 1 0 0 0 0 1</transform></camera>",
             i);
     survives(cameras + "</cameras></chunk></document>", xml, load_metashape_capture);

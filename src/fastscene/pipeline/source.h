@@ -95,7 +95,8 @@ void visit_fields(PaintingSource& s, V&& v) {
 template <class V>
 void visit_fields(CaptureSource& s, V&& v) {
     v("kind", s.kind, SourceFlag{"--colmap, --nerfstudio …", "", "kind"}, "Whose cameras they are.");
-    v("source", s.source, SourceFlag{"--colmap, --nerfstudio …", "DIR|FILE", "photographs"}, "Where the cameras are.");
+    v("source", s.source, SourceFlag{"--colmap, --nerfstudio …", "DIR|FILE", "photographs"},
+      "Where the cameras are.");
     v("images", s.images, SourceFlag{"--images", "DIR", "pictures"},
       "Folder of the pictures; default: images/ next to the model.");
     v("masks", s.masks, SourceFlag{"--masks", "DIR", "masks"},
