@@ -19,7 +19,7 @@ struct Flags {
     std::optional<std::int64_t> max_splats;
     int sh_degree = 3, spz_version = 3;
     float scale = 1, min_opacity = 0;
-    bool compact = false;
+    bool compact = false, local = false;
 };
 
 // Axes whose `up` axis points up and, if that is level, whose other axes are customary for it: y: x right, z back
@@ -54,6 +54,17 @@ void warn_of_losses(const std::string& to, const Splats& splats, const Run& run)
     if (splats.antialias && !format.antialias)
         run.warn(fmt::format("{}: {} cannot store that these splats are antialiased: small ones will look too bright",
                              to, format.ending));
+}
+
+// What georeferenced splats lie around, if the file can hold it.
+Vec3d offset_to_write(const Flags& flags, Vec3d offset, const Run& run) {
+    if (offset == Vec3d{} || flags.local) return {};
+    const SplatFormat& format = *splat_format_of_name(flags.to);
+    if (format.offset) return offset;
+    run.warn(
+        fmt::format("{}: {} cannot hold positions far from the origin: they are relative to ({:.0f}, {:.0f}, {:.0f})",
+                    flags.to, format.ending, offset.x, offset.y, offset.z));
+    return {};
 }
 
 // The transform of the world that makes the file's coordinates as requested.
@@ -104,7 +115,8 @@ void convert(const Flags& flags, const Session& session) {
     Splats splats = std::move(loaded.splats);
     const std::size_t found = splats.size() + loaded.cleaned.dropped;
     progress.advance();
-    transform(splats, inverse(world_for(scene_file(flags.from), flags.from_up, false)));
+    const Similarity as_read = inverse(world_for(scene_file(flags.from), flags.from_up, false));
+    transform(splats, as_read);
     if (flags.min_opacity > 0) splats = opaque(splats, flags.min_opacity);
     if (!flags.crop.empty())
         splats = cropped(splats, {flags.crop[0], flags.crop[1], flags.crop[2]},
@@ -115,11 +127,15 @@ void convert(const Flags& flags, const Session& session) {
         throw Error("{}: none of {} splats remain; nothing was written", flags.from, found);
     if (found == 0) run.warn(fmt::format("{}: has no splats", flags.from));
     const Vec3d move{flags.translate[0], flags.translate[1], flags.translate[2]};
-    transform(splats, compose(world_for(flags.to, flags.up, flags.handed == "left"), {{}, flags.scale, move}));
+    const Similarity as_written = compose(world_for(flags.to, flags.up, flags.handed == "left"),
+                                          {{}, flags.scale, move});
+    transform(splats, as_written);
+    const Similarity both = compose(as_written, as_read);
+    const Vec3d offset = offset_to_write(flags, (both.new_from_old * loaded.offset_m) * both.scale, run);
     progress.advance();
     run.check_stop();
     warn_of_losses(flags.to, splats, run);
-    save_splats(flags.to, splats, {flags.compact ? PlyBands::present : PlyBands::all, flags.spz_version});
+    save_splats(flags.to, splats, {flags.compact ? PlyBands::present : PlyBands::all, flags.spz_version, offset});
     progress.advance();
     const auto bytes = fs::file_size(flags.to);
     run.note(fmt::format("{} of {} splats, spherical harmonics of degree {}, {:.2f} MB", splats.size(), found,
@@ -180,6 +196,9 @@ Verb add_convert(CLI::App& app) {
         ->capture_default_str();
     verb->add_flag("--compact", flags->compact,
                    "PLY: only the existing SH degrees, instead of always 62 floats per splat.");
+    verb->add_flag("--local", flags->local,
+                   "Georeferenced splats: leave out the offset that was taken from their positions, instead of adding "
+                   "it again (PLY: in double; GLB: in the node).");
     verb->footer("Example:\n  fastscene convert out/bedroom bedroom.spz --max-splats 100000");
     return {verb, [flags](const Session& session) { convert(*flags, session); }};
 }

@@ -8,7 +8,7 @@
 #include "fastscene/film/encode.h"
 #include "fastscene/io/camera_path_io.h"
 #include "fastscene/io/capture_io.h"
-#include "fastscene/io/gpano.h"
+#include "fastscene/io/gpano_mark.h"
 #include "fastscene/io/image_io.h"
 #include "fastscene/pipeline/splat_files.h"
 

@@ -22,12 +22,24 @@ void add_param_flags(CLI::App& app, const std::shared_ptr<RequestFlags>& flags, 
                "The same as --views-sfm.")
             ->type_name(sfm->get_type_name())
             ->group(sfm->get_group());
+    if (app.get_option_no_throw("--depth-weights"))
+        app.add_option("--trust", flags->trusted,
+                       "Files of code (TorchScript) that may run: paths or SHA-256 hashes. Never taken from a run's "
+                       "record (docs/torchscript.md).")
+            ->type_name("FILE|SHA256")
+            ->allow_extra_args(false);
     app.add_option("--quality", flags->quality, "Preset that fills all settings below.")
         ->type_name("draft|standard|high")
         ->check(one_of(qualities()))
         ->default_str(flags->quality)
         ->each([flags = flags.get()](const std::string&) { flags->has_quality = true; });
 }
+
+namespace {
+void trust(SceneParams& params, const std::vector<std::string>& files) {
+    params.depth.trusted = params.walk.trusted = files;
+}
+}  // namespace
 
 void apply_param_flags(SceneParams& params, const Given& given) {
     visit_sections(params,
@@ -100,6 +112,7 @@ SceneRequest starting_request(const CLI::App& verb, const RequestFlags& flags, c
         if (!painting->photo.empty()) panorama.diffusion.guidance = kGuidanceAroundPhoto;
     }
     apply_param_flags(request.params, *flags.given);
+    trust(request.params, flags.trusted);
     if (has_room(request.source) && panorama.backend == "image")
         throw UsageError("--panorama-backend image: expected --panorama FILE, found none");
     panorama.backend = panorama_backend(request.source);
@@ -160,6 +173,7 @@ Verb add_stage_verb(CLI::App& app, const std::string& name, const std::string& s
                     recorded.request.params = params_of_quality(flags->quality);
                 }
                 apply_param_flags(recorded.request.params, *flags->given);
+                trust(recorded.request.params, flags->trusted);
                 recorded.request.last_stage = name;
                 const Run run = session.run(recorded.seed);
                 use_cached_weights(recorded.request, run);

@@ -18,6 +18,7 @@ struct RequestFlags {
     std::string quality = "standard";
     std::string seed = "0";
     bool force = false, strict = false, has_quality = false;
+    std::vector<std::string> trusted;  // of --trust
     std::shared_ptr<Given> given = std::make_shared<Given>();
 };
 

@@ -1,7 +1,11 @@
 // splat: a stage of a run, and a command of its own for photographs with cameras.
+#include <algorithm>
 #include <array>
+#include <map>
+#include <string>
 
 #include "fastscene/cli/request.h"
+#include "fastscene/io/capture_io.h"
 #include "fastscene/pipeline/capture_run.h"
 
 namespace fastscene::cli {
@@ -10,7 +14,8 @@ namespace {
 namespace fs = std::filesystem;
 
 struct CaptureFlags {
-    std::string colmap, nerfstudio, images, masks, out, seed = "0";
+    std::map<std::string, std::string> sources;  // by kind; empty: not given
+    std::string images, masks, points, out, seed = "0";
     bool force = false;
     std::shared_ptr<Given> given = std::make_shared<Given>();
 };
@@ -26,11 +31,21 @@ void train(const CaptureRequest& request, const RunFolder& folder, std::uint64_t
         run.note(fmt::format("open {} in a browser to walk through it", folder.viewer_html().string()));
 }
 
+auto given_source(const CaptureFlags& flags) {
+    return std::find_if(flags.sources.begin(), flags.sources.end(), [](const auto& s) { return !s.second.empty(); });
+}
+
+// "--colmap, --nerfstudio or --polycam"
+std::string source_flags() {
+    std::vector<std::string> flags;
+    for (const CaptureKind& kind : capture_kinds()) flags.push_back(fmt::format("--{}", kind.name));
+    return any_of(flags);
+}
+
 CaptureRequest request_of(const CaptureFlags& flags, const RequestFlags& stage) {
     CaptureRequest request;
-    const bool colmap = flags.nerfstudio.empty();
-    request.source = {colmap ? "colmap" : "nerfstudio", colmap ? flags.colmap : flags.nerfstudio, flags.images,
-                      flags.masks};
+    const auto given = given_source(flags);
+    request.source = {given->first, given->second, flags.images, flags.masks, flags.points};
     request.quality = stage.quality;
     request.splat = capture_params_of_quality(stage.quality);
     request.photos.max_size = max_size_of(stage.quality);
@@ -39,21 +54,20 @@ CaptureRequest request_of(const CaptureFlags& flags, const RequestFlags& stage) 
 }
 
 // Flags for photographs only.
-constexpr std::array kCaptureOnly{"--out", "--images", "--masks", "--seed", "--force"};
+constexpr std::array kCaptureOnly{"--out", "--images", "--masks", "--points", "--seed", "--force"};
 
 void add_capture_flags(CLI::App& verb, CaptureFlags& flags) {
     const std::string group = "Photographs with cameras (instead of a run's folder)";
-    const auto add = [&](const char* name, std::string& value, const char* type, const char* sentence) {
+    const auto add = [&](const std::string& name, std::string& value, const char* type, const char* sentence) {
         return verb.add_option(name, value, sentence)->type_name(type)->group(group);
     };
-    add("--colmap", flags.colmap, "DIR",
-        "Folder with images/ and COLMAP's model (text or binary) in sparse/0 or sparse.");
-    add("--nerfstudio", flags.nerfstudio, "FILE",
-        "transforms.json of nerfstudio or NeRF, or the folder that contains it.");
+    for (const CaptureKind& kind : capture_kinds())
+        add(fmt::format("--{}", kind.name), flags.sources[kind.name], kind.type, kind.sentence);
     add("-o,--out", flags.out, "DIR", "Output folder; default: out/ plus the name of the source.");
     add("--images", flags.images, "DIR", "Folder of the pictures; default: images/ next to the model.");
     add("--masks", flags.masks, "DIR",
         "Folder of masks, white = used; default: masks/ next to the model, if it exists.");
+    add("--points", flags.points, "FILE", "Initial points as .ply, instead of the capture's own.");
     add("--seed", flags.seed, "N", "Same seed, same splats, byte for byte.")->default_str("0");
     verb.add_flag("--force", flags.force, "Delete another run in the folder.")->group(group);
     PhotosParams photos;
@@ -87,8 +101,8 @@ void check_flags(const CLI::App& verb, const Given& stage_flags, const CaptureFl
     if (from_capture) return;
     for (const char* flag : kCaptureOnly)
         if (verb.count(flag))
-            throw UsageError(
-                "{}: expected with --colmap or --nerfstudio, found with the folder of a run, which has its own", flag);
+            throw UsageError("{}: expected with {}, found with the folder of a run, which has its own", flag,
+                             source_flags());
     if (!recorded_capture && !capture.given->empty())
         throw UsageError("{}: expected with photographs, found with the folder of a made scene",
                          capture.given->begin()->first);
@@ -111,10 +125,10 @@ Verb add_splat(CLI::App& app) {
 
     const auto continue_run = verb.act;
     verb.act = [stage, flags, continue_run, app = verb.app](const Session& session) {
-        const int sources = !stage->out.empty() + !flags->colmap.empty() + !flags->nerfstudio.empty();
+        const auto sources = !stage->out.empty() + std::count_if(flags->sources.begin(), flags->sources.end(),
+                                                                 [](const auto& s) { return !s.second.empty(); });
         if (sources != 1)
-            throw UsageError("splat: expected one of the folder of a run, --colmap DIR and --nerfstudio FILE, found {}",
-                             sources);
+            throw UsageError("splat: expected the folder of a run, or one of {}, found {}", source_flags(), sources);
         if (!stage->out.empty()) {
             const RunFolder folder{stage->out};
             auto recorded = recorded_capture(folder);
@@ -131,8 +145,8 @@ Verb add_splat(CLI::App& app) {
         apply_fields("", request.photos, *flags->given);
         fs::path source = fs::absolute(request.source.source).lexically_normal();
         if (source.filename().empty()) source = source.parent_path();
-        const std::string name = source.extension() == ".json" ? source.parent_path().filename().string()
-                                                               : source.filename().string();
+        const std::string name = fs::is_regular_file(source) ? source.parent_path().filename().string()
+                                                             : source.filename().string();
         const RunFolder folder{flags->out.empty() ? fs::path("out") / slug_of(name) : fs::path(flags->out)};
         train(request, folder, number_from<std::uint64_t>("--seed", flags->seed), session);
     };

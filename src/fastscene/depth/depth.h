@@ -28,14 +28,29 @@ struct DepthParams {
     std::string weights;           // of a network
     std::string device = "auto";   // of a network: auto, cpu or cuda
     float camera_height_m = 1.6f;  // above the floor: a tripod at eye height
+    // What a network in TorchScript wants; auto and 0: as the JSON beside it says.
+    std::string script_output = "auto", script_normalize = "auto";
+    int script_width = 0;
+    // Paths and hashes of files whose code may run (models/trust.h). Not a setting: never recorded in a run, which may
+    // come from somebody else.
+    std::vector<std::string> trusted;
     int tta = 0;  // test-time augmentation: number of rotated and mirrored variants averaged; 0: automatic
 };
 template <class V>
 void visit_fields(DepthParams& p, V&& v) {
     v("backend", p.backend, Choices{depth_choices()}, about_depth_choices());
     v("weights", p.weights,
-      "EGformer's weights (the published .pkl, or .safetensors); empty: the built-in ones, two networks whose outputs "
-      "are averaged.");
+      "EGformer's weights (the published .pkl, or .safetensors), or the file of --depth-backend torchscript; empty: "
+      "the "
+      "built-in ones, two networks whose outputs are averaged.");
+    v("script-output", p.script_output, Choices{{"auto", "range", "disparity", "metres"}},
+      "torchscript: what its output is. range and disparity: up to a scale, which the camera's height gives; auto: as "
+      "the JSON beside the file says, else range.");
+    v("script-width", p.script_width, Bounds{0, 8192},
+      "torchscript: width of the panorama that it gets; 0: as the JSON beside the file says, else 1024.");
+    v("script-normalize", p.script_normalize, Choices{{"auto", "unit", "imagenet", "symmetric"}},
+      "torchscript: colors that it gets. unit: 0 to 1; imagenet: less ImageNet's mean, by its deviation; symmetric: -1 "
+      "to 1; auto: as the JSON beside the file says, else unit.");
     v("device", p.device, Choices{{"auto", "cpu", "cuda"}},
       "Where the network runs; auto: CUDA if libtorch supports it.");
     v("tta", p.tta, Bounds{0, 8},

@@ -78,7 +78,8 @@ TEST(DepthBackends, AnUnknownNameIsToldTheNames) {
         make_depth_estimator(params_for("sonar"));
         FAIL() << "expected an error";
     } catch (const UsageError& e) {
-        EXPECT_EQ(std::string(e.what()), "--depth-backend: expected egformer, layout or prior, found \"sonar\"");
+        EXPECT_EQ(std::string(e.what()),
+                  "--depth-backend: expected egformer, layout, prior or torchscript, found \"sonar\"");
     }
 }
 

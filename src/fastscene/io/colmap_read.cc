@@ -1,6 +1,11 @@
+#include <fmt/ranges.h>
+
+#include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <limits>
 #include <map>
+#include <optional>
 
 #include "fastscene/base/file.h"
 #include "fastscene/io/bytes.h"
@@ -34,6 +39,9 @@ class Line {
     T number() {
         const std::string_view text = word();
         T value{};
+        if constexpr (std::is_floating_point_v<T>)
+            if (text.find('#') != std::string_view::npos)  // old Windows programs: 1.#QNAN, -1.#IND, 1.#INF
+                return std::numeric_limits<T>::quiet_NaN();
         const auto [end, code] = std::from_chars(text.data(), text.data() + text.size(), value);
         if (code != std::errc() || end != text.data() + text.size())
             refuse("expected a number, found \"" + std::string(text) + "\"");
@@ -69,15 +77,25 @@ void each_line(const fs::path& path, bool with_empty, const Read& read) {
     }
 }
 
-using Cameras = std::map<std::int64_t, Lens>;
+// A camera whose numbers are not finite has none: its pictures are left out.
+using Cameras = std::map<std::int64_t, std::optional<Lens>>;
+
+// The photos of a model, and those that it has but that cannot be used, with the reason.
+struct ModelPhotos {
+    std::vector<Photo> photos;
+    std::vector<std::string> unusable;
+};
+
+bool all_finite(const auto& numbers) {
+    return std::all_of(numbers.begin(), numbers.end(), [](double v) { return std::isfinite(v); });
+}
 
 template <class In>
-Lens checked_lens(const In& in, const LensModel& model, std::uint64_t width, std::uint64_t height,
-                  const std::vector<double>& parameters) {
+std::optional<Lens> checked_lens(const In& in, const LensModel& model, std::uint64_t width, std::uint64_t height,
+                                 const std::vector<double>& parameters) {
     if (width < 1 || height < 1 || width > 65536 || height > 65536)
         in.refuse(fmt::format("expected a picture size, found {} x {}", width, height));
-    for (const double p : parameters)
-        if (!std::isfinite(p)) in.refuse("expected finite camera parameters, found another");
+    if (!all_finite(parameters)) return {};
     const Lens lens = lens_of(model, static_cast<int>(width), static_cast<int>(height), parameters);
     if (lens.kind == LensKind::unified && !(lens.k[0] >= 0 && lens.k[0] <= 1 && lens.k[1] > 0))
         in.refuse(fmt::format("expected an EUCM camera's alpha from 0 to 1 and a positive beta, found {} and {}",
@@ -89,8 +107,6 @@ Lens checked_lens(const In& in, const LensModel& model, std::uint64_t width, std
 
 template <class In>
 Rigidd pose_of(const In& in, const std::array<double, 7>& v) {
-    for (const double number : v)
-        if (!std::isfinite(number)) in.refuse("expected a finite pose, found another");
     const Quatd q{v[0], v[1], v[2], v[3]};
     if (const double n = q.w * q.w + q.x * q.x + q.y * q.y + q.z * q.z; !(n > 0.1 && n < 10))
         in.refuse("expected a unit quaternion, found one of another length");
@@ -132,13 +148,16 @@ Cameras cameras_of_binary(const fs::path& path) {
     return out;
 }
 
+// `v`: quaternion and translation.
 template <class In>
-Photo photo_of(const In& in, const Cameras& cameras, std::int64_t camera, const Rigidd& world_from_camera,
-               const std::string& name) {
+void add_photo(const In& in, const Cameras& cameras, std::int64_t camera, const std::array<double, 7>& v,
+               const std::string& name, ModelPhotos& out) {
     const auto found = cameras.find(camera);
     if (found == cameras.end()) in.refuse(fmt::format("expected a camera {} among the model's, found none", camera));
     if (!is_name_below(name)) in.refuse("expected a picture's name below the folder of images, found \"" + name + "\"");
-    return {name, {}, {}, found->second, world_from_camera};
+    if (!found->second) out.unusable.push_back(fmt::format("{} (camera {} is not finite)", name, camera));
+    else if (!all_finite(v)) out.unusable.push_back(name + " (its pose is not finite)");
+    else out.photos.push_back({name, {}, {}, *found->second, pose_of(in, v)});
 }
 
 // Triples of x, y and point id. In files without these lines every second picture would be lost.
@@ -150,8 +169,8 @@ void check_points_line(Line& in) {
         in.refuse("expected the points of the picture above (x, y, number), or an empty line; found another line");
 }
 
-std::vector<Photo> photos_of_text(const fs::path& path, const Cameras& cameras) {
-    std::vector<Photo> out;
+ModelPhotos photos_of_text(const fs::path& path, const Cameras& cameras) {
+    ModelPhotos out;
     bool points_follow = false;  // each image has a second line with its points, possibly empty
     each_line(path, true, [&](Line& in) {
         if (points_follow) {
@@ -163,25 +182,24 @@ std::vector<Photo> photos_of_text(const fs::path& path, const Cameras& cameras) 
         std::array<double, 7> v{};
         for (double& number : v) number = in.number<double>();
         const auto camera = in.number<std::int64_t>();
-        out.push_back(photo_of(in, cameras, camera, pose_of(in, v), in.tail()));
+        add_photo(in, cameras, camera, v, in.tail(), out);
         points_follow = true;
     });
     return out;
 }
 
-std::vector<Photo> photos_of_binary(const fs::path& path, const Cameras& cameras) {
+ModelPhotos photos_of_binary(const fs::path& path, const Cameras& cameras) {
     const std::string bytes = read_file(path);
     ByteReader in(path, bytes);
-    std::vector<Photo> out;
+    ModelPhotos out;
     for (std::size_t n = in.count(4 + 7 * 8 + 4 + 1 + 8); n > 0; --n) {
         (void)in.get<std::int32_t>();
         std::array<double, 7> v{};
         for (double& number : v) number = in.get<double>();
-        const Rigidd pose = pose_of(in, v);
         const auto camera = in.get<std::int32_t>();
         const std::string name = in.text();
         in.skip(in.count(24) * 24);
-        out.push_back(photo_of(in, cameras, camera, pose, name));
+        add_photo(in, cameras, camera, v, name, out);
     }
     return out;
 }
@@ -235,28 +253,52 @@ bool is_binary(const fs::path& model) {
     return fs::exists(part_of(model, "cameras", ".bin")) && fs::exists(part_of(model, "images", ".bin"));
 }
 
-std::vector<Photo> photos_of_model(const fs::path& model) {
+ModelPhotos photos_of_model(const fs::path& model) {
     if (is_binary(model))
         return photos_of_binary(part_of(model, "images", ".bin"), cameras_of_binary(part_of(model, "cameras", ".bin")));
     return photos_of_text(part_of(model, "images", ".txt"), cameras_of_text(part_of(model, "cameras", ".txt")));
 }
 
-// If pictures overlap too little, the mapper writes several models, 0, 1 …, and the first need not be the largest.
-std::string larger_model_beside(const fs::path& model, std::size_t photos) {
-    std::string said;
-    for (int number = 1; is_colmap_model(model.parent_path() / std::to_string(number)); ++number) {
-        const fs::path other = model.parent_path() / std::to_string(number);
-        std::size_t there = 0;
-        try {
-            there = photos_of_model(other).size();
-        } catch (const Error&) {  // not the requested one
-        }
-        if (there <= photos) continue;
-        photos = there;
-        said = fmt::format("{} is used, but {} has more pictures ({}): --colmap {} --images DIR would use that",
-                           model.string(), other.string(), there, other.string());
+std::size_t photos_in(const fs::path& model) {
+    try {
+        return photos_of_model(model).photos.size();
+    } catch (const Error&) {  // damaged: never the largest
+        return 0;
     }
-    return said;
+}
+
+// If pictures overlap too little, the mapper writes several models, 0, 1 …, and the first need not be the largest.
+// Returns the largest, and says so if it had to choose.
+fs::path largest_model_beside(const fs::path& model, std::vector<std::string>& said) {
+    std::vector<std::pair<fs::path, std::size_t>> models;
+    for (int n = 0; is_colmap_model(model.parent_path() / std::to_string(n)); ++n)
+        models.emplace_back(model.parent_path() / std::to_string(n), n);
+    if (models.size() < 2) return model;
+    for (auto& [place, photos] : models) photos = photos_in(place);
+    std::stable_sort(models.begin(), models.end(), [](const auto& a, const auto& b) { return a.second > b.second; });
+    const auto& [largest, photos] = models.front();
+    if (largest == model) return model;
+    said.push_back(fmt::format(
+        "{} of {} models is used, the largest: {} pictures; the next has {} ({}); --colmap {} "
+        "--images DIR would use that",
+        largest.string(), models.size(), photos, models[1].second, models[1].first.string(), models[1].first.string()));
+    return largest;
+}
+
+// More than half of the pictures without a usable camera: that is the reconstruction's failure, not an exception.
+void tell_unusable(const fs::path& model, const ModelPhotos& found, Capture& capture) {
+    constexpr std::size_t kNamed = 10;
+    const std::size_t unusable = found.unusable.size(), all = unusable + found.photos.size();
+    if (unusable == 0) return;
+    std::vector<std::string> named(found.unusable.begin(),
+                                   found.unusable.begin() + static_cast<std::ptrdiff_t>(std::min(unusable, kNamed)));
+    if (unusable > kNamed) named.push_back(fmt::format("and {} more", unusable - kNamed));
+    const std::string list = fmt::format("{}", fmt::join(named, "; "));
+    if (2 * unusable > all)
+        throw Error("{}: expected finite cameras and poses, found {} of {} pictures without: {}", model.string(),
+                    unusable, all, list);
+    capture.warnings.push_back(
+        fmt::format("{}: {} of {} pictures are left out: {}", model.string(), unusable, all, list));
 }
 
 }  // namespace
@@ -264,7 +306,9 @@ std::string larger_model_beside(const fs::path& model, std::size_t photos) {
 Capture load_colmap_model(const fs::path& model) {
     Capture capture;
     capture.source = model.string();
-    capture.photos = photos_of_model(model);
+    ModelPhotos found = photos_of_model(model);
+    tell_unusable(model, found, capture);
+    capture.photos = std::move(found.photos);
     if (const fs::path file = part_of(model, "points3D", ".bin"); is_binary(model) && fs::exists(file))
         capture.points = points_of_binary(file);
     else if (const fs::path text = part_of(model, "points3D", ".txt"); fs::exists(text))
@@ -283,11 +327,14 @@ std::optional<fs::path> colmap_model_in(const fs::path& dir) {
 
 Capture load_colmap_capture(const fs::path& dir, const CaptureFolders& folders) {
     if (const auto place = colmap_model_in(dir)) {
-        Capture capture = load_colmap_model(*place);
+        std::vector<std::string> said;
+        const bool chosen = place->filename() == "0" && *place != dir;  // by the program, not by its user
+        Capture capture = load_colmap_model(chosen ? largest_model_beside(*place, said) : *place);
         capture.source = dir.string();
-        if (place->filename() == "0") capture.warning = larger_model_beside(*place, capture.photos.size());
+        capture.warnings.insert(capture.warnings.begin(), said.begin(), said.end());
         name_files(capture, folders.images.empty() ? dir / "images" : folders.images,
                    folders.masks.empty() ? dir / "masks" : folders.masks, folders.downscale);
+        finish_capture(capture, folders);
         return capture;
     }
     if (!fs::exists(dir)) throw Error("{}: cannot be read: No such file or directory", dir.string());

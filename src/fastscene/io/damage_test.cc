@@ -109,6 +109,17 @@ TEST(Damage, Spz) {
     }
 }
 
+TEST(Damage, RecordsOfSpzAndKsplat) {
+    const fs::path spz = scratch("r.spz"), ksplat = scratch("k.ksplat");
+    std::string records = gunzip(spz_bytes(nine_splats(1), 3));
+    records[14] = static_cast<char>(records[14] | 2);  // has records
+    for (const std::uint32_t v : {0xadbe0003u, 4u, 6u, 0xadbe0002u, 4u, 0u}) append(records, v);
+    damage(
+        spz, records, [&] { (void)load_splats(spz); }, gzip);
+    save_splats(ksplat, nine_splats(2));
+    damage(ksplat, read_file(ksplat), [&] { (void)load_splats(ksplat); });
+}
+
 // A few bytes that claim ten million splats must be refused before memory is allocated.
 TEST(Damage, PromisesOfSpzAreNotBelieved) {
     std::string header;
@@ -273,6 +284,36 @@ TEST(Damage, TransformsJson) {
     }
     write_file(file, std::string(1000000, '['));  // deeper than any stack
     EXPECT_THROW(load_nerfstudio_capture(file, {}), Error);
+}
+
+TEST(Damage, Photogrammetry) {
+    const fs::path dir = scratch("photogrammetry"), csv = dir / "c.csv", xml = dir / "c.xml";
+    fs::create_directories(dir / "images");
+    std::string table = "#name,x,y,alt,heading,pitch,roll,f,px,py,k1,k2,k3,k4,t1,t2\n";
+    for (int i = 0; i < 4; ++i) table += fmt::format("{}.png,1,2,3,10,80,5,28,0.01,0,0.1,0,0,0,0,0\n", i);
+    const auto survives = [](const std::string& whole, const fs::path& file, auto load) {
+        Random random(7, file.string());
+        for (int n = 0; n < 400; ++n) {
+            write_file(file, damaged(whole, n, random));
+            try {
+                (void)load(file, CaptureFolders{});
+            } catch (const Error& e) {
+                EXPECT_NE(std::string(e.what()).find(file.string()), std::string::npos) << e.what();
+            }
+        }
+    };
+    survives(table, csv, load_realityscan_capture);
+    std::string cameras = R"(<document><chunk><sensors><sensor id="0" type="frame"><resolution width="64" height="48"/>
+<calibration class="adjusted"><f>50</f><k1>0.1</k1></calibration></sensor></sensors><components><component id="0">
+<transform><rotation>1 0 0 0 1 0 0 0 1</rotation><translation>1 2 3</translation><scale>2</scale></transform></component>
+</components><cameras>)";
+    for (int i = 0; i < 4; ++i)
+        cameras += fmt::format(
+            "<camera id=\"{0}\" sensor_id=\"0\" component_id=\"0\" label=\"{0}\">"
+            "<transform>1 0 0 "
+            "{0} 0 1 0 0 0 0 1 0 0 0 0 1</transform></camera>",
+            i);
+    survives(cameras + "</cameras></chunk></document>", xml, load_metashape_capture);
 }
 
 }  // namespace

@@ -38,6 +38,16 @@ ImageMask tiff_alpha(std::string_view bytes, const std::string& where);
 ImageF decode_tiff_float(std::string_view bytes, const std::string& where, float unit);
 ImageColor decode_tiff_light(std::string_view bytes, const std::string& where);
 
+// HEIC and AVIF, and JPEG XL: throw Error if the build has no library for them. Sizes and pictures are upright.
+bool is_heif(std::string_view bytes);
+PictureInfo heif_info(std::string_view bytes, const std::string& where);
+ImageRgb8 decode_heif_rgb8(std::string_view bytes, const std::string& where);
+ImageMask heif_alpha(std::string_view bytes, const std::string& where);
+bool is_jpeg_xl(std::string_view bytes);
+PictureInfo jpeg_xl_info(std::string_view bytes, const std::string& where);
+ImageRgb8 decode_jpeg_xl_rgb8(std::string_view bytes, const std::string& where);
+ImageMask jpeg_xl_alpha(std::string_view bytes, const std::string& where);
+
 PictureInfo exr_info(std::string_view bytes, const std::string& where);
 ImageF decode_exr(std::string_view bytes, const std::string& where);
 ImageColor decode_exr_color(std::string_view bytes, const std::string& where);

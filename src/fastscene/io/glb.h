@@ -5,13 +5,13 @@
 #include <filesystem>
 #include <string_view>
 
-#include "fastscene/scene/splats.h"
+#include "fastscene/io/splat_format.h"
 
 namespace fastscene {
 
 inline constexpr std::uint32_t kGlbMagic = 0x46546c67, kJsonChunk = 0x4e4f534a, kBinaryChunk = 0x004e4942;
 
 bool is_glb(std::string_view bytes);
-Splats splats_of_glb(const std::filesystem::path& path, std::string_view bytes);
+ReadSplats splats_of_glb(const std::filesystem::path& path, std::string_view bytes);
 
 }  // namespace fastscene

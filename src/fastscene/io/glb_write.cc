@@ -89,7 +89,7 @@ Attributes attributes_of(const Splats& s) {
 
 }  // namespace
 
-std::string splat_glb_bytes(const Splats& world) {
+std::string splat_glb_bytes(const Splats& world, Vec3d offset_m) {
     if (world.size() == 0) throw Error("glTF cannot hold zero splats");
     Splats splats = world;
     transform(splats, {kGltfFromWorld, 1, {}});
@@ -101,11 +101,13 @@ std::string splat_glb_bytes(const Splats& world) {
     Json primitive{
         {"attributes", attributes.names}, {"mode", kPoints}, {"extensions", {{"KHR_gaussian_splatting", extension}}}};
     if (splats.antialias) primitive["extras"]["antialiased"] = true;  // the extension has no such property
+    Json node{{"mesh", 0}};
+    if (const Vec3d move = kGltfFromWorld * offset_m; move != Vec3d{}) node["translation"] = {move.x, move.y, move.z};
     const Json json{{"asset", {{"version", "2.0"}, {"generator", "fastscene"}}},
                     {"extensionsUsed", {"KHR_gaussian_splatting"}},
                     {"scene", 0},
                     {"scenes", {{{"nodes", {0}}}}},
-                    {"nodes", {{{"mesh", 0}}}},
+                    {"nodes", Json::array({node})},
                     {"meshes", {{{"primitives", Json::array({primitive})}}}},
                     {"accessors", attributes.accessors},
                     {"bufferViews", attributes.views},

@@ -1,30 +1,22 @@
-// GPano, Google's Photo Sphere XMP: marks a picture as a 360 degree panorama, so that viewers and map services show it
-// as one. In JPEG an APP1 segment, in PNG an iTXt chunk.
+// GPano: what cameras and phones write about a panorama into its XMP, in any picture format.
 #pragma once
 
-#include <filesystem>
 #include <optional>
 #include <string>
 #include <string_view>
 
-#include "fastscene/image/image.h"
-
 namespace fastscene {
 
+// Values as written, in pixels of the whole panorama and degrees; absent ones are empty.
 struct GPano {
-    int full_width = 0, full_height = 0;           // of the whole sphere, twice as wide as high
-    int left = 0, top = 0, width = 0, height = 0;  // the part of it that the picture shows
-    float heading_deg = 0;                         // compass direction of its middle
+    std::string projection;  // "equirectangular", "cylindrical"; empty: not written
+    std::optional<double> full_width, full_height, left, top, cropped_width, cropped_height;
+    double pitch_deg = 0;  // of the picture's middle above the horizon
+    double roll_deg = 0;   // the horizon is turned by this much, counterclockwise in the picture
+    bool has_crop() const { return full_width && full_height && left && top && cropped_width && cropped_height; }
 };
-// Of a picture of the whole sphere.
-GPano whole_sphere(int width, int height);
-
-// The content of a JPEG or PNG file with that mark; an earlier mark is replaced. Throws Error for other formats.
-std::string with_gpano(std::string_view file, const GPano& pano, const std::string& where);
-// The mark in a JPEG or PNG file; none if there is none, or it is damaged.
+// From the picture's first XMP packet, with values as attributes or as elements. Empty: there is none, or it says
+// nothing about panoramas, or is damaged.
 std::optional<GPano> gpano_of(std::string_view file);
-
-// An equirectangular picture of the whole sphere, marked as such: .jpg, .jpeg or .png.
-void save_panorama(const std::filesystem::path& path, const ImageRgb8& image);
 
 }  // namespace fastscene

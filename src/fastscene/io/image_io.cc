@@ -13,25 +13,20 @@ namespace {
 
 namespace fs = std::filesystem;
 
-enum class Format { png, jpeg, webp, tiff, exr, pfm, radiance };
+enum class Format { png, jpeg, webp, tiff, heif, jpeg_xl, exr, pfm, radiance };
 
 // Recognizes unsupported picture formats by their first bytes, for error messages.
 std::string other_format(std::string_view bytes) {
     using namespace std::string_view_literals;
     if (bytes.empty()) return "an empty file";
     if (bytes.size() >= 12 && bytes.substr(4, 4) == "ftyp") {
-        const std::string_view brand = bytes.substr(8, 4);
-        if (brand == "avif" || brand == "avis") return "AVIF: save it as JPEG or PNG";
-        return brand == "heic" || brand == "heix" || brand == "mif1" || brand == "hevc"
-                   ? "HEIC, as phones save it: save it as JPEG"
-                   : "a film";
+        return "a film";
     }
     static constexpr std::pair<std::string_view, const char*> kBegins[] = {
         {"GIF8"sv, "GIF"},
         {"BM"sv, "BMP"},
         {"\0\0\0\x0cjP  "sv, "JPEG 2000"},
         {"\xff\x4f\xff\x51"sv, "JPEG 2000"},
-        {"\0\0\0\x0cJXL "sv, "JPEG XL"},
         {"8BPS"sv, "Photoshop"},
         {"P5"sv, "PNM"},
         {"P6"sv, "PNM"},
@@ -56,11 +51,13 @@ Format format_of(const fs::path& path, std::string_view bytes) {
          {std::string_view("II\x2a\0", 4), std::string_view("MM\0\x2a", 4),  // BigTIFF, for more than 4 GiB
           std::string_view("II\x2b\0", 4), std::string_view("MM\0\x2b", 4)})
         if (begins(tiff)) return Format::tiff;
+    if (is_heif(bytes)) return Format::heif;
+    if (is_jpeg_xl(bytes)) return Format::jpeg_xl;
     if (begins("\x76\x2f\x31\x01")) return Format::exr;
     if (begins("Pf") || begins("PF")) return Format::pfm;
     if (begins("#?")) return Format::radiance;
-    throw Error("{}: expected a PNG, JPEG, WebP, TIFF, OpenEXR, Radiance or PFM picture, found {}", path.string(),
-                other_format(bytes));
+    throw Error("{}: expected a PNG, JPEG, WebP, TIFF, HEIC, AVIF, JPEG XL, OpenEXR, Radiance or PFM picture, found {}",
+                path.string(), other_format(bytes));
 }
 
 PictureInfo info_of(const fs::path& path, std::string_view bytes, Format format) {
@@ -69,6 +66,8 @@ PictureInfo info_of(const fs::path& path, std::string_view bytes, Format format)
         case Format::jpeg: return jpeg_info(path, bytes);
         case Format::webp: return webp_info(path, bytes);
         case Format::tiff: return tiff_info(path, bytes);
+        case Format::heif: return heif_info(bytes, path.string());
+        case Format::jpeg_xl: return jpeg_xl_info(bytes, path.string());
         case Format::exr: return exr_info(bytes, path.string());
         case Format::pfm: return pfm_info(path, bytes);
         case Format::radiance: return radiance_info(path, bytes);
@@ -102,9 +101,12 @@ ImageRgb8 decode_rgb8(std::string_view bytes, const std::string& where) {
         case Format::jpeg: return decode_jpeg(bytes, where);
         case Format::webp: return decode_webp_rgb8(bytes, where);
         case Format::tiff: return decode_tiff_rgb8(bytes, where);
+        case Format::heif: return decode_heif_rgb8(bytes, where);
+        case Format::jpeg_xl: return decode_jpeg_xl_rgb8(bytes, where);
         default:
             throw Error(
-                "{}: expected a color picture (PNG, JPEG, WebP or TIFF), found floats (OpenEXR, Radiance or PFM)",
+                "{}: expected a color picture (PNG, JPEG, WebP, TIFF, HEIC, AVIF or JPEG XL), found floats (OpenEXR, "
+                "Radiance or PFM)",
                 where);
     }
 }
@@ -128,10 +130,12 @@ ImageMask load_alpha(const fs::path& path) { return decode_alpha(read_file(path)
 
 ImageMask decode_alpha(std::string_view bytes, const std::string& where) {
     const Format format = format_of(where, bytes);
-    ImageMask alpha = format == Format::png    ? png_alpha(bytes, where)
-                      : format == Format::webp ? webp_alpha(bytes, where)
-                      : format == Format::tiff ? tiff_alpha(bytes, where)
-                                               : ImageMask{};
+    ImageMask alpha = format == Format::png       ? png_alpha(bytes, where)
+                      : format == Format::webp    ? webp_alpha(bytes, where)
+                      : format == Format::tiff    ? tiff_alpha(bytes, where)
+                      : format == Format::heif    ? heif_alpha(bytes, where)
+                      : format == Format::jpeg_xl ? jpeg_xl_alpha(bytes, where)
+                                                  : ImageMask{};
     const bool opaque = std::all_of(alpha.pixels.begin(), alpha.pixels.end(), [](std::uint8_t a) { return a == 255; });
     return opaque ? ImageMask{} : alpha;
 }

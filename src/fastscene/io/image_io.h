@@ -1,5 +1,5 @@
-// Pictures: .png .jpg .webp .tif .exr .pfm .hdr. One source file per format; this header opens any of them, whatever
-// the file is called.
+// Pictures: .png .jpg .webp .tif .heic .avif .jxl .exr .pfm .hdr. One source file per format; this header opens any of
+// them, whatever the file is called.
 #pragma once
 
 #include <array>
@@ -18,8 +18,10 @@ struct PictureInfo {
     bool light = false;         // floating point: .exr .pfm .hdr, some .tif
 };
 // Extensions of color pictures, compared case-insensitively.
-inline constexpr std::array kPictureEndings{".png", ".jpg", ".jpeg", ".webp", ".tif", ".tiff", ".PNG", ".JPG", ".JPEG"};
-// Whether a file has the extension of a color picture: .png .jpg .jpeg .webp .tif .tiff, in any case.
+inline constexpr std::array kPictureEndings{".png",  ".jpg",  ".jpeg", ".webp", ".tif", ".tiff", ".heic",
+                                            ".heif", ".avif", ".jxl",  ".PNG",  ".JPG", ".JPEG", ".HEIC"};
+// Whether a file has the extension of a color picture: .png .jpg .jpeg .webp .tif .tiff .heic .heif .avif .jxl, in any
+// case.
 bool has_picture_ending(const std::filesystem::path& path);
 // From the header alone, so that huge or unusual pictures can be refused before decoding. Throws Error naming the file,
 // expected and actual.

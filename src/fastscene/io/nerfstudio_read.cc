@@ -10,6 +10,7 @@
 #include "fastscene/io/capture_io.h"
 #include "fastscene/io/capture_parts.h"
 #include "fastscene/io/image_io.h"
+#include "fastscene/io/picture_folder.h"
 
 namespace fastscene {
 namespace {
@@ -31,15 +32,40 @@ class Transforms {
             out.photos.push_back(photo(frame, fmt::format("frames[{}]", number++)));
         if (!folders_.images.empty()) check_own_pictures(out.photos);
         if (json_.contains("ply_file_path") && json_.at("ply_file_path").is_string())
-            read_points(dir_ / json_.at("ply_file_path").get<std::string>(), out);
-        sort_by_name(out.photos);
+            read_points(dir_ / with_slashes(json_.at("ply_file_path").get<std::string>()), out);
+        if (const auto text = renamed_.warning(out.source, out.photos.size())) out.warnings.push_back(*text);
+        finish_capture(out, folders_);
         return out;
     }
 
   private:
-    static void read_points(const fs::path& file, Capture& out) {
+    void read_points(const fs::path& file, Capture& out) const {
         if (fs::exists(file)) out.points = points_of_ply(file);
         else out.missing_points = file;
+        if (json_.contains("applied_transform")) move_into_frame(out);
+    }
+    // The poses are in the frame after applied_transform. nerfstudio's own cloud is, too; that of other exporters is
+    // not: the cameras tell, which see the right one.
+    void move_into_frame(Capture& out) const {
+        std::array<std::array<double, 4>, 3> m{};
+        try {
+            for (std::size_t i = 0; i < 3; ++i)
+                for (std::size_t j = 0; j < 4; ++j) m[i][j] = json_.at("applied_transform").at(i).at(j).get<double>();
+        } catch (const Json::exception&) {
+            refuse("applied_transform", "expected 3 rows of 4 numbers, found another");
+        }
+        const double scale = number(json_, "", "applied_scale").value_or(1);
+        std::vector<CapturePoint> moved = out.points;
+        for (CapturePoint& p : moved) {
+            const Vec3d at = p.position;
+            for (std::size_t i = 0; i < 3; ++i)
+                p.position[i] = scale * (m[i][0] * at.x + m[i][1] * at.y + m[i][2] * at.z + m[i][3]);
+        }
+        constexpr double kClearlyMore = 0.1;  // of all pairs of a photo and a point
+        if (!(share_in_view(out.photos, moved) > share_in_view(out.photos, out.points) + kClearlyMore)) return;
+        out.points = std::move(moved);
+        out.warnings.push_back(fmt::format(
+            "{}: the cameras see the cloud only after applied_transform, which is applied to it", file_.string()));
     }
     [[noreturn]] void refuse(const std::string& where, const std::string& what) const {
         throw Error("{}: {}{}{}", file_.string(), where, where.empty() ? "" : ": ", what);
@@ -91,7 +117,7 @@ class Transforms {
     }
 
     // NeRF's files omit the extension; downsampled copies are in images_2, images_4 …
-    fs::path picture(const std::string& name) const {
+    fs::path picture(const std::string& name) {
         std::vector<fs::path> places;
         const fs::path path(name);
         if (!folders_.images.empty()) {
@@ -106,12 +132,17 @@ class Transforms {
             places.push_back(dir_ / path);
         }
         if (places.empty()) return dir_ / path;
+        const fs::path usual = places.back();
+        if (folders_.images.empty())  // written on another machine, from its root or from another folder
+            for (const fs::path& tail : tails(path)) places.push_back(dir_ / tail);
         for (const fs::path& place : places) {
             if (fs::is_regular_file(place)) return place;
             for (const char* ending : kPictureEndings)
                 if (const fs::path whole = place.string() + ending; fs::is_regular_file(whole)) return whole;
         }
-        return places.back();
+        for (const fs::path& tail : tails(path))
+            if (const fs::path other = own_pictures_.similar_to(tail.string()); !other.empty()) return other;
+        return usual;
     }
 
     static std::optional<PictureInfo> info_of_picture(const fs::path& file) {
@@ -138,7 +169,9 @@ class Transforms {
                     fmt::format(
                         "expected a lens that \"camera_model\" names (EQUIRECTANGULAR for whole spheres), found \"{}\"",
                         other));
-        const auto name = text(frame, where, "camera_model");
+        auto name = text(frame, where, "camera_model");
+        if (name)
+            for (char& c : *name) c = c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c;
         return name                        ? *name
                : flag(frame, "is_fisheye") ? "OPENCV_FISHEYE"
                : flag(frame, "latlong")    ? "EQUIRECTANGULAR"
@@ -215,7 +248,7 @@ class Transforms {
     std::string name_of(const Json& frame, const std::string& where) const {
         if (!frame.is_object() || !frame.contains("file_path") || !frame.at("file_path").is_string())
             refuse(where, "expected file_path, found none");
-        std::string name = frame.at("file_path").get<std::string>();
+        std::string name = with_slashes(frame.at("file_path").get<std::string>());
         if (name.starts_with("./")) name.erase(0, 2);
         if (name.empty()) refuse(where, "expected file_path, found an empty one");
         return name;
@@ -225,7 +258,11 @@ class Transforms {
         Photo out;
         out.name = name_of(frame, where);
         out.file = picture(out.name);
-        if (const auto mask = text(frame, where, "mask_path")) out.mask = dir_ / *mask;
+        // NeRF's names have no ending; another ending or letter case is told.
+        if (fs::is_regular_file(out.file) &&
+            !out.file.filename().string().starts_with(fs::path(out.name).filename().string()))
+            renamed_.add(out.name, out.file);
+        if (const auto mask = text(frame, where, "mask_path")) out.mask = dir_ / with_slashes(*mask);
         for (const fs::path& tail : tails(out.name))
             if (out.mask.empty())
                 out.mask = mask_for(folders_.masks.empty() ? dir_ / "masks" : folders_.masks, tail.string());
@@ -238,6 +275,8 @@ class Transforms {
     CaptureFolders folders_;
     Json json_;
     std::optional<PictureInfo> usual_picture_;
+    PictureFolder own_pictures_{folders_.images.empty() ? dir_ : folders_.images};
+    RenamedPictures renamed_;
 };
 
 // NeRF's synthetic sets have several splits; the first is for training.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 #include <cstdint>
 #include <sstream>
 
@@ -29,6 +30,25 @@ const Type* type_named(const std::string& name) {
     return nullptr;
 }
 
+constexpr std::string_view kBlanks = " \t\r\v\f";
+
+std::string trimmed(std::string_view line) {
+    const std::size_t begin = line.find_first_not_of(kBlanks), end = line.find_last_not_of(kBlanks);
+    return begin == std::string_view::npos ? "" : std::string(line.substr(begin, end - begin + 1));
+}
+
+// Programs and people leave blanks at the ends of lines, and more than one between words.
+std::string with_single_blanks(std::string_view line) {
+    std::string out;
+    for (std::size_t begin; (begin = line.find_first_not_of(kBlanks)) != std::string_view::npos;) {
+        line.remove_prefix(begin);
+        const std::size_t end = std::min(line.find_first_of(kBlanks), line.size());
+        out.append(out.empty() ? "" : " ").append(line.substr(0, end));
+        line.remove_prefix(end);
+    }
+    return out;
+}
+
 template <class T>
 double read_as(const char* p) {
     T v;
@@ -52,10 +72,9 @@ std::string Ply::next_line() {
     // Header lines are short, except for programs' comments; anything longer is not a header.
     if (end == std::string::npos || end - at_ > (bytes_.compare(at_, 8, "comment ") == 0 ? kLongestComment : 1000))
         throw Error("{}: byte {}: expected a PLY header line, found none", path_.string(), at_);
-    std::string line = bytes_.substr(at_, end - at_);
-    if (!line.empty() && line.back() == '\r') line.pop_back();
+    const std::string_view line = std::string_view(bytes_).substr(at_, end - at_);
     at_ = end + 1;
-    return line;
+    return line.starts_with("comment ") ? trimmed(line) : with_single_blanks(line);
 }
 
 Ply::Encoding Ply::parse_header() {
@@ -188,6 +207,12 @@ double Ply::value(const PlyElement& element, std::size_t row, int property) cons
     return p.bytes == 1   ? read_as<std::uint8_t>(at)
            : p.bytes == 2 ? read_as<std::uint16_t>(at)
                           : read_as<std::uint32_t>(at);
+}
+
+double Ply::share(const PlyElement& element, std::size_t row, int property) const {
+    const PlyProperty& p = element.properties[static_cast<std::size_t>(property)];
+    const double v = value(element, row, property);
+    return p.kind == 'f' ? v : v / (std::ldexp(1.0, 8 * p.bytes - (p.kind == 'i' ? 1 : 0)) - 1);
 }
 
 std::vector<int> sh_columns(const Ply& ply, const PlyElement& element, int& degree) {

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "fastscene/io/bytes.h"
+#include "fastscene/io/splat_format.h"
 #include "fastscene/scene/splats.h"
 
 namespace fastscene {
@@ -43,6 +44,8 @@ class Ply {
     static int find(const PlyElement& element, std::string_view name);
     // Throws Error if absent.
     int property(const PlyElement& element, std::string_view name) const;
+    // A color channel, 0 to 1: integers are shares of the type's largest number.
+    double share(const PlyElement& element, std::size_t row, int property) const;
     double value(const PlyElement& element, std::size_t row, int property) const;
     float number(const PlyElement& element, std::size_t row, int property) const {
         return static_cast<float>(value(element, row, property));
@@ -76,6 +79,6 @@ bool is_antialiased(const Ply& ply);
 bool is_compressed_ply(const Ply& ply);
 bool has_compressed_ply_header(std::string_view bytes);
 Splats splats_of_compressed_ply(const Ply& ply);
-Splats splats_of_ply(const Ply& ply);
+ReadSplats splats_of_ply(const Ply& ply);
 
 }  // namespace fastscene

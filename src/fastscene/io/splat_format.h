@@ -6,6 +6,8 @@
 #include <filesystem>
 #include <string>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 #include "fastscene/base/registry.h"
 #include "fastscene/scene/splats.h"
@@ -19,7 +21,20 @@ enum class PlyBands {
 struct SplatWriting {
     PlyBands ply_bands = PlyBands::all;
     int spz_version = 3;  // 2, 3 or 4: 3 is read most widely
+    Vec3d offset_m = {};  // world: added to all positions, in double; for formats that keep it
 };
+
+// What a reader found in a file.
+struct ReadSplats {
+    Splats splats;
+    std::vector<std::string> warnings = {};  // without the file's name
+    Vec3d offset_m = {};                     // world: the positions of the file are those of `splats` plus this
+    ReadSplats(Splats read) : splats(std::move(read)) {}
+};
+// Positions beyond this are taken relative to an offset, if the file has them in double: a float's step there is 1 mm.
+inline constexpr double kFarFromOrigin_m = 16384;
+// What to subtract from positions around `middle`: whole kilometres, or nothing if they are near the origin.
+Vec3d offset_for(Vec3d middle_m);
 
 // Largest errors after writing and reading again; 0: exact up to rounding. In the units of Splats' members.
 struct SplatPrecision {
@@ -40,12 +55,13 @@ struct SplatFormat {
     bool antialias = true;     // keeps Splats::antialias
     bool keeps_order = true;   // splats come back in the order that they were written in
     bool empty = true;         // can hold no splats at all
+    bool offset = false;       // keeps SplatWriting::offset_m
     SplatPrecision precision = {};
     Mat3d file_from_world = {};  // axes of its numbers: p_file = file_from_world * p_world
     // Whether a file starts like one of this format. Null: the format has no signature, and the ending tells.
     bool (*recognizes)(std::string_view bytes) = nullptr;
     // `file` is for errors: they name it, the byte or line, what was expected and found.
-    Splats (*read)(const std::filesystem::path& file, std::string_view bytes) = nullptr;
+    ReadSplats (*read)(const std::filesystem::path& file, std::string_view bytes) = nullptr;
     // Splats are finite, of at most sh_degree, in the world's frame. Throws Error for what the format cannot hold.
     std::string (*write)(const Splats& splats, const SplatWriting& writing) = nullptr;
 };

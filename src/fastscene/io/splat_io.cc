@@ -36,6 +36,13 @@ std::string axes_in_words(const Mat3d& file_from_world) {
     return text;
 }
 
+Vec3d offset_for(Vec3d middle_m) {
+    if (!(length(middle_m) > kFarFromOrigin_m)) return {};
+    constexpr double kKilometre = 1000;
+    const auto whole = [](double v) { return std::round(v / kKilometre) * kKilometre; };
+    return {whole(middle_m.x), whole(middle_m.y), whole(middle_m.z)};
+}
+
 namespace {
 
 // The first format that knows the bytes as its own; else the one of the name, if it has no signature.
@@ -77,7 +84,10 @@ LoadedSplats load_splats(const fs::path& path) {
     LoadedSplats loaded;
     const std::string bytes = read_file(path);
     loaded.format = &format_of_file(path, bytes);
-    loaded.splats = loaded.format->read(path, bytes);
+    ReadSplats read = loaded.format->read(path, bytes);
+    loaded.splats = std::move(read.splats);
+    loaded.warnings = std::move(read.warnings);
+    loaded.offset_m = read.offset_m;
     loaded.cleaned = clean(loaded.splats);
     trim_sh(loaded.splats);
     return loaded;
@@ -85,7 +95,7 @@ LoadedSplats load_splats(const fs::path& path) {
 
 Splats load_splat_ply(const fs::path& path) {
     const Ply ply(path);
-    Splats splats = is_compressed_ply(ply) ? splats_of_compressed_ply(ply) : splats_of_ply(ply);
+    Splats splats = is_compressed_ply(ply) ? splats_of_compressed_ply(ply) : splats_of_ply(ply).splats;
     clean(splats);
     trim_sh(splats);
     return splats;

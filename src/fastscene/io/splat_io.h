@@ -15,6 +15,8 @@ struct LoadedSplats {
     Splats splats;     // drawable only; all-zero SH degrees dropped
     Cleaning cleaned;  // what was removed
     const SplatFormat* format = nullptr;
+    std::vector<std::string> warnings;  // of the reader, without the file's name
+    Vec3d offset_m;                     // world: what was subtracted from the file's positions, far from its origin
 };
 // Loads any of the formats, recognized by its first bytes. Throws Error naming the file, the byte or line, expected and
 // actual; memory is bounded by the file's size.
@@ -25,8 +27,10 @@ LoadedSplats load_splats(const std::filesystem::path& path);
 void save_splats(const std::filesystem::path& path, const Splats& splats, const SplatWriting& writing = {});
 
 // INRIA's PLY, binary little endian, normals 0.
-std::string splat_ply_bytes(const Splats& splats, PlyBands bands = PlyBands::all);
-void save_splat_ply(const std::filesystem::path& path, const Splats& splats, PlyBands bands = PlyBands::all);
+std::string splat_ply_bytes(const Splats& splats, PlyBands bands = PlyBands::all, Vec3d offset_m = {});
+// With an offset, positions stay as they are and a comment in the header names it; load_splats reads it.
+void save_splat_ply(const std::filesystem::path& path, const Splats& splats, PlyBands bands = PlyBands::all,
+                    Vec3d offset_m = {});
 // Splats of a .ply or .compressed.ply; like load_splats, without the cleaning report.
 Splats load_splat_ply(const std::filesystem::path& path);
 
@@ -36,7 +40,7 @@ std::string compressed_ply_bytes(const Splats& splats);
 
 // Niantic's SPZ, versions 2 and 3 (gzip) and 4 (zstd). Throws Error for positions beyond 2048 m.
 std::string spz_bytes(const Splats& splats, int version);
-// glTF binary with KHR_gaussian_splatting.
-std::string splat_glb_bytes(const Splats& splats);
+// glTF binary with KHR_gaussian_splatting; an offset becomes the node's translation.
+std::string splat_glb_bytes(const Splats& splats, Vec3d offset_m = {});
 
 }  // namespace fastscene

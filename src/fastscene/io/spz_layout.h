@@ -15,6 +15,14 @@ inline constexpr int kSpzFractionalBits = 12;                              // po
 inline constexpr float kSpzColorScale = 0.15f;                             // scale of f_dc around a byte's middle
 inline constexpr std::uint8_t kSpzAntialiased = 1, kSpzHasExtensions = 2;  // flags
 
+// Records of extensions: id, number of bytes, bytes. In version 4 they lie between header and table; in versions 1 to 3
+// behind the streams, in the gzip stream.
+inline constexpr std::uint32_t kSpzAxesRecord = 0xadbe0003;  // Adobe's: one number, the axes below
+inline constexpr std::size_t kSpzRecordHeader = 8;
+// The axes' number, less 1, has a bit an axis: right (else left), up (else down), front (else back).
+inline constexpr std::uint32_t kSpzAxes = 4;  // right, up, back: those of files without the record
+inline constexpr std::uint32_t kSpzMostAxes = 8;
+
 enum SpzStream { kSpzPositions, kSpzAlphas, kSpzColors, kSpzScales, kSpzRotations, kSpzSh, kSpzStreams };
 
 // Bytes per splat in each stream. Degree 4 exists in version 4.

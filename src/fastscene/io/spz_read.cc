@@ -1,13 +1,15 @@
+#include <fmt/ranges.h>
 #include <zlib.h>
 #include <zstd.h>
 
 #include <array>
 #include <cmath>
 #include <memory>
+#include <string>
+#include <vector>
 
 #include "fastscene/io/bytes.h"
 #include "fastscene/io/packed.h"
-#include "fastscene/io/splat_frames.h"
 #include "fastscene/io/spz.h"
 #include "fastscene/io/spz_layout.h"
 #include "fastscene/scene/splat_edit.h"
@@ -104,14 +106,45 @@ std::string unzstd(const fs::path& path, std::string_view bytes, std::size_t at,
 struct Packed {
     SpzHeader header;
     std::array<std::string, kSpzStreams> streams;
+    std::uint32_t axes = kSpzAxes;
+    std::vector<std::string> warnings;
 };
+
+void read_axes(ByteReader& in, std::size_t bytes, Packed& packed) {
+    if (bytes != 4) in.refuse(fmt::format("expected 4 bytes in the record of the axes, found {}", bytes));
+    packed.axes = in.get<std::uint32_t>();
+    if (packed.axes > kSpzMostAxes)
+        in.refuse(fmt::format("expected axes 1 to {} (4: right, up, back), found {}", kSpzMostAxes, packed.axes));
+    if (packed.axes != 0) return;
+    packed.axes = kSpzAxes;
+    packed.warnings.push_back("its record of the axes says none; right, up, back are assumed, as without it");
+}
+
+// Records up to byte `end`. One warning names all that are unknown.
+void read_records(ByteReader& in, std::size_t end, Packed& packed) {
+    std::vector<std::string> unknown;
+    while (in.at() + kSpzRecordHeader <= end) {
+        const auto id = in.get<std::uint32_t>(), bytes = in.get<std::uint32_t>();
+        if (bytes > end - in.at())
+            in.refuse(fmt::format("expected {} bytes in record {:08x}, found {}", bytes, id, end - in.at()));
+        const std::size_t next = in.at() + bytes;
+        if (id == kSpzAxesRecord) read_axes(in, bytes, packed);
+        else if (unknown.size() < 8) unknown.push_back(fmt::format("{:08x} ({} bytes)", id, bytes));
+        in.skip(next - in.at());
+    }
+    if (in.at() < end) in.skip(end - in.at());
+    if (!unknown.empty())
+        packed.warnings.push_back(
+            fmt::format("unknown records are ignored: {}; if they change how splats are stored, this shows",
+                        fmt::join(unknown, ", ")));
+}
 
 Packed unpack_gzip(const fs::path& path, std::string_view bytes) {
     std::size_t expected = kSpzHeader;
     bool may_go_on = false;
     const std::string whole = gunzip(path, bytes, expected, may_go_on);
     ByteReader in(path, whole);
-    Packed packed{parse_header(in), {}};
+    Packed packed{parse_header(in), {}, kSpzAxes, {}};
     if (packed.header.version > 3) in.refuse("expected version 2 or 3 in a gzip stream, found 4");
     if (whole.size() < expected)
         throw Error("{}: expected {} bytes unpacked for {} splats, found {}", path.string(), expected,
@@ -120,12 +153,14 @@ Packed unpack_gzip(const fs::path& path, std::string_view bytes) {
     const auto sizes = spz_stream_bytes(packed.header.version, packed.header.sh_degree);
     for (std::size_t i = 0; i < kSpzStreams; at += sizes[i++] * packed.header.count)
         packed.streams[i] = whole.substr(at, sizes[i] * packed.header.count);
+    in.skip(at - in.at());
+    if (packed.header.flags & kSpzHasExtensions) read_records(in, whole.size(), packed);
     return packed;
 }
 
 Packed unpack_zstd(const fs::path& path, std::string_view bytes) {
     ByteReader in(path, bytes);
-    Packed packed{parse_header(in), {}};
+    Packed packed{parse_header(in), {}, kSpzAxes, {}};
     const SpzHeader& h = packed.header;
     if (h.version != 4) in.refuse(fmt::format("expected version 4 in a plain header, found {}", h.version));
     const std::size_t streams = in.get<std::uint8_t>(), table = in.get<std::uint32_t>();
@@ -134,7 +169,9 @@ Packed unpack_zstd(const fs::path& path, std::string_view bytes) {
     if (streams != wanted) in.refuse(fmt::format("expected {} streams, found {}", wanted, streams));
     if (table < kSpzHeader4 || table > bytes.size())
         in.refuse(fmt::format("expected the table of streams inside the file, found byte {}", table));
-    in.skip(table - in.at());
+    in.skip(kSpzHeader4 - in.at());
+    if (h.flags & kSpzHasExtensions) read_records(in, table, packed);
+    else in.skip(table - in.at());
     std::array<std::uint64_t, kSpzStreams> packed_bytes{};
     for (std::size_t i = 0; i < streams; ++i) {
         packed_bytes[i] = in.get<std::uint64_t>();
@@ -201,9 +238,17 @@ Splats splats_of(const Packed& packed) {
                                                         128.f) /
                                                        128.f;
     }
-    transform(s, {kSpzFromWorld, 1, {}});
-    for (Quatf& q : s.rotation) q = q * Quatf{0, -1, 0, 0};
     return s;
+}
+
+// World axes point right, down and forward.
+Mat3d file_from_world(std::uint32_t axes) {
+    const std::uint32_t bits = axes - 1;
+    return {{bits & 1 ? 1.0 : -1.0, 0, 0}, {0, bits & 2 ? -1.0 : 1.0, 0}, {0, 0, bits & 4 ? 1.0 : -1.0}};
+}
+
+Packed unpack(const fs::path& path, std::string_view bytes) {
+    return bytes.starts_with(kGzipMagic) ? unpack_gzip(path, bytes) : unpack_zstd(path, bytes);
 }
 
 }  // namespace
@@ -212,8 +257,26 @@ bool is_spz(std::string_view bytes) {
     return bytes.starts_with(kGzipMagic) || (bytes.size() >= 4 && number_at<std::uint32_t>(bytes, 0) == kSpzMagic);
 }
 
-Splats splats_of_spz(const fs::path& path, std::string_view bytes) {
-    return splats_of(bytes.starts_with(kGzipMagic) ? unpack_gzip(path, bytes) : unpack_zstd(path, bytes));
+ReadSplats splats_of_spz(const fs::path& path, std::string_view bytes) {
+    Packed packed = unpack(path, bytes);
+    ReadSplats read(splats_of(packed));
+    read.warnings = std::move(packed.warnings);
+    const Mat3d axes = file_from_world(packed.axes);  // mirrored or not, its own inverse
+    transform(read.splats, {axes, 1, {}});
+    // Turns the local axes back, too, which leaves the Gaussian unchanged.
+    const double sign = axes.row0.x * axes.row1.y * axes.row2.z;
+    const Quatd turn = quaternion_of(sign < 0 ? Mat3d{-axes.row0, -axes.row1, -axes.row2} : axes);
+    const Quatf back{static_cast<float>(turn.w), static_cast<float>(-turn.x), static_cast<float>(-turn.y),
+                     static_cast<float>(-turn.z)};
+    for (Quatf& q : read.splats.rotation) q = q * back;
+    return read;
+}
+
+ReadSplats stored_splats_of_spz(const fs::path& path, std::string_view bytes) {
+    Packed packed = unpack(path, bytes);
+    ReadSplats read(splats_of(packed));
+    read.warnings = std::move(packed.warnings);
+    return read;
 }
 
 }  // namespace fastscene

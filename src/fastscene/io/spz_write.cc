@@ -113,7 +113,8 @@ std::string header(const Splats& splats, int version, std::uint8_t last) {
     append(out, static_cast<std::uint32_t>(splats.size()));
     append(out, static_cast<std::uint8_t>(splats.sh_degree));
     append(out, static_cast<std::uint8_t>(kSpzFractionalBits));
-    append(out, splats.antialias ? kSpzAntialiased : std::uint8_t{0});
+    const std::uint8_t records = version >= 4 ? kSpzHasExtensions : std::uint8_t{0};  // old readers refuse them
+    append(out, static_cast<std::uint8_t>((splats.antialias ? kSpzAntialiased : 0) | records));
     append(out, last);
     return out;
 }
@@ -130,8 +131,9 @@ std::string spz_bytes(const Splats& splats, int version) {
     }
     const std::size_t count = splats.sh_degree > 0 ? kSpzStreams : kSpzStreams - 1;
     std::string out = header(splats, version, static_cast<std::uint8_t>(count)), data;
-    append(out, static_cast<std::uint32_t>(kSpzHeader4));  // offset of the table
+    append(out, static_cast<std::uint32_t>(kSpzHeader4 + kSpzRecordHeader + 4));  // offset of the table
     out.append(12, '\0');
+    for (const std::uint32_t v : {kSpzAxesRecord, 4u, kSpzAxes}) append(out, v);
     for (std::size_t i = 0; i < count; ++i) {
         const std::string packed = zstd(streams[i]);
         append(out, static_cast<std::uint64_t>(packed.size()));

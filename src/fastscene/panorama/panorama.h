@@ -11,6 +11,7 @@
 #include "fastscene/base/fields.h"
 #include "fastscene/base/run.h"
 #include "fastscene/nn/diffusion360.h"
+#include "fastscene/panorama/sphere_part.h"
 #include "fastscene/rooms/rooms.h"
 #include "fastscene/scene/panorama.h"
 #include "fastscene/trace/trace.h"
@@ -45,6 +46,7 @@ struct PanoramaParams {
     std::string assets =
         "cc0";  // free of obligations when publishing the scene; "all" requires credits.txt to be distributed with it
     TraceParams trace;
+    PictureLayout layout;            // of the user's picture
     Diffusion360Settings diffusion;  // its width is the field above
 };
 template <class V>
@@ -55,6 +57,7 @@ void visit_fields(PanoramaParams& p, V&& v) {
     v("assets", p.assets, Choices{{"none", "cc0", "all"}},
       "Models of the furniture pack to use: none, public domain, or also those that require attribution "
       "(credits.txt).");
+    visit_fields(p.layout, v);
     visit_fields(p.trace, v);
     visit_fields(p.diffusion, v);
 }

@@ -24,9 +24,8 @@ namespace {
 
 Capture load_capture(const CaptureRequest& request) {
     const CaptureSource& source = request.source;
-    const CaptureFolders folders{source.images, source.masks, request.photos.downscale};
-    return source.kind == "colmap" ? load_colmap_capture(source.source, folders)
-                                   : load_nerfstudio_capture(source.source, folders);
+    return capture_kind(source.kind)
+        .load(source.source, {source.images, source.masks, request.photos.downscale, source.points});
 }
 
 // Masks that match no picture are a mistake that would otherwise show only in the result.
@@ -140,7 +139,7 @@ void make_capture_splat(const CaptureRequest& request, const Capture& capture, c
     Splats own = fitted.splats;
     transform(own, inverse(photos.world_from_capture));
     std::swap(own, fitted.splats);
-    save_fit(fitted, out);
+    save_fit(fitted, out, capture.offset);
     save_cameras_json(out / "cameras.json", capture.photos);
 
     const Mat3d upright = upright_from(photos.up);

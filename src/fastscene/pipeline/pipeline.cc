@@ -125,9 +125,12 @@ void check_later_stages(const SceneRequest& request, const RunFolder& folder) {
     if (reaches("walk")) check_walk(request.source, params.depth, params.walk);
     if (reaches("walk") && !params.walk.inpaint_weights.empty()) {
         const std::string name = walk_of(request.source, params.depth, params.walk).inpainter;
-        if (const auto* inpainter = find_registered<InpaintBackend>(name); inpainter && !inpainter->model.empty())
-            load_weights(params.walk.inpaint_weights);
+        const auto* inpainter = find_registered<InpaintBackend>(name);
+        if (inpainter && !inpainter->model.empty()) load_weights(params.walk.inpaint_weights);
     }
+    if (const std::string name = walk_of(request.source, params.depth, params.walk).inpainter; reaches("walk"))
+        if (const auto* inpainter = find_registered<InpaintBackend>(name); inpainter && inpainter->runs_code)
+            inpainter->make(params.walk.inpaint_weights, params.walk.device, params.walk.trusted);
     if (!reaches("splat")) return;
     check_splat_params(params.splat);
     if (!params.splat.checkpoint.empty()) check_writable(params.splat.checkpoint);
@@ -148,11 +151,29 @@ void claim(const RunFolder& folder, const SceneRequest& request, const Json& wan
     claim_folder(folder, wanted, request.start_over, clash, describe(wanted, recorded));
 }
 
+Filler filler_of(const SceneRequest& request) {
+    const WalkParams walk = walk_of(request.source, request.params.depth, request.params.walk);
+    return {walk.inpainter, walk.inpaint_weights, walk.device, walk.trusted};
+}
+
+// The walk's inpainter fills what a partial panorama lacks, and only that.
+Json panorama_settings(const SceneRequest& request, SourceFiles& files, const RunFolder& folder) {
+    Json json = fields_json(request.params.panorama);
+    const fs::path picture = picture_of(request.source);
+    const bool partial = !picture.empty() && (files.has_picture(picture) ? !files.picture(picture).missing.empty()
+                                                                         : fs::exists(folder.panorama_missing()));
+    if (partial) {
+        const Filler filler = filler_of(request);
+        json["filled_by"] = {filler.inpainter, filler.weights};
+    }
+    return json;
+}
+
 }  // namespace
 
 Json make_scene(const SceneRequest& request, const RunFolder& folder, const Run& run) {
     check_params(request.params);
-    SourceFiles files;
+    SourceFiles files(request.params.panorama.layout);
     const auto gone = request.start_over ? std::nullopt : gone_source(folder, request.source, files);
     if (gone) {
         depth_backend(request.source, request.params.depth);
@@ -171,8 +192,8 @@ Json make_scene(const SceneRequest& request, const RunFolder& folder, const Run&
     const SceneParams& params = request.params;
     Stream stream(folder, request, wanted.at("identity").get<std::string>(), run);
     std::shared_ptr<const TracedRoom> room;  // kept for a walk that renders the room again
-    stream.stage("panorama", fields_json(params.panorama), [&](const fs::path& out, const Run& r) {
-        auto made = make_panorama(source, params.panorama, files, out, r);
+    stream.stage("panorama", panorama_settings(request, files, folder), [&](const fs::path& out, const Run& r) {
+        auto made = make_panorama(source, params.panorama, filler_of(request), files, out, r);
         if (looks_into_room(walk_of(source, params.depth, params.walk))) room = std::move(made);
     });
     files.drop_pictures();

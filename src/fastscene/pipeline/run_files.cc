@@ -47,6 +47,14 @@ Panorama load_first_panorama(const RunFolder& folder) {
     panorama.color = load_color(folder.panorama_color());
     panorama.range = load_float(folder.depth_range());
     if (fs::exists(folder.depth_mirrored_range())) panorama.mirrored_range = load_float(folder.depth_mirrored_range());
+    // At another size it is that of a picture before it was enlarged.
+    if (fs::exists(folder.panorama_missing())) {
+        const ImageMask missing = load_mask_png(folder.panorama_missing());
+        if (!missing.same_size(panorama.color)) return panorama;
+        panorama.known = Image<Known>(missing.width, missing.height, Known::original);
+        for (std::size_t i = 0; i < missing.size(); ++i)
+            if (missing.pixels[i]) panorama.known.pixels[i] = Known::invented;
+    }
     return panorama;
 }
 

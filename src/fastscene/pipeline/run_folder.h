@@ -24,6 +24,8 @@ struct RunFolder {
     std::filesystem::path painting() const { return root / "painting"; }
     std::filesystem::path stage(std::string_view name) const { return root / name; }
     std::filesystem::path panorama_color() const { return root / "panorama" / "color.png"; }
+    // Where the user's picture had nothing: 255. Absent if it had everything.
+    std::filesystem::path panorama_missing() const { return root / "panorama" / "missing.png"; }
     // The user's further panoramas, rotated to the first's orientation: NNN.png with poses.json, NNN.exr.
     std::filesystem::path more_panoramas() const { return root / "panorama" / "more"; }
     std::filesystem::path more_ranges() const { return root / "depth" / "more"; }

@@ -37,10 +37,11 @@ struct PictureSource {
 
 // Photographs with cameras from another program (capture_run.h).
 struct CaptureSource {
-    std::string kind = "colmap";   // colmap or nerfstudio
-    std::filesystem::path source;  // the model's folder, or transforms.json
+    std::string kind = "colmap";   // a name in io/capture_io.h: capture_kinds()
+    std::filesystem::path source;  // what that kind takes: the model's folder, transforms.json …
     std::filesystem::path images;  // empty: the format's default
     std::filesystem::path masks;   // empty: next to the model, if there are any
+    std::filesystem::path points;  // empty: the capture's own, if it has any
 };
 
 using SceneSource = std::variant<PromptSource, DocumentSource, PictureSource, PaintingSource, CaptureSource>;
@@ -74,7 +75,8 @@ template <class V>
 void visit_fields(PictureSource& s, V&& v) {
     v("prompt", s.prompt, source_flags::kPrompt, source_flags::kPromptSentence);
     v("picture", s.picture, SourceFlag{"--panorama", "FILE|diffusion360", "picture"},
-      "Start from this 2:1 picture (.jpg, .png, .webp, .tif, .hdr, .exr) instead of a prompt; or diffusion360: "
+      "Start from this panorama instead of a prompt: a picture of the whole sphere (2:1) or of a part of it, or the "
+      "faces of a cube (docs/photographs.md); or diffusion360: "
       "generate it from the prompt with --weights.");
     v("range_map", s.range_map, SourceFlag{"--range", "FILE", "range map"},
       "Range map of that picture (.exr, .pfm, .tif, 16-bit .png in millimetres); without it range is estimated.");
@@ -92,12 +94,15 @@ void visit_fields(PaintingSource& s, V&& v) {
 }
 template <class V>
 void visit_fields(CaptureSource& s, V&& v) {
-    v("kind", s.kind, SourceFlag{"--colmap, --nerfstudio", "", "kind"}, "Whose cameras they are.");
-    v("source", s.source, SourceFlag{"--colmap, --nerfstudio", "DIR|FILE", "photographs"}, "Where the cameras are.");
+    v("kind", s.kind, SourceFlag{"--colmap, --nerfstudio …", "", "kind"}, "Whose cameras they are.");
+    v("source", s.source, SourceFlag{"--colmap, --nerfstudio …", "DIR|FILE", "photographs"},
+      "Where the cameras are.");
     v("images", s.images, SourceFlag{"--images", "DIR", "pictures"},
       "Folder of the pictures; default: images/ next to the model.");
     v("masks", s.masks, SourceFlag{"--masks", "DIR", "masks"},
       "Folder of masks, white = used; default: masks/ next to the model, if it exists.");
+    v("points", s.points, SourceFlag{"--points", "FILE", "points"},
+      "Initial points as .ply, instead of the capture's own.");
 }
 
 // Calls v(alternative with defaults, how the command line selects it) for those that `make` supports.

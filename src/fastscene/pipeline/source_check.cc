@@ -38,6 +38,7 @@ void tell_what_was_understood(const PromptSpec& prompt, const Run& run) {
 
 void tell_doubts(const fs::path& file, const PictureFile& picture, const Run& run) {
     for (const std::string& remark : picture.remarks) run.note(fmt::format("{}: {}", file.string(), remark));
+    if (!picture.missing.empty()) return;  // its borders and poles are the fill's
     for (const std::string& doubt : doubts_about_panorama(picture.color()))
         run.warn(fmt::format("{}: {}", file.string(), doubt));
 }

@@ -122,6 +122,7 @@ Json json_of_source(const SceneSource& source) {
                                   {"source", one.source.string()},
                                   {"images", whole_path(one.images)},
                                   {"masks", whole_path(one.masks)}};
+                if (!one.points.empty()) out["capture"]["points"] = whole_path(one.points);
             } else if constexpr (std::is_same_v<decltype(one), DocumentSource>) {
                 out = {{"prompt", one.prompt}, {"room", whole_path(one.room)}, {"document", Json::parse(one.document)}};
             } else {

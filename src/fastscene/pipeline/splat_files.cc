@@ -21,6 +21,10 @@ LoadedSplats load_scene(const fs::path& place, const Run& run) {
     if (loaded.cleaned.repaired)
         run.note(fmt::format("{}: {} splats had an infinite opacity, no size or no rotation; they were repaired",
                              file.string(), loaded.cleaned.repaired));
+    for (const std::string& text : loaded.warnings) run.warn(fmt::format("{}: {}", file.string(), text));
+    if (const Vec3d at = loaded.offset_m; at != Vec3d{})
+        run.note(fmt::format("{}: its positions lie around ({:.0f}, {:.0f}, {:.0f}) and are taken relative to that",
+                             file.string(), at.x, at.y, at.z));
     return loaded;
 }
 

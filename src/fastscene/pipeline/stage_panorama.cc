@@ -5,7 +5,7 @@
 
 #include "fastscene/base/file.h"
 #include "fastscene/image/color.h"
-#include "fastscene/io/gpano.h"
+#include "fastscene/io/gpano_mark.h"
 #include "fastscene/io/image_io.h"
 #include "fastscene/panorama/more_panoramas.h"
 #include "fastscene/pipeline/stage_code.h"
@@ -15,14 +15,32 @@ namespace fastscene {
 namespace fs = std::filesystem;
 namespace {
 
-void save_more_panoramas(const fs::path& list, EquirectSize size, SourceFiles& files, const fs::path& out,
-                         const Run& run) {
+// The user's picture, at most `width` wide, with its missing parts filled.
+struct Completed {
+    ImageColor color;
+    ImageMask missing;
+};
+Completed completed(PictureFile picture, int width, const Filler& filler, const Run& run) {
+    Completed out;
+    out.missing = reduced_missing(picture.missing, width);
+    Panorama panorama;
+    panorama.color = std::move(picture).color();
+    out.color = reduced_panorama(panorama, width).color;
+    if (!out.missing.empty())
+        out.color = with_missing_filled(
+            out.color, out.missing, *make_inpainter(filler.inpainter, filler.weights, filler.device, filler.trusted),
+            run);
+    return out;
+}
+
+void save_more_panoramas(const fs::path& list, EquirectSize size, const Filler& filler, SourceFiles& files,
+                         const fs::path& out, const Run& run) {
     make_directories(out);
     std::vector<Viewpoint> viewpoints;
     for (const MorePanorama& more : read_more_panoramas(list)) {
         run.check_stop();
         Panorama one;
-        one.color = files.take(more.color).color();
+        one.color = completed(files.take(more.color), size.width, filler, run).color;
         one.world_from_pano = more.world_from_pano;
         one = in_first_orientation(one, size);
         viewpoints.push_back({name_of_viewpoint(viewpoints.size() + 1), one.world_from_pano});
@@ -35,10 +53,12 @@ void save_more_panoramas(const fs::path& list, EquirectSize size, SourceFiles& f
 struct Made {
     ImageColor color;
     Json prompt, room = {{"objects", Json::array()}};
-    std::shared_ptr<const TracedRoom> traced;
+    std::shared_ptr<const TracedRoom> traced = {};
+    ImageMask missing = {};  // of a partial panorama
 };
 struct Making {
     const PanoramaParams& params;
+    const Filler& filler;
     SourceFiles& files;
     fs::path run_folder;
     const Run& run;
@@ -70,10 +90,9 @@ Made made_from(const PaintingSource& source, const Making& with) {
 }
 
 Made made_from(const PictureSource& source, const Making& with) {
-    Panorama panorama;
-    panorama.color = with.files.take(source.picture).color();
+    Completed picture = completed(with.files.take(source.picture), with.params.width, with.filler, with.run);
     Made made;
-    made.color = reduced_panorama(panorama, with.params.width).color;
+    made.color = std::move(picture.color), made.missing = std::move(picture.missing);
     if (!source.weights.empty() && with.params.diffusion.upscale != "none")
         made.color = linear_from_srgb8(enlarged_by_diffusion360(
             srgb8_from_linear(made.color), {source.prompt, source.weights, {}}, with.params, with.run, with.memory()));
@@ -89,12 +108,14 @@ Made made_from(const CaptureSource&, const Making&) {
 }  // namespace
 
 std::shared_ptr<const TracedRoom> make_panorama(const SceneSource& source, const PanoramaParams& params,
-                                                SourceFiles& files, const fs::path& out, const Run& run) {
-    const Making with{params, files, out.parent_path(), run};
+                                                const Filler& filler, SourceFiles& files, const fs::path& out,
+                                                const Run& run) {
+    const Making with{params, filler, files, out.parent_path(), run};
     Made made = std::visit([&](const auto& one) { return made_from(one, with); }, source);
     save_panorama(out / "color.png", srgb8_from_linear(made.color));
+    if (!made.missing.empty()) save_png(out / "missing.png", made.missing);
     if (const fs::path list = more_of(source); !list.empty())
-        save_more_panoramas(list, {made.color.width, made.color.height}, files, out / "more", run);
+        save_more_panoramas(list, {made.color.width, made.color.height}, filler, files, out / "more", run);
     write_json(out / "prompt.json", made.prompt);
     write_json(out / "room.json", made.room);
     return made.traced;

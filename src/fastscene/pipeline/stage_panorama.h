@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "fastscene/panorama/panorama.h"
+#include "fastscene/pipeline/fill_missing.h"
 #include "fastscene/pipeline/run_folder.h"
 #include "fastscene/pipeline/source.h"
 #include "fastscene/pipeline/source_files.h"
@@ -15,7 +16,9 @@ namespace fastscene {
 
 // Writes the stage's files into `out` (names in run_folder.h). Returns the traced and lit room, for a walk that renders
 // it again; null if there is none.
+// `filler`: for what a partial panorama lacks.
 std::shared_ptr<const TracedRoom> make_panorama(const SceneSource& source, const PanoramaParams& params,
-                                                SourceFiles& files, const std::filesystem::path& out, const Run& run);
+                                                const Filler& filler, SourceFiles& files,
+                                                const std::filesystem::path& out, const Run& run);
 
 }  // namespace fastscene

@@ -36,8 +36,8 @@ FittedSplats fit_and_keep_place(const ViewSet& views, SplatParams params, const 
 
 void forget_place(const RunFolder& folder) { fs::remove_all(folder.splat_place()); }
 
-void save_fit(const FittedSplats& fitted, const fs::path& out) {
-    save_splat_ply(out / "scene.ply", fitted.splats);
+void save_fit(const FittedSplats& fitted, const fs::path& out, Vec3d offset_m) {
+    save_splat_ply(out / "scene.ply", fitted.splats, PlyBands::all, offset_m);
     save_compressed_ply(out / "scene.compressed.ply", fitted.splats);
     save_curves(out, fitted);
 }

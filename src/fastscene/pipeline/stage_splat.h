@@ -15,6 +15,7 @@ FittedSplats fit_and_keep_place(const ViewSet& views, SplatParams params, const 
 void forget_place(const RunFolder& folder);
 
 // Writes scene.ply, scene.compressed.ply and curve.json.
-void save_fit(const FittedSplats& fitted, const std::filesystem::path& out);
+// `offset_m`: what was subtracted from the positions of a georeferenced capture; scene.ply tells it.
+void save_fit(const FittedSplats& fitted, const std::filesystem::path& out, Vec3d offset_m = {});
 
 }  // namespace fastscene

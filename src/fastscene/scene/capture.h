@@ -27,7 +27,8 @@ struct Capture {
     std::vector<Photo> photos;  // sorted by name
     std::vector<CapturePoint> points;
     std::filesystem::path missing_points;  // a points file that should exist but does not
-    std::string warning;                   // to be shown to the user; empty: none
+    std::vector<std::string> warnings;     // to be shown to the user
+    Vec3d offset;  // what was subtracted from all positions of a capture far from its origin (georeferenced)
 };
 
 }  // namespace fastscene

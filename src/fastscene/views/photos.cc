@@ -127,7 +127,7 @@ void make_up_points(const Capture& capture, const PhotosParams& params, PhotoVie
     const std::string why = capture.missing_points.empty()
                                 ? "has no points to start from"
                                 : capture.missing_points.string() + ", its points, is missing";
-    const double spread = radius_of({capture.source, capture.photos, {}, {}, {}}, median_place(capture.photos)) *
+    const double spread = radius_of({capture.source, capture.photos, {}, {}, {}, {}}, median_place(capture.photos)) *
                           views.world_from_capture.scale;
     if (const auto reach = static_cast<float>(spread); reach > 0) {
         // Cameras that look inward surround their subject; cameras in a room are a step apart.
@@ -219,7 +219,7 @@ PhotosMemory memory_of_photos(const Capture& capture, const PhotosParams& params
 
 PhotoViews views_of_capture(const Capture& capture, const PhotosParams& params, const Run& run) {
     check_fields("", params);
-    if (!capture.warning.empty()) run.warn(capture.warning);
+    for (const std::string& text : capture.warnings) run.warn(text);
     const std::vector<const Photo*> photos = present_photos(capture, run);
     PhotoViews out;
     out.world_from_capture = world_from_capture(capture);

@@ -580,19 +580,21 @@ TEST(Photos, SizesOfMissingPicturesAreThoseOfTheOthers) {
     EXPECT_THROW(load_nerfstudio_capture(dir, {}), Error);
 }
 
-TEST(Photos, ALargerModelOfCOLMAPIsTold) {
+TEST(Photos, TheLargestModelOfCOLMAPIsTaken) {
     const fs::path dir = scratch("models");
     write_colmap(dir, kModels[1], 96, 72, ImageRgb8(96, 72));
-    EXPECT_EQ(load_colmap_capture(dir, {}).warning, "");
+    EXPECT_TRUE(load_colmap_capture(dir, {}).warnings.empty());
     fs::copy(dir / "sparse/0", dir / "sparse/1");
-    EXPECT_EQ(load_colmap_capture(dir, {}).warning, "");
+    EXPECT_TRUE(load_colmap_capture(dir, {}).warnings.empty());
     write_file(dir / "sparse/1/images.txt", std::string_view("1 1 0 0 0 0 0 0 7 a.png\n\n2 1 0 0 0 0 0 0 7 b.png\n\n"));
     const Capture capture = load_colmap_capture(dir, {});
-    EXPECT_EQ(capture.photos.size(), 1u);
-    EXPECT_NE(capture.warning.find((dir / "sparse/1").string() + " has more pictures (2)"), std::string::npos)
-        << capture.warning;
+    EXPECT_EQ(capture.photos.size(), 2u);
+    ASSERT_EQ(capture.warnings.size(), 1u);
+    EXPECT_EQ(capture.warnings[0].find((dir / "sparse/1").string() + " of 2 models is used"), 0u)
+        << capture.warnings[0];
+    EXPECT_EQ(load_colmap_capture(dir / "sparse/0", {dir / "images", {}, 1, {}}).photos.size(), 1u);  // asked for
     write_file(dir / "sparse/1/images.txt", std::string_view("damaged"));
-    EXPECT_EQ(load_colmap_capture(dir, {}).warning, "");
+    EXPECT_TRUE(load_colmap_capture(dir, {}).warnings.empty());
 }
 
 TEST(Spacing, IsThatOfTheNearestThree) {

@@ -168,7 +168,10 @@ void collect(const std::vector<Panorama>& panoramas, std::uint32_t index, const 
                 const float angle = static_cast<float>(pixel_solid_angle(y, size)) *
                                     static_cast<float>(outside ? 1 : stride * stride);
                 const Known known = panorama.known.empty() ? Known::original : panorama.known.at(x, y);
-                if (given ? known != Known::original : known != Known::invented && known != Known::looked) continue;
+                // The first panorama counts whole: what its picture did not have is filled there, and only there.
+                if (index > 0 &&
+                    (given ? known != Known::original : known != Known::invented && known != Known::looked))
+                    continue;
                 // mixed colors of two surfaces; inpainted pixels have only one
                 if (given && cuts.at(x, y) & kFarSide) continue;
                 const Surface s = surface_at(panorama, cuts, sky_m, x, y);

@@ -82,9 +82,12 @@ Image<double> filled_range(const PublishedWarp& warp) {
 
 Json walk_as_published(const Panorama& first, const WalkParams& params, const Run& run, const TakePanorama& take,
                        const RangeEstimator& estimate) {
-    const auto inpainter = make_inpainter(params.inpainter, params.inpaint_weights, params.device);
+    const auto inpainter = make_inpainter(params.inpainter, params.inpaint_weights, params.device, params.trusted);
     const Painter paint = [&](const ImageRgb8& color, const ImageMask& hole) {
-        return srgb8_from_linear(inpainter->fill(linear_from_srgb8(color), hole, run));
+        const ImageColor linear = linear_from_srgb8(color);
+        const bool is_panorama = color.width == 2 * color.height;  // paper-direct; else a cube face
+        return srgb8_from_linear(is_panorama ? fill_panorama(*inpainter, linear, hole, run)
+                                             : inpainter->fill(linear, hole, run));
     };
     const bool far = params.kind == "paper-far", direct = params.kind == "paper-direct";
     const int steps = far ? 1 : params.steps;

@@ -1,6 +1,7 @@
 #include "fastscene/walk/walk.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "fastscene/base/shortest.h"
@@ -130,6 +131,23 @@ Panorama looking_into_mirrors(Panorama panorama) {
     return panorama;
 }
 
+// What the first panorama invented (parts that its picture did not have) is not original elsewhere, either.
+void mark_carried(const Panorama& first, Vec3f position, Panorama& next) {
+    const auto is_invented = [](Known known) { return known == Known::invented; };
+    if (std::none_of(first.known.pixels.begin(), first.known.pixels.end(), is_invented)) return;
+    const EquirectSize size = next.size();
+    for (int y = 0; y < size.height; ++y)
+        for (int x = 0; x < size.width; ++x) {
+            const float range = next.range.at(x, y);
+            if (next.known.at(x, y) != Known::original) continue;
+            const Vec3f d = direction_of_pixel(x, y, size);
+            const Vec2f at = pixel_of_direction(std::isfinite(range) ? position + d * range : d, first.size());
+            if (is_invented(first.known.at(wrap_column(static_cast<int>(at.x), first.color.width),
+                                           std::min(static_cast<int>(at.y), first.color.height - 1))))
+                next.known.at(x, y) = Known::carried;
+        }
+}
+
 // Fills the holes with renderings of the known room.
 void look_into_room(CoarseView& view, const ImageMask& hole, const RoomLook& look, const Rigid& world_from_pano,
                     const Run& run) {
@@ -154,7 +172,9 @@ Json walk_our_way(const Panorama& given, const std::vector<Panorama>& more, cons
     const bool looks = params.inpainter == kLookIntoRoom;
     std::vector<Mirror> mirrors = looks ? std::vector<Mirror>{} : find_mirrors(given);
     const Panorama first = looking_into_mirrors(given);
-    const auto inpainter = looks ? nullptr : make_inpainter(params.inpainter, params.inpaint_weights, params.device);
+    const auto inpainter = looks ? nullptr
+                                 : make_inpainter(params.inpainter, params.inpaint_weights, params.device,
+                                                  params.trusted);
     const std::vector<ScenePlane> planes = find_planes(first.range, run.seed);
     const Image<std::int16_t> label = label_planes(first.range, planes);
 
@@ -192,6 +212,7 @@ Json walk_our_way(const Panorama& given, const std::vector<Panorama>& more, cons
         next.range = std::move(view.range);
         next.color = smooth_silhouettes(next, observed, invented, position);
         invented.push_back(std::move(painted));  // later viewpoints process silhouettes themselves
+        mark_carried(first, position, next);
         for (std::size_t i = 0; looks && i < hole.size(); ++i)
             if (hole.pixels[i]) next.known.pixels[i] = Known::looked;
         take(std::move(next));

@@ -29,7 +29,8 @@ struct WalkParams {
     int steps = 6;
     std::string inpainter = "auto";
     std::string inpaint_weights;
-    std::string device = "auto";  // of the inpainter's network: auto, cpu or cuda
+    std::string device = "auto";       // of the inpainter's network: auto, cpu or cuda
+    std::vector<std::string> trusted;  // files whose code may run (models/trust.h); never recorded in a run
 };
 // A scene from a prompt is rendered from viewpoints all over its room; nothing is inpainted (room_walk.h).
 inline constexpr const char* kRoomWalk = "room";
@@ -62,12 +63,14 @@ void visit_fields(WalkParams& p, V&& v) {
     v("step", p.step, Bounds{0.001, 0.5}, "paper: step length as a share of the greatest range.");
     v("steps", p.steps, Bounds{1, 50}, "paper: steps in each direction.");
     v("inpainter", p.inpainter, Choices{hole_fillers()},
-      "How holes are filled: by a network (aotgan), by smooth interpolation (harmonic), or, with ours and a prompt, by "
+      "How holes are filled, also those of a partial panorama: by a network (aotgan), by another that was exported as "
+      "TorchScript, such as LaMa (torchscript), by smooth interpolation (harmonic), or, with ours and a prompt, by "
       "rendering the room (room). auto: aotgan, if the walk has holes.");
     v("inpaint-weights", p.inpaint_weights,
-      "Weights for --walk-inpainter aotgan: the official G*.pt or a .safetensors; empty: the built-in ones.");
+      "Weights for --walk-inpainter aotgan: the official G*.pt or a .safetensors; empty: the built-in ones. For "
+      "torchscript: its file.");
     v("device", p.device, Choices{{"auto", "cpu", "cuda"}},
-      "Where the network of --walk-inpainter aotgan runs; auto: CUDA if libtorch supports it.");
+      "Where the network of --walk-inpainter runs; auto: CUDA if libtorch supports it.");
 }
 // Resolves "auto". `known_room`: the panorama was rendered from a room, and its range is exact.
 WalkParams resolved(WalkParams params, bool known_room);

@@ -7,7 +7,8 @@ namespace {
 
 constexpr std::string_view kShippedAotgan = "aotgan-rooms";  // models/aotgan-rooms.md
 
-std::unique_ptr<Inpainter> make_aotgan(const std::filesystem::path& weights, const std::string& device) {
+std::unique_ptr<Inpainter> make_aotgan(const std::filesystem::path& weights, const std::string& device,
+                                       const std::vector<std::string>&) {
     const DeviceChoice where{device, "--walk-device"};
     if (!weights.empty()) return std::make_unique<AotganInpainter>(Aotgan::load(weights, where));
     if (is_shipped(kShippedAotgan))

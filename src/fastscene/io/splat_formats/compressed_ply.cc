@@ -279,8 +279,9 @@ SplatFormat compressed_ply() {
                           .sh0 = 0.01f,
                           .sh_rest = 0.02f},
             .recognizes = has_compressed_ply_header,
-            .read = [](const std::filesystem::path& file,
-                       std::string_view bytes) { return splats_of_compressed_ply(Ply(file, std::string(bytes))); },
+            .read = [](const std::filesystem::path& file, std::string_view bytes) -> ReadSplats {
+                return splats_of_compressed_ply(Ply(file, std::string(bytes)));
+            },
             .write = [](const Splats& splats, const SplatWriting&) { return compressed_ply_bytes(splats); }};
 }
 

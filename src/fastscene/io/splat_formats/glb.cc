@@ -12,10 +12,13 @@ SplatFormat glb() {
             .about = "glTF binary with `KHR_gaussian_splatting`",
             .readers = "Cesium, three.js, Khronos' sample viewer",
             .empty = false,
+            .offset = true,
             .file_from_world = kGltfFromWorld,
             .recognizes = is_glb,
             .read = splats_of_glb,
-            .write = [](const Splats& splats, const SplatWriting&) { return splat_glb_bytes(splats); }};
+            .write = [](const Splats& splats, const SplatWriting& writing) {
+                return splat_glb_bytes(splats, writing.offset_m);
+            }};
 }
 
 }  // namespace fastscene::splat_formats

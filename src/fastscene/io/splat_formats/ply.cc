@@ -1,9 +1,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <sstream>
 
 #include "fastscene/base/error.h"
 #include "fastscene/base/file.h"
+#include "fastscene/io/bytes.h"
 #include "fastscene/io/ply.h"
 #include "fastscene/io/splat_format.h"
 #include "fastscene/io/splat_io.h"
@@ -18,25 +20,34 @@ bool is_antialiased(const Ply& ply) {
     });
 }
 
-std::string splat_ply_bytes(const Splats& splats, PlyBands bands) {
+namespace {
+
+// `absolute`: positions in double, the offset added. Otherwise positions as they are; a comment tells the offset.
+std::string ply_bytes(const Splats& splats, PlyBands bands, Vec3d offset, bool absolute) {
     const int have = splats.rest_coefficients(), written = bands == PlyBands::all ? 15 : have;
-    std::string out = fmt::format("ply\nformat binary_little_endian 1.0\n{}element vertex {}\n", ply_comments(splats),
-                                  splats.size());
-    for (const char* name : {"x", "y", "z", "nx", "ny", "nz", "f_dc_0", "f_dc_1", "f_dc_2"})
+    std::string out = fmt::format("ply\nformat binary_little_endian 1.0\n{}", ply_comments(splats));
+    if (offset != Vec3d{} && !absolute)
+        out += fmt::format("comment fastscene offset {} {} {}\n", offset.x, offset.y, offset.z);
+    out += fmt::format("element vertex {}\n", splats.size());
+    for (const char* name : {"x", "y", "z"})
+        out += fmt::format("property {} {}\n", absolute ? "double" : "float", name);
+    for (const char* name : {"nx", "ny", "nz", "f_dc_0", "f_dc_1", "f_dc_2"})
         out += fmt::format("property float {}\n", name);
     for (int i = 0; i < 3 * written; ++i) out += fmt::format("property float f_rest_{}\n", i);
     for (const char* name : {"opacity", "scale_0", "scale_1", "scale_2", "rot_0", "rot_1", "rot_2", "rot_3"})
         out += fmt::format("property float {}\n", name);
     out += "end_header\n";
-    const std::size_t floats = 17 + 3 * static_cast<std::size_t>(written);
-    out.reserve(out.size() + splats.size() * floats * 4);
+    const std::size_t floats = 14 + 3 * static_cast<std::size_t>(written);
+    out.reserve(out.size() + splats.size() * (floats * 4 + 24));
 
     std::array<float, 62> row{};
     for (std::size_t i = 0; i < splats.size(); ++i) {
         std::size_t at = 0;
         const auto put = [&](float v) { row[at++] = v; };
         const auto put3 = [&](Vec3f v) { put(v.x), put(v.y), put(v.z); };
-        put3(splats.mean_m[i]);
+        for (std::size_t a = 0; a < 3; ++a)
+            if (const float v = splats.mean_m[i][a]; absolute) append(out, static_cast<double>(v) + offset[a]);
+            else append(out, v);
         put3({});
         put3(splats.sh0[i]);
         for (int c = 0; c < 3; ++c)
@@ -54,23 +65,66 @@ std::string splat_ply_bytes(const Splats& splats, PlyBands bands) {
     return out;
 }
 
-void save_splat_ply(const std::filesystem::path& path, const Splats& splats, PlyBands bands) {
-    write_file(path, splat_ply_bytes(splats, bands));
+}  // namespace
+
+std::string splat_ply_bytes(const Splats& splats, PlyBands bands, Vec3d offset_m) {
+    return ply_bytes(splats, bands, offset_m, offset_m != Vec3d{});
 }
 
-Splats splats_of_ply(const Ply& ply) {
+void save_splat_ply(const std::filesystem::path& path, const Splats& splats, PlyBands bands, Vec3d offset_m) {
+    write_file(path, ply_bytes(splats, bands, offset_m, false));
+}
+
+namespace {
+
+// Colors in floats go up to 1, or up to 255.
+double brightest_float(const Ply& ply, const PlyElement& v, const std::array<int, 3>& columns) {
+    for (std::size_t i = 0; i < v.count; ++i)
+        for (const int c : columns)
+            if (ply.share(v, i, c) > 1) return 255;
+    return 1;
+}
+
+// The offset of positions that lie far from the origin in double: whole kilometres near their middle.
+Vec3d offset_in(const Ply& ply, const PlyElement& v, const std::array<int, 3>& mean) {
+    Vec3d sum;
+    double finite = 0;
+    if (v.properties[static_cast<std::size_t>(mean[0])].bytes < 8) return {};
+    for (std::size_t i = 0; i < v.count; ++i) {
+        const Vec3d p{ply.value(v, i, mean[0]), ply.value(v, i, mean[1]), ply.value(v, i, mean[2])};
+        if (std::isfinite(p.x + p.y + p.z)) sum = sum + p, finite += 1;
+    }
+    return finite > 0 ? offset_for(sum * (1 / finite)) : Vec3d{};
+}
+
+constexpr std::string_view kOffsetComment = "fastscene offset ";  // then x y z
+
+Vec3d offset_of_comments(const Ply& ply) {
+    for (const std::string& comment : ply.comments()) {
+        std::istringstream numbers(comment.starts_with(kOffsetComment) ? comment.substr(kOffsetComment.size()) : "");
+        if (Vec3d offset; numbers >> offset.x >> offset.y >> offset.z) return offset;
+    }
+    return {};
+}
+
+}  // namespace
+
+ReadSplats splats_of_ply(const Ply& ply) {
     const PlyElement& v = ply.element("vertex");
-    if (Ply::find(v, "f_dc_0") < 0 && Ply::find(v, "red") >= 0)
+    const bool as_rgb = Ply::find(v, "f_dc_0") < 0 && Ply::find(v, "red") >= 0;  // nerfstudio's --ply-color-mode rgb
+    if (as_rgb && Ply::find(v, "scale_0") < 0)
         throw Error("{}: expected Gaussians (f_dc_*, scale_*, rot_*, opacity), found a cloud of colored points",
                     ply.path().string());
     const auto three = [&](std::array<const char*, 3> names) {
         return std::array<int, 3>{ply.property(v, names[0]), ply.property(v, names[1]), ply.property(v, names[2])};
     };
-    const auto mean = three({"x", "y", "z"}), dc = three({"f_dc_0", "f_dc_1", "f_dc_2"}),
-               rot = three({"rot_1", "rot_2", "rot_3"});
+    const auto mean = three({"x", "y", "z"}), rot = three({"rot_1", "rot_2", "rot_3"}),
+               dc = as_rgb ? three({"red", "green", "blue"}) : three({"f_dc_0", "f_dc_1", "f_dc_2"});
+    const double brightest = as_rgb ? brightest_float(ply, v, dc) : 1;
     const int w = ply.property(v, "rot_0"), opacity = ply.property(v, "opacity");
     // 2D Gaussian files (2DGS) have two scales: such a disc gets a hundredth of its smaller radius as thickness.
     const std::array<int, 3> scale{ply.property(v, "scale_0"), ply.property(v, "scale_1"), Ply::find(v, "scale_2")};
+    const Vec3d offset = offset_in(ply, v, mean);
     Splats splats;
     splats.antialias = is_antialiased(ply);
     const std::vector<int> rest = sh_columns(ply, v, splats.sh_degree);
@@ -79,8 +133,11 @@ Splats splats_of_ply(const Ply& ply) {
         const auto vec = [&](const std::array<int, 3>& p) {
             return Vec3f{ply.number(v, i, p[0]), ply.number(v, i, p[1]), ply.number(v, i, p[2])};
         };
-        splats.mean_m[i] = vec(mean);
-        splats.sh0[i] = vec(dc);
+        for (std::size_t a = 0; a < 3; ++a)
+            splats.mean_m[i][a] = static_cast<float>(ply.value(v, i, mean[a]) - offset[a]);
+        if (!as_rgb) splats.sh0[i] = vec(dc);
+        for (std::size_t c = 0; c < 3 && as_rgb; ++c)
+            splats.sh0[i][c] = static_cast<float>((ply.share(v, i, dc[c]) / brightest - 0.5) / kSh0);
         Vec3f& s = splats.log_scale[i];
         s = {ply.number(v, i, scale[0]), ply.number(v, i, scale[1]), 0};
         s.z = scale[2] >= 0 ? ply.number(v, i, scale[2]) : std::min(s.x, s.y) - 4.6f;
@@ -89,7 +146,9 @@ Splats splats_of_ply(const Ply& ply) {
         splats.rotation[i] = {ply.number(v, i, w), xyz.x, xyz.y, xyz.z};
         for (std::size_t k = 0; k < rest.size(); ++k) splats.sh_rest[i * rest.size() + k] = ply.number(v, i, rest[k]);
     }
-    return splats;
+    ReadSplats read(std::move(splats));
+    read.offset_m = offset + offset_of_comments(ply);
+    return read;
 }
 
 namespace splat_formats {
@@ -99,12 +158,15 @@ SplatFormat ply() {
             .ending = ".ply",
             .about = "INRIA's PLY; 62 floats per splat (`--compact`: only the existing SH degrees)",
             .readers = "everything",
+            .offset = true,
             .recognizes =
                 [](std::string_view bytes) { return bytes.starts_with("ply") && !has_compressed_ply_header(bytes); },
             .read = [](const std::filesystem::path& file,
                        std::string_view bytes) { return splats_of_ply(Ply(file, std::string(bytes))); },
-            .write = [](const Splats& splats,
-                        const SplatWriting& writing) { return splat_ply_bytes(splats, writing.ply_bands); }};
+            .write =
+                [](const Splats& splats, const SplatWriting& writing) {
+                    return splat_ply_bytes(splats, writing.ply_bands, writing.offset_m);
+                }};
 }
 
 }  // namespace splat_formats

@@ -286,21 +286,22 @@ class Bundle {
 }  // namespace
 
 SplatFormat sog() {
-    return {.name = "sog",
-            .ending = ".sog",
-            .about = "PlayCanvas' SOG: a bundle of lossless WebP images, the smallest",
-            .readers = "SuperSplat, PlayCanvas",
-            .keeps_order = false,
-            .empty = false,
-            .precision = {.mean_m = 2e-4f,
-                          .log_scale = 0.02f,
-                          .rotation = 0.014f,
-                          .opacity_logit = 0.05f,
-                          .sh0 = 0.02f,
-                          .sh_rest = 0.01f},
-            .recognizes = [](std::string_view bytes) { return bytes.starts_with("PK\x03\x04"); },
-            .read = [](const std::filesystem::path& file, std::string_view) { return Bundle(file).splats(); },
-            .write = write_sog};
+    return {
+        .name = "sog",
+        .ending = ".sog",
+        .about = "PlayCanvas' SOG: a bundle of lossless WebP images, the smallest",
+        .readers = "SuperSplat, PlayCanvas",
+        .keeps_order = false,
+        .empty = false,
+        .precision = {.mean_m = 2e-4f,
+                      .log_scale = 0.02f,
+                      .rotation = 0.014f,
+                      .opacity_logit = 0.05f,
+                      .sh0 = 0.02f,
+                      .sh_rest = 0.01f},
+        .recognizes = [](std::string_view bytes) { return bytes.starts_with("PK\x03\x04"); },
+        .read = [](const std::filesystem::path& file, std::string_view) -> ReadSplats { return Bundle(file).splats(); },
+        .write = write_sog};
 }
 
 }  // namespace fastscene::splat_formats

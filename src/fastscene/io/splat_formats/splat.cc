@@ -12,7 +12,7 @@ namespace {
 constexpr std::size_t kRow = 32;
 constexpr float kTurn = 128.f;  // a component of 0 is stored as this, and 1 is this much more
 
-Splats read_splat(const std::filesystem::path& file, std::string_view bytes) {
+ReadSplats read_splat(const std::filesystem::path& file, std::string_view bytes) {
     ByteReader in(file, bytes);
     if (bytes.size() % kRow != 0)
         throw Error("{}: expected {} bytes a splat, found {} bytes, {} too many", file.string(), kRow, bytes.size(),
