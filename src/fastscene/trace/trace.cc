@@ -99,7 +99,8 @@ struct TracedRoom::Impl {
         if (parts.mirrored_range) shot.mirrored_range = ImageF(camera.width, camera.height);
         if (parts.normal) shot.normal = ImageColor(camera.width, camera.height);
         if (parts.object) shot.object = Image<std::int32_t>(camera.width, camera.height, -2);
-        if (!parts.range && !parts.mirrored_range && !parts.normal && !parts.object) return shot;
+        if (parts.mesh) shot.mesh = Image<std::int32_t>(camera.width, camera.height, -1);
+        if (!parts.range && !parts.mirrored_range && !parts.normal && !parts.object && !parts.mesh) return shot;
         parallel_for(camera.height, 8, [&](std::int64_t begin, std::int64_t end) {
             for (auto y = static_cast<int>(begin); y < end; ++y)
                 for (int x = 0; x < camera.width; ++x) {
@@ -114,6 +115,7 @@ struct TracedRoom::Impl {
                     if (!hit) continue;
                     const Mesh& mesh = room.meshes[static_cast<std::size_t>(hit.mesh)];
                     if (parts.object) shot.object.at(x, y) = mesh.object;
+                    if (parts.mesh) shot.mesh.at(x, y) = hit.mesh;
                     if (parts.normal)
                         shot.normal.at(x, y) = hit.back ? -shading_normal(mesh, hit) : shading_normal(mesh, hit);
                 }
@@ -195,8 +197,10 @@ float TracedRoom::clearance(Vec3f point, float limit_m) const {
         const RayHit hit = impl_->bvh.first_hit(point, way);
         if (hit && hit.back && impl_->closed[static_cast<std::size_t>(hit.mesh)]) ++inside;
     }
-    return inside >= 4 ? 0.f : impl_->bvh.nearest(point, limit_m);
+    return inside >= 4 ? 0.f : impl_->bvh.nearest(point, limit_m).distance;
 }
+
+int TracedRoom::nearest_mesh(Vec3f point, float limit_m) const { return impl_->bvh.nearest(point, limit_m).mesh; }
 
 const Room& TracedRoom::room() const { return impl_->room; }
 

@@ -49,9 +49,11 @@ struct Shot {
     ImageColor albedo;           // mean over the pixel
     ImageColor normal;           // world frame, unit, of the center ray
     Image<std::int32_t> object;  // center ray: index into Room::objects; -1 = walls, floor, ceiling, -2 = outside
+    Image<std::int32_t> mesh;    // center ray: index into Room::meshes; -1 = outside
 };
 struct ShotParts {
-    bool color = true, range = true, mirrored_range = false, albedo = false, normal = false, object = false;
+    bool color = true, range = true, mirrored_range = false, albedo = false, normal = false, object = false,
+         mesh = false;
     int pixel_samples = 0;  // camera rays per pixel; 0 = TraceParams::pixel_samples
     bool paths = false;     // path tracing: no cache, pixels are independent; the reference for measurements
     bool radiance = false;  // `color` holds mean radiance, without tone mapping
@@ -109,6 +111,8 @@ class TracedRoom {
     bool sees(Vec3f from, Vec3f to) const;
     // Radius of the largest empty ball around a point, at most `limit_m`; 0 inside an object.
     float clearance(Vec3f point, float limit_m) const;
+    // Index into Room::meshes of the surface nearest to a point; -1: none within limit_m.
+    int nearest_mesh(Vec3f point, float limit_m) const;
 
     const Room& room() const;
 

@@ -2,6 +2,7 @@
 #include <array>
 #include <cmath>
 
+#include "fastscene/base/check.h"
 #include "fastscene/base/error.h"
 #include "fastscene/base/file.h"
 #include "fastscene/io/ply.h"
@@ -9,6 +10,11 @@
 #include "fastscene/io/splat_io.h"
 
 namespace fastscene {
+namespace {
+
+constexpr const char* kPlyInstance = "instance";
+
+}  // namespace
 
 std::string ply_comments(const Splats& splats) { return splats.antialias ? "comment SplatRenderMode: mip\n" : ""; }
 
@@ -18,18 +24,22 @@ bool is_antialiased(const Ply& ply) {
     });
 }
 
-std::string splat_ply_bytes(const Splats& splats, PlyBands bands) {
+std::string splat_ply_bytes(const Splats& splats, PlyBands bands, const SplatLabels& labels) {
+    const bool labelled = !labels.values.empty();
+    FASTSCENE_CHECK(!labelled || labels.values.size() == splats.size());
     const int have = splats.rest_coefficients(), written = bands == PlyBands::all ? 15 : have;
-    std::string out = fmt::format("ply\nformat binary_little_endian 1.0\n{}element vertex {}\n", ply_comments(splats),
-                                  splats.size());
+    std::string out = "ply\nformat binary_little_endian 1.0\n" + ply_comments(splats);
+    for (const std::string& comment : labels.comments) out += fmt::format("comment {}\n", comment);
+    out += fmt::format("element vertex {}\n", splats.size());
     for (const char* name : {"x", "y", "z", "nx", "ny", "nz", "f_dc_0", "f_dc_1", "f_dc_2"})
         out += fmt::format("property float {}\n", name);
     for (int i = 0; i < 3 * written; ++i) out += fmt::format("property float f_rest_{}\n", i);
     for (const char* name : {"opacity", "scale_0", "scale_1", "scale_2", "rot_0", "rot_1", "rot_2", "rot_3"})
         out += fmt::format("property float {}\n", name);
+    if (labelled) out += fmt::format("property int {}\n", kPlyInstance);
     out += "end_header\n";
     const std::size_t floats = 17 + 3 * static_cast<std::size_t>(written);
-    out.reserve(out.size() + splats.size() * floats * 4);
+    out.reserve(out.size() + splats.size() * (floats + labelled) * 4);
 
     std::array<float, 62> row{};
     for (std::size_t i = 0; i < splats.size(); ++i) {
@@ -50,6 +60,22 @@ std::string splat_ply_bytes(const Splats& splats, PlyBands bands) {
         const Quatf q = splats.rotation[i];
         put(q.w), put(q.x), put(q.y), put(q.z);
         out.append(reinterpret_cast<const char*>(row.data()), floats * 4);
+        if (labelled) append(out, static_cast<std::int32_t>(labels.values[i]));
+    }
+    return out;
+}
+
+LabelledSplats load_labelled_ply(const std::filesystem::path& path) {
+    const Ply ply(path);
+    if (is_compressed_ply(ply) || !ply.has("vertex") || Ply::find(ply.element("vertex"), kPlyInstance) < 0) return {};
+    const PlyElement& v = ply.element("vertex");
+    LabelledSplats out{splats_of_ply(ply), {{}, ply.comments()}};
+    const int instance = Ply::find(v, kPlyInstance);
+    for (std::size_t i = 0; i < v.count; ++i) {
+        const double value = ply.value(v, i, instance);
+        if (!(value >= 0 && value <= 0xffff))
+            throw Error("{}: expected instances of 0 to 65535, found {} for splat {}", path.string(), value, i);
+        out.labels.values.push_back(static_cast<std::uint16_t>(value));
     }
     return out;
 }

@@ -1,0 +1,69 @@
+// metrics labels: what labelled splats show, against the room's own surfaces.
+#include <algorithm>
+#include <numeric>
+
+#include "fastscene/cli/flags.h"
+#include "fastscene/cli/metrics.h"
+#include "fastscene/export/splat_labels.h"
+#include "fastscene/export/view_maps.h"
+#include "fastscene/metrics/metrics.h"
+#include "fastscene/metrics/seen_labels.h"
+#include "fastscene/pipeline/room_of_run.h"
+#include "fastscene/pipeline/splat_files.h"
+
+namespace fastscene::cli {
+namespace {
+
+struct LabelFlags {
+    std::string folder, views = "12", size = "384", seed = "0";
+};
+
+constexpr float kPoseFov_deg = 75;  // as `metrics --truth` looks
+
+void measure(const LabelFlags& flags, const Session& session) {
+    TruthParams poses;
+    poses.views = number_from<int>("--views", flags.views);
+    poses.size_px = number_from<int>("--size", flags.size);
+    check_fields("", poses);
+    const Run run = session.run(number_from<std::uint64_t>("--seed", flags.seed));
+    const RunFolder folder{flags.folder};
+    const auto room = unlit_room_of_run(folder, recorded_run(folder), run);
+    const Splats splats = load_scene(flags.folder, run).splats;
+    const std::vector<Instance> instances = instances_of(room->room());
+    std::vector<LabelView> views;
+    const Pinhole camera = Pinhole::with_fov(poses.size_px, poses.size_px, kPoseFov_deg);
+    for (const TruthPose& pose : truth_poses(*room, poses, run.seed)) views.push_back({camera, pose.world_from_camera});
+    const auto seen = seen_labels(splats, splat_labels(splats, *room, run), views, {}, run);
+    std::vector<int> class_of, instance_of(instances.size());
+    for (const Instance& instance : instances) class_of.push_back(instance.nyu40);
+    std::iota(instance_of.begin(), instance_of.end(), 0);
+    double classes = 0, same = 0, worst = 1;
+    for (std::size_t v = 0; v < views.size(); ++v) {
+        const ViewMaps truth = view_maps(*room, camera, views[v].world_from_camera, {run.seed, nullptr, run.stop});
+        const double agreed = agreement(seen[v], truth.instance, class_of);
+        classes += agreed, worst = std::min(worst, agreed);
+        same += agreement(seen[v], truth.instance, instance_of);
+    }
+    classes /= static_cast<double>(views.size()), same /= static_cast<double>(views.size());
+    session.print(
+        fmt::format("pixels that agree: class {:.4f} (worst view {:.4f}), instance {:.4f}", classes, worst, same),
+        {{"views", views.size()}, {"class", classes}, {"class_worst", worst}, {"instance", same}});
+}
+
+}  // namespace
+
+Verb add_metrics_labels(CLI::App& metrics) {
+    auto flags = std::make_shared<LabelFlags>();
+    CLI::App* verb = metrics.add_subcommand(
+        "labels", "Class and instance maps of labelled splats, against the room's surfaces at poses never trained on.");
+    verb->add_option("scene", flags->folder, "Folder of a finished run from a prompt.")->type_name("DIR")->required();
+    verb->add_option("--views", flags->views, "Number of poses.")->type_name("N")->capture_default_str();
+    verb->add_option("--size", flags->size, "Width and height of a pose's maps in pixels.")
+        ->type_name("N")
+        ->capture_default_str();
+    verb->add_option("--seed", flags->seed, "Seed of the poses.")->type_name("N")->capture_default_str();
+    verb->footer("Example:\n  fastscene metrics labels out/bedroom");
+    return {verb, [flags](const Session& session) { measure(*flags, session); }};
+}
+
+}  // namespace fastscene::cli
