@@ -6,6 +6,7 @@
 #include "fastscene/export/splat_labels.h"
 #include "fastscene/io/npy.h"
 #include "fastscene/pipeline/room_of_run.h"
+#include "fastscene/pipeline/run_files.h"
 #include "fastscene/pipeline/splat_files.h"
 
 namespace fastscene::cli {
@@ -25,13 +26,20 @@ void check_labels(const fs::path& file, const LabelledScene& scene) {
             throw Error("{}: expected labels below {}, found {}", file.string(), scene.instances.size(), label);
 }
 
+// The panoramas that the splats were trained on.
+std::vector<Vec3f> viewpoints_of(const fs::path& run_folder) {
+    std::vector<Vec3f> out;
+    for (const Rigid& pose : load_walk_poses(RunFolder{run_folder})) out.push_back(pose.translation);
+    return out;
+}
+
 }  // namespace
 
 fs::path instances_beside(const fs::path& npy) { return fs::path(npy).replace_extension(".json"); }
 
 LabelledScene labelled_scene(const fs::path& run_folder, const TracedRoom& room, const Run& run) {
     LabelledScene scene{load_scene(run_folder, run).splats, {}, instances_of(room.room())};
-    scene.labels = splat_labels(scene.splats, room, run);
+    scene.labels = splat_labels(scene.splats, room, viewpoints_of(run_folder), run);
     return scene;
 }
 

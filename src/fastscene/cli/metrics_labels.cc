@@ -1,15 +1,15 @@
 // metrics labels: what labelled splats show, against the room's own surfaces.
 #include <algorithm>
+#include <map>
 #include <numeric>
 
 #include "fastscene/cli/flags.h"
+#include "fastscene/cli/labelled_scene.h"
 #include "fastscene/cli/metrics.h"
-#include "fastscene/export/splat_labels.h"
 #include "fastscene/export/view_maps.h"
 #include "fastscene/metrics/metrics.h"
 #include "fastscene/metrics/seen_labels.h"
 #include "fastscene/pipeline/room_of_run.h"
-#include "fastscene/pipeline/splat_files.h"
 
 namespace fastscene::cli {
 namespace {
@@ -28,23 +28,33 @@ void measure(const LabelFlags& flags, const Session& session) {
     const Run run = session.run(number_from<std::uint64_t>("--seed", flags.seed));
     const RunFolder folder{flags.folder};
     const auto room = unlit_room_of_run(folder, recorded_run(folder), run);
-    const Splats splats = load_scene(flags.folder, run).splats;
-    const std::vector<Instance> instances = instances_of(room->room());
+    const LabelledScene scene = labelled_scene(folder.root, *room, run);
+    const std::vector<Instance>& instances = scene.instances;
     std::vector<LabelView> views;
     const Pinhole camera = Pinhole::with_fov(poses.size_px, poses.size_px, kPoseFov_deg);
     for (const TruthPose& pose : truth_poses(*room, poses, run.seed)) views.push_back({camera, pose.world_from_camera});
-    const auto seen = seen_labels(splats, splat_labels(splats, *room, run), views, {}, run);
+    const auto seen = seen_labels(scene.splats, scene.labels, views, {}, run);
     std::vector<int> class_of, instance_of(instances.size());
     for (const Instance& instance : instances) class_of.push_back(instance.nyu40);
     std::iota(instance_of.begin(), instance_of.end(), 0);
     double classes = 0, same = 0, worst = 1;
+    std::map<std::pair<int, int>, int> mixed_up;
     for (std::size_t v = 0; v < views.size(); ++v) {
         const ViewMaps truth = view_maps(*room, camera, views[v].world_from_camera, {run.seed, nullptr, run.stop});
         const double agreed = agreement(seen[v], truth.instance, class_of);
         classes += agreed, worst = std::min(worst, agreed);
         same += agreement(seen[v], truth.instance, instance_of);
+        for (std::size_t p = 0; p < seen[v].size(); ++p)
+            if (seen[v].pixels[p] != truth.instance.pixels[p])
+                ++mixed_up[{truth.instance.pixels[p], seen[v].pixels[p]}];
     }
     classes /= static_cast<double>(views.size()), same /= static_cast<double>(views.size());
+    std::vector<std::pair<int, std::pair<int, int>>> tops;
+    for (auto& [k, c] : mixed_up) tops.push_back({c, k});
+    std::sort(tops.rbegin(), tops.rend());
+    for (std::size_t i = 0; i < 25 && i < tops.size(); ++i)
+        fprintf(stderr, "%d true %s seen %s\n", tops[i].first, instances[tops[i].second.first].id.c_str(),
+                instances[tops[i].second.second].id.c_str());
     session.print(
         fmt::format("pixels that agree: class {:.4f} (worst view {:.4f}), instance {:.4f}", classes, worst, same),
         {{"views", views.size()}, {"class", classes}, {"class_worst", worst}, {"instance", same}});

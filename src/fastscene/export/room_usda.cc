@@ -23,6 +23,13 @@ constexpr float kApertureHeight = 24.f;  // of the camera, in tenths of a unit a
 constexpr float kApertureWidth = 36.f;
 constexpr float kFarthest_m = 1000.f;  // that the camera shows
 
+// "oak", "oak_2", "oak_3" …
+std::string unique_name(const std::string& wanted, std::set<std::string>& taken) {
+    std::string name = usda_name(wanted);
+    for (int k = 2; !taken.insert(name).second; ++k) name = usda_name(fmt::format("{}_{}", wanted, k));
+    return name;
+}
+
 class UsdaRoomWriter {
   public:
     UsdaRoomWriter(const Room& room, const RoomModel& model, std::string texture_folder)
@@ -47,11 +54,7 @@ class UsdaRoomWriter {
 
   private:
     // Names are unique among the children of the room.
-    std::string child_name(const std::string& wanted) {
-        std::string name = usda_name(wanted);
-        while (!taken_.insert(name).second) name += '_';
-        return name;
-    }
+    std::string child_name(const std::string& wanted) { return unique_name(wanted, taken_); }
 
     std::size_t number_of(const ModelNode& node) const {
         if (node.object >= 0) return at(node.object) + 1;
@@ -104,11 +107,8 @@ class UsdaRoomWriter {
         first = path;
         out_.begin("def Xform", "geometry");
         std::set<std::string> names;
-        for (const ModelPart& part : model_.meshes[at(index)].parts) {
-            std::string name = usda_name(room_.materials[at(part.material)].name);
-            while (!names.insert(name).second) name += '_';
-            add_mesh(name, part);
-        }
+        for (const ModelPart& part : model_.meshes[at(index)].parts)
+            add_mesh(unique_name(room_.materials[at(part.material)].name, names), part);
         out_.end();
     }
 
@@ -138,10 +138,7 @@ class UsdaRoomWriter {
     // Named when first bound, defined at the end.
     const std::string& material(int index) {
         std::string& name = materials_[index];
-        if (name.empty()) {
-            name = usda_name(room_.materials[at(index)].name);
-            while (!material_names_.insert(name).second) name += '_';
-        }
+        if (name.empty()) name = unique_name(room_.materials[at(index)].name, material_names_);
         return name;
     }
 

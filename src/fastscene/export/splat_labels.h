@@ -10,7 +10,10 @@
 
 namespace fastscene {
 
-// The instance (instances.h) with the surface nearest to each splat's mean; 0, the outside, for those far from all.
-std::vector<std::uint16_t> splat_labels(const Splats& splats, const TracedRoom& room, const Run& run);
+// The instance (instances.h) of each splat: what cameras at `viewpoints` see where the splat is. 0: the outside. The
+// nearest surface would not do: a picture's splats may lie behind its canvas, nearer to the wall, and what a mirror
+// shows lies metres behind it.
+std::vector<std::uint16_t> splat_labels(const Splats& splats, const TracedRoom& room,
+                                        const std::vector<Vec3f>& viewpoints, const Run& run);
 
 }  // namespace fastscene

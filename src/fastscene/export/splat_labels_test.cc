@@ -35,7 +35,7 @@ TEST(SplatLabels, AreThoseOfTheSurfaceThatASplatLiesOn) {
     splats.mean_m.push_back({0, 0, 400});  // the view from the window
     wanted.push_back(0);
     splats.resize(wanted.size());
-    const std::vector<std::uint16_t> found = splat_labels(splats, traced, {});
+    const std::vector<std::uint16_t> found = splat_labels(splats, traced, {{}}, {});
     ASSERT_EQ(found.size(), wanted.size());
     std::size_t equal = 0;
     for (std::size_t i = 0; i < found.size(); ++i) equal += found[i] == wanted[i];

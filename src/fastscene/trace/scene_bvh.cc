@@ -38,16 +38,15 @@ using Corners = std::vector<std::array<Vec3f, 3>>;  // the triangles of one mesh
 struct NearestQuery {
     const std::vector<Corners>* meshes;
     Vec3f point;
-    SceneBvh::Nearest best;
+    float best;
 };
 
 bool visit_triangle(RTCPointQueryFunctionArguments* args) {
     auto* query = static_cast<NearestQuery*>(args->userPtr);
     const auto& t = (*query->meshes)[args->geomID][args->primID];
     const float far = length(query->point - nearest_on_triangle(query->point, t[0], t[1], t[2]));
-    if (far >= query->best.distance) return false;
-    query->best = {far, static_cast<int>(args->geomID)};
-    args->query->radius = far;
+    if (far >= query->best) return false;
+    query->best = args->query->radius = far;
     return true;
 }
 
@@ -178,8 +177,8 @@ bool SceneBvh::blocked(Vec3f origin, Vec3f direction, float near_m, float far_m)
     return ray.tfar < 0;
 }
 
-SceneBvh::Nearest SceneBvh::nearest(Vec3f point, float limit) const {
-    NearestQuery state{&impl_->meshes, point, {limit, -1}};
+float SceneBvh::nearest(Vec3f point, float limit) const {
+    NearestQuery state{&impl_->meshes, point, limit};
     RTCPointQuery query{point.x, point.y, point.z, 0.f, limit};
     RTCPointQueryContext context;
     rtcInitPointQueryContext(&context);

@@ -42,12 +42,8 @@ class SceneBvh {
     RayHit first_lit(Vec3f origin, Vec3f direction) const;
     // Whether an occluder lies in between; clear glass is none.
     bool blocked(Vec3f origin, Vec3f direction, float near_m, float far_m) const;
-    // The mesh of the nearest triangle, and its distance in metres. Nothing within limit_m: that distance, and mesh -1.
-    struct Nearest {
-        float distance;
-        int mesh = -1;
-    };
-    Nearest nearest(Vec3f point, float limit_m) const;
+    // Distance in metres to the nearest triangle, at most limit_m.
+    float nearest(Vec3f point, float limit_m) const;
 
   private:
     struct Impl;

@@ -174,7 +174,7 @@ float TracedRoom::distance(Vec3f origin, Vec3f direction) const {
 TracedRoom::Surface TracedRoom::surface(Vec3f origin, Vec3f direction) const {
     const RayHit hit = impl_->bvh.first_lit(origin, direction);
     if (!hit) return {hit.distance, {}};
-    return {hit.distance, dot(hit.normal, direction) < 0 ? hit.normal : -hit.normal};
+    return {hit.distance, dot(hit.normal, direction) < 0 ? hit.normal : -hit.normal, hit.mesh};
 }
 
 float TracedRoom::distance_through_mirrors(Vec3f origin, Vec3f direction) const {
@@ -197,10 +197,8 @@ float TracedRoom::clearance(Vec3f point, float limit_m) const {
         const RayHit hit = impl_->bvh.first_hit(point, way);
         if (hit && hit.back && impl_->closed[static_cast<std::size_t>(hit.mesh)]) ++inside;
     }
-    return inside >= 4 ? 0.f : impl_->bvh.nearest(point, limit_m).distance;
+    return inside >= 4 ? 0.f : impl_->bvh.nearest(point, limit_m);
 }
-
-int TracedRoom::nearest_mesh(Vec3f point, float limit_m) const { return impl_->bvh.nearest(point, limit_m).mesh; }
 
 const Room& TracedRoom::room() const { return impl_->room; }
 

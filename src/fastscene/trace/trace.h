@@ -97,11 +97,12 @@ class TracedRoom {
 
     // Distance in metres to the first surface along a ray; +inf: none. `direction`: unit length.
     float distance(Vec3f origin, Vec3f direction) const;
-    // The first surface along a ray (`direction` of unit length), through clear glass: distance in metres and unit
-    // normal facing the ray's origin. +inf and zero: none.
+    // The first surface along a ray (`direction` of unit length), through clear glass: distance in metres, unit normal
+    // facing the ray's origin, and index into Room::meshes. +inf, zero and -1: none.
     struct Surface {
         float distance;
         Vec3f normal;
+        int mesh = -1;
     };
     Surface surface(Vec3f origin, Vec3f direction) const;
     // Metres along a ray, through flat mirrors to the virtual image that a picture shows there; +inf: none.
@@ -111,8 +112,6 @@ class TracedRoom {
     bool sees(Vec3f from, Vec3f to) const;
     // Radius of the largest empty ball around a point, at most `limit_m`; 0 inside an object.
     float clearance(Vec3f point, float limit_m) const;
-    // Index into Room::meshes of the surface nearest to a point; -1: none within limit_m.
-    int nearest_mesh(Vec3f point, float limit_m) const;
 
     const Room& room() const;
 
