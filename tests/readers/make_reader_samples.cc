@@ -11,6 +11,7 @@
 #include "fastscene/base/random.h"
 #include "fastscene/export/collision.h"
 #include "fastscene/export/room_glb.h"
+#include "fastscene/export/room_usda.h"
 #include "fastscene/io/splat_io.h"
 #include "fastscene/io/view_io.h"
 #include "fastscene/io/viewer.h"
@@ -86,6 +87,11 @@ void write_rooms(const std::filesystem::path& dir) {
         const Room room = make_room(spec, run);
         write_file(dir / fmt::format("{}.room.glb", name), room_glb_bytes(room, kSmall, run));
         write_file(dir / fmt::format("{}.collision.glb", name), collision_glb_bytes(room, room.max_corner.y));
+        const std::string textures = fmt::format("{}_textures", name);
+        const UsdaRoom usda = room_usda(room, textures, kSmall, run);
+        make_directories(dir / textures);
+        for (const NamedBytes& texture : usda.textures) write_file(dir / textures / texture.name, texture.bytes);
+        write_file(dir / fmt::format("{}.room.usda", name), usda.text);
     }
 }
 
@@ -116,6 +122,7 @@ void write_samples(const std::filesystem::path& dir, const std::filesystem::path
     for (const int version : {2, 3, 4})
         save_splats(dir / fmt::format("odd{}.spz", version), odd, {PlyBands::all, version});
     save_splats(dir / "odd.glb", odd);
+    save_splats(dir / "odd.usda", odd);
     write_rooms(dir);
     if (viewer_dir.empty()) return;
     ViewerScene scene{"Colored room", {0, 0, -1}, {0, 0, 4}, 75, {}};

@@ -23,10 +23,10 @@ struct Capsule {
     const std::vector<Collider>& colliders;
 
     // Whether it overlaps a box with its feet at `feet` (world, y down) while it lifts them by `step`.
-    std::string blocked_by(Vec3f feet, float step) const {
+    std::string blocked_by(Vec3f feet, float step, float height_m = kHeight_m) const {
         for (const Collider& c : colliders) {
             const Rigid boxes_from_world = inverse(c.world_from_boxes);
-            for (float height = step + kRadius_m; height <= kHeight_m - kRadius_m; height += 0.08f) {
+            for (float height = step + kRadius_m; height <= height_m - kRadius_m; height += 0.08f) {
                 const Vec3f p = boxes_from_world * (feet - Vec3f{0, height, 0});
                 for (const Box& b : c.boxes) {
                     Vec3f off{};
@@ -37,11 +37,13 @@ struct Capsule {
         }
         return "";
     }
-    // Falls from `above` until something is below its feet: that height (world, y down).
+    // Falls from `above` until something is below its feet: that height (world, y down). A slanted ceiling may be close
+    // above, so only the lower half falls.
     float lands_at(Vec3f above) const {
         constexpr float kFall_m = 0.01f, kDeepest_m = 3;
         for (float fallen = 0; fallen < kDeepest_m; fallen += kFall_m)
-            if (!blocked_by(above + Vec3f{0, fallen, 0}, 0).empty()) return above.y + fallen - kFall_m;
+            if (!blocked_by(above + Vec3f{0, fallen, 0}, 0, 0.5f * kHeight_m).empty())
+                return above.y + fallen - kFall_m;
         return above.y + kDeepest_m;
     }
 };
