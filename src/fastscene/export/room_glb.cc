@@ -75,17 +75,20 @@ class Writer {
     int material(int index) {
         const auto found = materials_.find(index);
         if (found != materials_.end()) return found->second;
-        const Material& m = room_.materials[at(index)];
-        return materials_[index] = gltf_.add("materials", describe(m.name, surface_of(m, model_.materials[at(index)])));
+        return materials_[index] = gltf_.add("materials", describe(model_.materials[at(index)]));
     }
 
-    Json describe(const std::string& name, const ModelSurface& of) {
+    Json describe(const ModelMaterial& of) {
         Json surface{{"baseColorFactor", {of.color.x, of.color.y, of.color.z, of.opacity}},
                      {"metallicFactor", of.metal},
                      {"roughnessFactor", of.roughness}};
-        if (of.texture) surface["baseColorTexture"] = {{"index", texture(*of.texture)}};
-        Json out{{"name", name}, {"pbrMetallicRoughness", surface}, {"doubleSided", true}};
+        if (of.texture >= 0) surface["baseColorTexture"] = {{"index", texture(of.texture)}};
+        Json out{{"name", of.name}, {"pbrMetallicRoughness", surface}, {"doubleSided", true}};
         if (of.opacity < 1) out["alphaMode"] = "BLEND";
+        if (of.unlit) {
+            gltf_.use("KHR_materials_unlit");
+            out["extensions"]["KHR_materials_unlit"] = Json::object();
+        }
         if (of.ior != kUsualIor) {
             gltf_.use("KHR_materials_ior");
             out["extensions"]["KHR_materials_ior"]["ior"] = of.ior;
@@ -97,8 +100,11 @@ class Writer {
         }
         return out;
     }
-    int texture(const ImageRgb8& image) {
-        return gltf_.add("textures", {{"source", gltf_.add_image(texture_jpeg(image), "image/jpeg")}});
+    int texture(int index) {
+        const auto found = textures_.find(index);
+        if (found != textures_.end()) return found->second;
+        const std::string jpeg = texture_jpeg(model_.textures[at(index)]);
+        return textures_[index] = gltf_.add("textures", {{"source", gltf_.add_image(jpeg, "image/jpeg")}});
     }
 
     Json light_node(const std::string& name, const char* type, const std::string& light_name, const ModelLight& light) {
@@ -132,14 +138,15 @@ class Writer {
     Gltf gltf_;
     Json lights_ = Json::array();
     std::vector<int> meshes_;
-    std::map<int, int> materials_;
+    std::map<int, int> materials_, textures_;
 };
 
 }  // namespace
 
+std::string room_glb_bytes(const Room& room, const RoomModel& model) { return Writer(room, model).bytes(); }
+
 std::string room_glb_bytes(const Room& room, const BakeParams& params, const Run& run) {
-    const RoomModel model = room_model(room, params, run);
-    return Writer(room, model).bytes();
+    return room_glb_bytes(room, room_model(room, params, run));
 }
 
 }  // namespace fastscene

@@ -14,7 +14,6 @@ namespace fastscene {
 namespace {
 
 constexpr int kTextureQuality = 85;      // of JPEG
-constexpr float kClearAlpha = 0.2f;      // opacity of panes and drinking glasses
 constexpr float kUsualSpecular = 0.04f;  // the reflectance of a dielectric with the usual ior
 // Meshes whose vertices differ by less than rounding are one.
 constexpr float kSamePlace_m = 2e-4f, kSameUv = 1e-5f;
@@ -61,7 +60,7 @@ ModelLight light_of(Vec3f intensity, Vec3f position = {}) {
 std::optional<ModelLight> lamp_of(const Room& room, const Parts& parts) {
     Vec3f intensity{}, center{};
     float weight = 0;
-    for (const ModelPart& part : parts) {
+    for (const ModelPart& part : parts) {  // of materials of the room
         const Material& m = room.materials[at(part.material)];
         if (m.pattern == Pattern::screen || !(max_component(m.emission) > 0)) continue;
         for (std::size_t t = 0; t < part.triangles.size(); t += 3) {
@@ -87,7 +86,7 @@ class Builder {
         const std::vector<std::string> ids = object_ids(room_);
         for (std::size_t i = 0; i < room_.objects.size(); ++i) add_object(i, ids[i]);
         add_sun();
-        model_.materials = std::move(baked_.materials);
+        add_materials();
         return std::move(model_);
     }
 
@@ -128,6 +127,31 @@ class Builder {
         model_.meshes.push_back({name, std::move(parts)});
         return static_cast<int>(model_.meshes.size()) - 1;
     }
+    // Those of the room, each by its own index; some are used by no part.
+    void add_materials() {
+        const auto share = [](float v) { return std::clamp(v, 0.f, 1.f); };
+        for (std::size_t i = 0; i < room_.materials.size(); ++i) {
+            const Material& m = room_.materials[i];
+            BakedMaterial& baked = baked_.materials[i];
+            const bool mirror = m.mirror > 0.5f;
+            ModelMaterial out{m.name, {1, 1, 1}};
+            if (baked.texture.empty()) {
+                out.color = {share(baked.color.x), share(baked.color.y), share(baked.color.z)};
+            } else {
+                out.texture = static_cast<int>(model_.textures.size());
+                model_.textures.push_back(std::move(baked.texture));
+            }
+            out.metal = mirror ? 1.f : share(m.metal);
+            out.roughness = mirror ? 0.f : share(baked.roughness);
+            if (is_clear(m)) out.opacity = kClearOpacity;
+            if (!mirror && m.metal < 1 && std::fabs(m.specular - kUsualSpecular) > 0.005f) {
+                const float r = std::sqrt(std::clamp(m.specular, 0.f, 0.9f));
+                out.ior = (1 + r) / (1 - r);
+            }
+            out.emission = m.emission;
+            model_.materials.push_back(std::move(out));
+        }
+    }
     void add_sun() {
         if (!(max_component(room_.sky.sun_irradiance) > 0)) return;
         model_.sun = light_of(room_.sky.sun_irradiance);
@@ -148,24 +172,6 @@ class Builder {
 
 RoomModel room_model(const Room& room, const BakeParams& params, const Run& run) {
     return Builder(room, params, run).model();
-}
-
-ModelSurface surface_of(const Material& m, const BakedMaterial& baked) {
-    const auto share = [](float v) { return std::clamp(v, 0.f, 1.f); };
-    const bool mirror = m.mirror > 0.5f;
-    ModelSurface out{};
-    out.texture = baked.texture.empty() ? nullptr : &baked.texture;
-    out.color = out.texture ? Vec3f{1, 1, 1} : Vec3f{share(baked.color.x), share(baked.color.y), share(baked.color.z)};
-    out.metal = mirror ? 1.f : share(m.metal);
-    out.roughness = mirror ? 0.f : share(baked.roughness);
-    out.opacity = is_clear(m) ? kClearAlpha : 1.f;
-    out.ior = kUsualIor;
-    if (!mirror && m.metal < 1 && std::fabs(m.specular - kUsualSpecular) > 0.005f) {
-        const float r = std::sqrt(std::clamp(m.specular, 0.f, 0.9f));
-        out.ior = (1 + r) / (1 - r);
-    }
-    out.emission = m.emission;
-    return out;
 }
 
 std::string texture_jpeg(const ImageRgb8& texture) { return encode_jpeg(texture, kTextureQuality); }

@@ -7,12 +7,25 @@
 
 #include "fastscene/export/bake.h"
 #include "fastscene/math/rigid.h"
+#include "fastscene/trace/trace.h"
 
 namespace fastscene {
 
+inline constexpr float kUsualIor = 1.5f;
+inline constexpr float kClearOpacity = 0.2f;  // of panes and drinking glasses
+
+// What a surface is in a rasteriser.
+struct ModelMaterial {
+    std::string name;
+    Vec3f color;       // linear, 0..1; multiplies the texture
+    int texture = -1;  // index into RoomModel::textures; -1: none
+    float metal = 0, roughness = 1, ior = kUsualIor, opacity = 1;
+    Vec3f emission{};    // radiance
+    bool unlit = false;  // the texture is what is seen, light and all
+};
 // Triangles with one material, in the axes of the node that shows them.
 struct ModelPart {
-    int material = 0;  // index into Room::materials and BakedRoom::materials
+    int material = 0;  // index into RoomModel::materials
     std::vector<Vec3f> positions, normals;
     std::vector<Vec2f> uv;  // empty: a plain color. (0, 0) is the texture's top left corner
     std::vector<std::uint32_t> triangles;
@@ -35,25 +48,19 @@ struct ModelNode {
     std::optional<ModelLight> lamp;
 };
 struct RoomModel {
-    std::vector<BakedMaterial> materials;  // of Room::materials
+    std::vector<ImageRgb8> textures;  // sRGB
+    std::vector<ModelMaterial> materials;
     std::vector<ModelMesh> meshes;
     std::vector<ModelNode> nodes;   // the shell, then a node per thing, in the order of Room::objects
     std::optional<ModelLight> sun;  // it shines along -z of `sun_pose`
     Rigid sun_pose;
+    bool lit = false;  // its surfaces need no light
 };
+// Materials for an engine's light.
 RoomModel room_model(const Room& room, const BakeParams& params, const Run& run);
+// Every surface with the light that falls on it: unlit textures, no lamps, no sun. The room needs its light.
+RoomModel lit_room_model(const TracedRoom& room, const BakeParams& params, const Run& run);
 
-// What a material is in a rasteriser.
-struct ModelSurface {
-    Vec3f color;                  // multiplies the texture
-    const ImageRgb8* texture;     // null: none
-    float metal, roughness, ior;  // ior 1.5: the usual one
-    float opacity;
-    Vec3f emission;
-};
-ModelSurface surface_of(const Material& material, const BakedMaterial& baked);
-
-inline constexpr float kUsualIor = 1.5f;
 inline constexpr float kCameraFov_deg = 60;  // vertical: as an engine's usual camera
 inline constexpr float kCameraNear_m = 0.05f;
 

@@ -108,7 +108,7 @@ class UsdaRoomWriter {
         out_.begin("def Xform", "geometry");
         std::set<std::string> names;
         for (const ModelPart& part : model_.meshes[at(index)].parts)
-            add_mesh(unique_name(room_.materials[at(part.material)].name, names), part);
+            add_mesh(unique_name(model_.materials[at(part.material)].name, names), part);
         out_.end();
     }
 
@@ -138,25 +138,27 @@ class UsdaRoomWriter {
     // Named when first bound, defined at the end.
     const std::string& material(int index) {
         std::string& name = materials_[index];
-        if (name.empty()) name = unique_name(room_.materials[at(index)].name, material_names_);
+        if (name.empty()) name = unique_name(model_.materials[at(index)].name, material_names_);
         return name;
     }
 
     void add_materials() {
         out_.begin("def Scope", "Materials");
-        for (const auto& [index, name] : materials_)
-            add_material(name, surface_of(room_.materials[at(index)], model_.materials[at(index)]));
+        for (const auto& [index, name] : materials_) add_material(name, model_.materials[at(index)]);
         out_.end();
     }
-    void add_material(const std::string& name, const ModelSurface& surface) {
+    void add_material(const std::string& name, const ModelMaterial& surface) {
         const std::string path = "/Room/Materials/" + name;
         out_.begin("def Material", name);
         out_.line(fmt::format("token outputs:surface.connect = <{}/surface.outputs:surface>", path));
         out_.begin("def Shader", "surface");
         out_.line("uniform token info:id = \"UsdPreviewSurface\"");
-        if (surface.texture)
-            out_.line(fmt::format("color3f inputs:diffuseColor.connect = <{}/texture.outputs:rgb>", path));
-        else out_.line("color3f inputs:diffuseColor = " + usda_tuple(surface.color));
+        // What is lit already glows, and reflects nothing.
+        const char* color = surface.unlit ? "emissiveColor" : "diffuseColor";
+        if (surface.unlit) out_.line("color3f inputs:diffuseColor = (0, 0, 0)");
+        if (surface.texture >= 0)
+            out_.line(fmt::format("color3f inputs:{}.connect = <{}/texture.outputs:rgb>", color, path));
+        else out_.line(fmt::format("color3f inputs:{} = {}", color, usda_tuple(surface.color)));
         out_.line(fmt::format("float inputs:metallic = {:.4g}", surface.metal));
         out_.line(fmt::format("float inputs:roughness = {:.4g}", surface.roughness));
         out_.line(fmt::format("float inputs:ior = {:.4g}", surface.ior));
@@ -165,14 +167,18 @@ class UsdaRoomWriter {
             out_.line("color3f inputs:emissiveColor = " + usda_tuple(surface.emission));
         out_.line("token outputs:surface");
         out_.end();
-        if (surface.texture) add_texture(path, name, *surface.texture);
+        if (surface.texture >= 0) add_texture(path, surface.texture);
         out_.end();
     }
-    void add_texture(const std::string& material_path, const std::string& name, const ImageRgb8& picture) {
-        textures_.push_back({name + ".jpg", texture_jpeg(picture)});
+    void add_texture(const std::string& material_path, int index) {
+        std::string& file = texture_files_[index];
+        if (file.empty()) {
+            file = material_path.substr(material_path.rfind('/') + 1) + ".jpg";
+            textures_.push_back({file, texture_jpeg(model_.textures[at(index)])});
+        }
         out_.begin("def Shader", "texture");
         out_.line("uniform token info:id = \"UsdUVTexture\"");
-        out_.line(fmt::format("asset inputs:file = @./{}/{}.jpg@", folder_, name));
+        out_.line(fmt::format("asset inputs:file = @./{}/{}@", folder_, file));
         out_.line("token inputs:sourceColorSpace = \"sRGB\"");
         out_.line(fmt::format("float2 inputs:st.connect = <{}/coordinates.outputs:result>", material_path));
         for (const char* wrap : {"wrapS", "wrapT"}) out_.line(fmt::format("token inputs:{} = \"clamp\"", wrap));
@@ -209,7 +215,7 @@ class UsdaRoomWriter {
         }
         const Vec3f sky = (room_.sky.zenith + room_.sky.horizon) * 0.5f;
         const float most = max_component(sky);
-        if (!(most > 0)) return;
+        if (!(most > 0) || model_.lit) return;
         out_.begin("def DomeLight", child_name("sky"));
         out_.line("color3f inputs:color = " + usda_tuple(sky / most));
         out_.line(fmt::format("float inputs:intensity = {:.6g}", most));
@@ -233,16 +239,19 @@ class UsdaRoomWriter {
     std::vector<Instance> instances_;
     std::vector<std::string> shown_first_;  // by mesh: the path of the prim that has it
     std::set<std::string> taken_{"Materials"}, material_names_;
-    std::map<int, std::string> materials_;
+    std::map<int, std::string> materials_, texture_files_;
     std::vector<NamedBytes> textures_;
     UsdaWriter out_;
 };
 
 }  // namespace
 
-UsdaRoom room_usda(const Room& room, const std::string& texture_folder, const BakeParams& params, const Run& run) {
-    const RoomModel model = room_model(room, params, run);
+UsdaRoom room_usda(const Room& room, const RoomModel& model, const std::string& texture_folder) {
     return UsdaRoomWriter(room, model, texture_folder).write();
+}
+
+UsdaRoom room_usda(const Room& room, const std::string& texture_folder, const BakeParams& params, const Run& run) {
+    return room_usda(room, room_model(room, params, run), texture_folder);
 }
 
 }  // namespace fastscene

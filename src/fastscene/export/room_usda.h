@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "fastscene/export/bake.h"
+#include "fastscene/export/room_model.h"
 
 namespace fastscene {
 
@@ -16,6 +16,7 @@ struct UsdaRoom {
     std::vector<NamedBytes> textures;  // to be written into `texture_folder`, beside the text
 };
 // Metres, y up, z forward (kGltfAxes). Intensities are those of room.glb.
+UsdaRoom room_usda(const Room& room, const RoomModel& model, const std::string& texture_folder);
 UsdaRoom room_usda(const Room& room, const std::string& texture_folder, const BakeParams& params, const Run& run);
 
 }  // namespace fastscene

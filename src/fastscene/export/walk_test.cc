@@ -116,7 +116,7 @@ INSTANTIATE_TEST_SUITE_P(Rooms, Walk,
                                          "a small bathroom with a bathtub", "an attic study with a slanted ceiling",
                                          "a living room with a sofa, two armchairs and a piano",
                                          "a large hall with many tables and chairs"),
-                         [](const auto& info) { return fmt::format("Room{}", info.index); });
+                         [](const auto& room) { return fmt::format("Room{}", room.index); });
 
 }  // namespace
 }  // namespace fastscene

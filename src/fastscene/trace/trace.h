@@ -107,6 +107,13 @@ class TracedRoom {
     Surface surface(Vec3f origin, Vec3f direction) const;
     // Metres along a ray, through flat mirrors to the virtual image that a picture shows there; +inf: none.
     float distance_through_mirrors(Vec3f origin, Vec3f direction) const;
+    // Display color (as ShotParts::color) of surfaces, each seen from straight in front of it: `samples` rays each.
+    // Needs light. For baking; a mirror shows what lies straight in front.
+    struct FacedPoint {
+        Vec3f position, normal;  // world; unit, out of the surface
+        float width_m;           // of what is seen
+    };
+    std::vector<Vec3f> colors_faced(const std::vector<FacedPoint>& points, int samples, const Run& run) const;
     // Whether two points see each other, clear glass ignored. The last millimetres before `to` are ignored too: it may
     // lie on a surface.
     bool sees(Vec3f from, Vec3f to) const;
