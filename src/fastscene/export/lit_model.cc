@@ -8,13 +8,14 @@
 #include "fastscene/export/identities.h"
 #include "fastscene/export/room_model.h"
 #include "fastscene/export/shell.h"
+#include "fastscene/geometry/sphere.h"
 #include "fastscene/image/color.h"
 #include "fastscene/trace/response.h"
 
 namespace fastscene {
 namespace {
 
-constexpr int kLightSamples = 8;     // rays a texel
+constexpr int kLightSamples = 2;     // rays a texel: only the edges of shadows need several
 constexpr Rgb8 kUnseen{90, 88, 85};  // between the pieces; shows only in far mip levels
 
 // One picture: of the shell, or of the things.
@@ -74,6 +75,30 @@ class LitBuilder {
             add_node(ids[i], static_cast<int>(i), room_.objects[i].world_from_object,
                      [&](const Mesh& mesh) { return mesh.object == static_cast<int>(i); });
         return std::move(model_);
+    }
+    // What is seen through the windows: a sphere far outside, seen from within.
+    void add_outside(const TracedRoom& room) {
+        constexpr EquirectSize kPicture{2048, 1024};
+        constexpr float kRadius_m = 60;  // of the sphere; views of engines reach that far
+        constexpr int kColumns = 48, kRows = 24;
+        ModelPart part{static_cast<int>(model_.materials.size()), {}, {}, {}, {}};
+        model_.materials.push_back({"outside", {1, 1, 1}, static_cast<int>(model_.textures.size())});
+        model_.materials.back().unlit = true;
+        model_.textures.push_back(srgb8_from_linear(room.outside({}, kPicture)));
+        for (int j = 0; j <= kRows; ++j)
+            for (int i = 0; i <= kColumns; ++i) {
+                const Vec2f uv{static_cast<float>(i) / kColumns, static_cast<float>(j) / kRows};
+                const Vec3f out = kGltfAxes *
+                                  direction_at(Vec2f{uv.x * kPicture.width, uv.y * kPicture.height}, kPicture);
+                part.positions.push_back(out * kRadius_m);
+                part.normals.push_back(-out);
+                part.uv.push_back(uv);
+                if (i == kColumns || j == kRows) continue;
+                const auto a = static_cast<std::uint32_t>(j * (kColumns + 1) + i), b = a + kColumns + 1;
+                for (const std::uint32_t v : {a, b, a + 1, b, b + 1, a + 1}) part.triangles.push_back(v);
+            }
+        model_.nodes.push_back({"outside", -1, {}, static_cast<int>(model_.meshes.size()), std::nullopt});
+        model_.meshes.push_back({"outside", {std::move(part)}});
     }
 
   private:
@@ -141,7 +166,9 @@ class LitBuilder {
 }  // namespace
 
 RoomModel lit_room_model(const TracedRoom& room, const BakeParams& params, const Run& run) {
-    return LitBuilder(room, params, run).model();
+    LitBuilder builder(room, params, run);
+    builder.add_outside(room);
+    return builder.model();
 }
 
 }  // namespace fastscene

@@ -26,14 +26,13 @@ constexpr float kFarthest_m = 60;  // what is farther is scenery
 // The range map on a grid of pixels, and which of its squares are surface.
 class RangeGrid {
   public:
-    RangeGrid(const Panorama& panorama, int columns, bool only_own) : columns_(columns), rows_(columns / 2) {
-        const int w = panorama.range.width, h = panorama.range.height;
+    RangeGrid(const Panorama& panorama, int columns, bool only_own)
+        : columns_(columns), rows_(columns / 2), full_{panorama.range.width, panorama.range.height} {
         range_ = ImageF(columns_, rows_);
         ImageMask own(columns_, rows_);
         for (int y = 0; y < rows_; ++y)
             for (int x = 0; x < columns_; ++x) {
-                const int px = std::min((2 * x + 1) * w / (2 * columns_), w - 1),
-                          py = std::min((2 * y + 1) * h / (2 * rows_), h - 1);
+                const auto [px, py] = pixel(x, y);
                 range_.at(x, y) = panorama.range.at(px, py);
                 own.at(x, y) = !only_own || panorama.known.empty() || panorama.known.at(px, py) == Known::invented;
             }
@@ -59,11 +58,23 @@ class RangeGrid {
     bool is_surface(int x, int y) const { return y + 1 < rows_ && surface_.at(x % columns_, y) != 0; }
     // In the panorama's frame.
     Vec3f place(int x, int y) const {
-        return direction_of_pixel(x % columns_, y, {columns_, rows_}) * range_.at(x % columns_, y);
+        const auto [px, py] = pixel(x, y);
+        return direction_of_pixel(px, py, full_) * range_.at(x % columns_, y);
+    }
+    // In its picture; beyond 1 past the last column.
+    Vec2f uv(int x, int y) const {
+        const auto [px, py] = pixel(x, y);
+        return {(static_cast<float>(px) + 0.5f) / static_cast<float>(full_.width) + (x >= columns_ ? 1.f : 0.f),
+                (static_cast<float>(py) + 0.5f) / static_cast<float>(full_.height)};
     }
 
   private:
+    // The pixel of the range map at a grid point.
+    std::pair<int, int> pixel(int x, int y) const {
+        return {(2 * (x % columns_) + 1) * full_.width / (2 * columns_), (2 * y + 1) * full_.height / (2 * rows_)};
+    }
     int columns_, rows_;
+    EquirectSize full_;
     ImageF range_;
     ImageMask surface_;
 };
@@ -142,8 +153,7 @@ class CellMesh {
         const auto [entry, is_new] = known_.try_emplace({x, y}, static_cast<std::uint32_t>(known_.size()));
         if (is_new) {
             surface_.positions.push_back(world_from_pano_ * grid_.place(x, y));
-            surface_.uv.push_back({(static_cast<float>(x) + 0.5f) / static_cast<float>(grid_.columns()),
-                                   (static_cast<float>(y) + 0.5f) / static_cast<float>(grid_.rows())});
+            surface_.uv.push_back(grid_.uv(x, y));
         }
         return entry->second;
     }
@@ -203,7 +213,10 @@ void check_not_empty(const std::vector<RangeSurface>& surfaces) {
 std::vector<RangeSurface> range_surfaces(const std::vector<Panorama>& panoramas, int most_triangles, const Run& run) {
     for (const Panorama& p : panoramas)
         if (p.range.empty()) throw Error("mesh: expected panoramas with range, found one without");
-    for (int columns = kFinestColumns;; columns /= 2)
+    int finest = kFinestColumns;  // not finer than the pixels
+    for (const Panorama& p : panoramas)
+        while (finest > p.range.width && finest > kCoarsestColumns) finest /= 2;
+    for (int columns = finest;; columns /= 2)
         for (float bend = kFinestBend; bend < kCoarsestBend; bend *= 1.5f) {
             run.check_stop();
             std::vector<RangeSurface> out = surfaces_with(panoramas, columns, bend);

@@ -171,21 +171,19 @@ ImageColor TracedRoom::outside(const Mat3f& world_from_pano, EquirectSize size) 
 std::vector<Vec3f> TracedRoom::colors_faced(const std::vector<FacedPoint>& points, int samples, const Run& run) const {
     FASTSCENE_CHECK(impl_->light.has_value());
     constexpr float kBefore_m = 2e-3f;  // closer than what lies on a surface, such as a rug
-    const ShadeScene scene{impl_->room, impl_->bvh, impl_->lights(), *impl_->light, true, false, 0};
+    const ShadeScene scene{impl_->room, impl_->bvh, impl_->lights(), *impl_->light, false, false, 0};
     std::vector<Vec3f> out(points.size());
     Progress progress(run, "light", static_cast<std::int64_t>(points.size()));
     parallel_for(static_cast<std::int64_t>(points.size()), 1024, [&](std::int64_t begin, std::int64_t end) {
         run.check_stop();
         for (std::int64_t i = begin; i < end; ++i) {
             const FacedPoint& p = points[static_cast<std::size_t>(i)];
-            Vec3f right, up, sum{};
-            make_frame(p.normal, right, up);
+            Vec3f sum{};
+            // All from one place: beside an edge another may lie within a wall.
+            const Vec3f from = p.position + p.normal * kBefore_m;
             for (int s = 0; s < samples; ++s) {
                 Sampler sampler(mix64(run.seed ^ 0xfaceull) ^ static_cast<std::uint64_t>(i),
                                 static_cast<std::uint32_t>(s));
-                const Vec2f at = sampler.next2();
-                const Vec3f from = p.position + p.normal * kBefore_m + right * ((at.x - 0.5f) * p.width_m) +
-                                   up * ((at.y - 0.5f) * p.width_m);
                 sum += develop(impl_->room.look,
                                shade_ray(scene, from, -p.normal, p.width_m / kBefore_m, sampler).radiance);
             }
