@@ -24,7 +24,7 @@ const expect = (ok, text) => {
 };
 try {
     const page = await browser.newPage({ viewport: { width: 960, height: 720 } });
-    page.on('console', (m) => { if (m.type() === 'error') console.error(m.text()); });
+    page.on('console', (m) => { if (m.type() === 'error' && !m.text().includes('ERR_NAME_NOT_RESOLVED')) console.error(m.text()); });
     page.on('pageerror', (e) => expect(false, e.message));
     await page.route(`${origin}/**`, (route) => {
         const name = new URL(route.request().url()).pathname;
