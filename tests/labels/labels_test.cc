@@ -12,6 +12,8 @@
 namespace fastscene {
 namespace {
 
+const Run kSilent{7, nullptr, {}};
+
 // A disc for each pixel of a small panorama, as training begins with.
 void add_points(std::vector<SurfacePoint>& points, const TracedRoom& room, Vec3f eye) {
     constexpr EquirectSize kSize{360, 180};
@@ -29,7 +31,7 @@ void add_points(std::vector<SurfacePoint>& points, const TracedRoom& room, Vec3f
 
 TEST(Labels, OfSplatsShowTheRoomsClasses) {
     PromptSpec spec = understand_prompt("a bedroom with two chairs and a desk", false);
-    const TracedRoom room(make_room(spec, Run{7, nullptr, {}}));
+    const TracedRoom room(make_room(spec, kSilent));
     const std::vector<Vec3f> eyes{{}, {0.4f, 0.1f, 0.3f}, {-0.4f, -0.1f, 0.2f}};
     std::vector<SurfacePoint> points;
     for (const Vec3f eye : eyes) add_points(points, room, eye);

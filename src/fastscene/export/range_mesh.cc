@@ -39,7 +39,7 @@ class RangeGrid {
         for (float& r : range_.pixels)
             if (!(r > 0)) r = std::numeric_limits<float>::infinity();
         const ImageMask cuts = range_edges(range_);
-        surface_ = ImageMask(columns_, rows_ - 1);
+        surface_ = cut_ = ImageMask(columns_, rows_ - 1);
         for (int y = 0; y + 1 < rows_; ++y)
             for (int x = 0; x < columns_; ++x) {
                 const int next = (x + 1) % columns_;
@@ -51,15 +51,20 @@ class RangeGrid {
                     mine = mine || own.at(i, j);
                 }
                 surface_.at(x, y) = near && mine && !cut;
+                cut_.at(x, y) = near && mine && cut;
             }
     }
     int columns() const { return columns_; }
     int rows() const { return rows_; }
     bool is_surface(int x, int y) const { return y + 1 < rows_ && surface_.at(x % columns_, y) != 0; }
+    // A silhouette runs through it.
+    bool is_cut(int x, int y) const { return cut_.at(x, y) != 0; }
+    float range(int x, int y) const { return range_.at(x % columns_, y); }
     // In the panorama's frame.
-    Vec3f place(int x, int y) const {
+    Vec3f place(int x, int y) const { return place_at(x, y, range(x, y)); }
+    Vec3f place_at(int x, int y, float range) const {
         const auto [px, py] = pixel(x, y);
-        return direction_of_pixel(px, py, full_) * range_.at(x % columns_, y);
+        return direction_of_pixel(px, py, full_) * range;
     }
     // In its picture; beyond 1 past the last column.
     Vec2f uv(int x, int y) const {
@@ -76,7 +81,7 @@ class RangeGrid {
     int columns_, rows_;
     EquirectSize full_;
     ImageF range_;
-    ImageMask surface_;
+    ImageMask surface_, cut_;
 };
 
 struct Cell {
@@ -165,13 +170,35 @@ class CellMesh {
     RangeSurface surface_;
 };
 
+// What is behind a silhouette goes on behind it for a square: seen from the viewpoint no gap shows, and from elsewhere
+// nothing hangs between the two. Its color is that beside the silhouette.
+void add_behind_silhouettes(const RangeGrid& grid, const Rigid& world_from_pano, RangeSurface& to) {
+    constexpr float kBeside = 0.97f;  // of the farthest corner's range: on the same surface as it
+    for (int y = 0; y + 1 < grid.rows(); ++y)
+        for (int x = 0; x < grid.columns(); ++x) {
+            if (!grid.is_cut(x, y)) continue;
+            const std::array<std::pair<int, int>, 4> corners{{{x, y}, {x, y + 1}, {x + 1, y + 1}, {x + 1, y}}};
+            const auto far = *std::max_element(corners.begin(), corners.end(), [&](const auto& a, const auto& b) {
+                return grid.range(a.first, a.second) < grid.range(b.first, b.second);
+            });
+            const float range = grid.range(far.first, far.second);
+            const auto first = static_cast<std::uint32_t>(to.positions.size());
+            for (const auto& [i, j] : corners) {
+                const bool beside = grid.range(i, j) > kBeside * range;
+                to.positions.push_back(world_from_pano * grid.place_at(i, j, beside ? grid.range(i, j) : range));
+                to.uv.push_back(beside ? grid.uv(i, j) : grid.uv(far.first, far.second));
+            }
+            for (const std::uint32_t k : {0u, 1u, 3u, 1u, 2u, 3u}) to.triangles.push_back(first + k);
+        }
+}
+
 std::size_t triangles_of(const std::vector<RangeSurface>& surfaces) {
     std::size_t sum = 0;
     for (const RangeSurface& s : surfaces) sum += s.triangles.size() / 3;
     return sum;
 }
 
-std::vector<RangeSurface> surfaces_with(const std::vector<Panorama>& panoramas, int columns, float bend) {
+std::vector<RangeSurface> surfaces_with(const std::vector<Panorama>& panoramas, int columns, float bend, bool closed) {
     std::vector<RangeSurface> out;
     for (std::size_t p = 0; p < panoramas.size(); ++p) {
         const RangeGrid grid(panoramas[p], columns, p > 0);
@@ -179,6 +206,7 @@ std::vector<RangeSurface> surfaces_with(const std::vector<Panorama>& panoramas, 
         for (int y = 0; y < grid.rows(); y += kLargestCell)
             for (int x = 0; x < grid.columns(); x += kLargestCell) divide(grid, {x, y, kLargestCell}, bend, cells);
         out.push_back(CellMesh(grid, cells, panoramas[p].world_from_pano).surface());
+        if (closed) add_behind_silhouettes(grid, panoramas[p].world_from_pano, out.back());
     }
     return out;
 }
@@ -210,7 +238,8 @@ void check_not_empty(const std::vector<RangeSurface>& surfaces) {
 
 }  // namespace
 
-std::vector<RangeSurface> range_surfaces(const std::vector<Panorama>& panoramas, int most_triangles, const Run& run) {
+std::vector<RangeSurface> range_surfaces(const std::vector<Panorama>& panoramas, int most_triangles, bool closed,
+                                         const Run& run) {
     for (const Panorama& p : panoramas)
         if (p.range.empty()) throw Error("mesh: expected panoramas with range, found one without");
     int finest = kFinestColumns;  // not finer than the pixels
@@ -219,13 +248,13 @@ std::vector<RangeSurface> range_surfaces(const std::vector<Panorama>& panoramas,
     for (int columns = finest;; columns /= 2)
         for (float bend = kFinestBend; bend < kCoarsestBend; bend *= 1.5f) {
             run.check_stop();
-            std::vector<RangeSurface> out = surfaces_with(panoramas, columns, bend);
+            std::vector<RangeSurface> out = surfaces_with(panoramas, columns, bend, closed);
             if (triangles_of(out) <= at(most_triangles) || columns == kCoarsestColumns) return out;
         }
 }
 
 std::string range_mesh_glb_bytes(const std::vector<Panorama>& panoramas, int texture_size, const Run& run) {
-    const std::vector<RangeSurface> surfaces = range_surfaces(panoramas, kMostRangeTriangles, run);
+    const std::vector<RangeSurface> surfaces = range_surfaces(panoramas, kMostRangeTriangles, true, run);
     check_not_empty(surfaces);
     Gltf gltf;
     gltf.use("KHR_materials_unlit");
@@ -250,7 +279,7 @@ std::string range_mesh_glb_bytes(const std::vector<Panorama>& panoramas, int tex
 }
 
 std::string range_collision_glb_bytes(const std::vector<Panorama>& panoramas, const Run& run) {
-    const std::vector<RangeSurface> surfaces = range_surfaces(panoramas, kMostColliderTriangles, run);
+    const std::vector<RangeSurface> surfaces = range_surfaces(panoramas, kMostColliderTriangles, false, run);
     check_not_empty(surfaces);
     Gltf gltf;
     Json roots = Json::array();

@@ -18,9 +18,11 @@ struct RangeSurface {
 // Vertices are the pixels of a grid over the range map; flat areas get few triangles. Surfaces end at silhouettes:
 // nothing hangs between an edge and what is behind it. At most about `most_triangles`, coarser if need be. The result
 // has a surface per panorama. Panoramas without pixels of their own have an empty one.
-std::vector<RangeSurface> range_surfaces(const std::vector<Panorama>& panoramas, int most_triangles, const Run& run);
+// `closed`: what is behind a silhouette goes on behind it a little, so that the viewpoint sees no gaps.
+std::vector<RangeSurface> range_surfaces(const std::vector<Panorama>& panoramas, int most_triangles, bool closed,
+                                         const Run& run);
 
-inline constexpr int kMostRangeTriangles = 100000;
+inline constexpr int kMostRangeTriangles = 250000;
 
 // glTF binary: an unlit mesh per panorama, with its picture as texture (`texture_size`: its greatest width).
 std::string range_mesh_glb_bytes(const std::vector<Panorama>& panoramas, int texture_size, const Run& run);

@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <map>
+#include <numbers>
 
 namespace fastscene {
 namespace {
@@ -36,7 +37,7 @@ Panorama seen_from(Vec3f from, bool with_box) {
 
 TEST(RangeMesh, LiesOnTheSurfacesAndFacesTheViewpoint) {
     const Panorama panorama = seen_from({0.2f, 0, -0.3f}, false);
-    const auto surfaces = range_surfaces({panorama}, kMostRangeTriangles, {});
+    const auto surfaces = range_surfaces({panorama}, kMostRangeTriangles, false, {});
     ASSERT_EQ(surfaces.size(), 1u);
     const RangeSurface& s = surfaces[0];
     double area = 0;
@@ -60,7 +61,7 @@ TEST(RangeMesh, LiesOnTheSurfacesAndFacesTheViewpoint) {
 // the sizes of neighbouring squares.
 TEST(RangeMesh, HasNoGapsAndNoCurtains) {
     const Panorama panorama = seen_from({}, true);
-    const RangeSurface s = range_surfaces({panorama}, kMostRangeTriangles, {})[0];
+    const RangeSurface s = range_surfaces({panorama}, kMostRangeTriangles, false, {})[0];
     std::map<std::pair<std::uint32_t, std::uint32_t>, int> edges;
     for (std::size_t t = 0; t < s.triangles.size(); t += 3)
         for (std::size_t k = 0; k < 3; ++k) {
@@ -89,19 +90,47 @@ TEST(RangeMesh, HasNoGapsAndNoCurtains) {
     }
 }
 
+// With the squares behind silhouettes a ray from the viewpoint finds a surface everywhere but at the poles.
+TEST(RangeMesh, ShowsTheViewpointNoGaps) {
+    const Panorama panorama = seen_from({}, true);
+    const RangeSurface open = range_surfaces({panorama}, kMostRangeTriangles, false, {})[0],
+                       closed = range_surfaces({panorama}, kMostRangeTriangles, true, {})[0];
+    EXPECT_GT(closed.triangles.size(), open.triangles.size());
+    const auto solid_angle = [](const RangeSurface& s) {  // of triangles seen from the origin (Van Oosterom, Strackee)
+        double sum = 0;
+        for (std::size_t t = 0; t < s.triangles.size(); t += 3) {
+            const Vec3f a = normalize(s.positions[s.triangles[t]]), b = normalize(s.positions[s.triangles[t + 1]]),
+                        c = normalize(s.positions[s.triangles[t + 2]]);
+            sum += std::fabs(2 * std::atan2(static_cast<double>(dot(a, cross(b, c))),
+                                            1 + static_cast<double>(dot(a, b) + dot(b, c) + dot(c, a))));
+        }
+        return sum;
+    };
+    const double sphere = 4 * std::numbers::pi;
+    EXPECT_NEAR(solid_angle(closed), sphere, 0.001 * sphere);
+    EXPECT_LT(solid_angle(open), 0.999 * sphere);
+    std::size_t off = 0;
+    for (const Vec3f p : closed.positions) {
+        const float seen = range_along({}, normalize(p), true), behind = range_along({}, normalize(p), false);
+        off += std::min(std::fabs(length(p) - seen), std::fabs(length(p) - behind)) > 0.1f;
+    }
+    EXPECT_LT(off, closed.positions.size() / 50) << "where a silhouette crosses a slanted wall";
+}
+
 TEST(RangeMesh, FurtherPanoramasAddOnlyWhatTheyInvented) {
     std::vector<Panorama> two{seen_from({}, true), seen_from({0.5f, 0, 0}, true)};
     two[1].known = Image<Known>(512, 256, Known::original);
-    EXPECT_TRUE(range_surfaces(two, kMostRangeTriangles, {})[1].triangles.empty());
+    EXPECT_TRUE(range_surfaces(two, kMostRangeTriangles, false, {})[1].triangles.empty());
     for (int x = 300; x < 330; ++x) two[1].known.at(x, 130) = Known::invented;
-    const RangeSurface more = range_surfaces(two, kMostRangeTriangles, {})[1];
+    const RangeSurface more = range_surfaces(two, kMostRangeTriangles, false, {})[1];
     EXPECT_GT(more.triangles.size(), 0u);
     EXPECT_LT(more.triangles.size() / 3, 1000u);
 }
 
 TEST(RangeMesh, ColliderIsSmall) {
     std::size_t triangles = 0;
-    for (const RangeSurface& s : range_surfaces({seen_from({}, true)}, 5000, {})) triangles += s.triangles.size() / 3;
+    for (const RangeSurface& s : range_surfaces({seen_from({}, true)}, 5000, false, {}))
+        triangles += s.triangles.size() / 3;
     EXPECT_GT(triangles, 100u);
     EXPECT_LE(triangles, 5000u);
 }
