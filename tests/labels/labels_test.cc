@@ -25,7 +25,7 @@ void add_points(std::vector<SurfacePoint>& points, const TracedRoom& room, Vec3f
             points.push_back({eye + ray * way,
                               seen.mesh < 0 ? -ray : seen.normal,
                               {128, 128, 128},
-                              way * 2 * kPi / static_cast<float>(kSize.width)});
+                              way * 1.2f * kPi / static_cast<float>(kSize.width)});
         }
 }
 
