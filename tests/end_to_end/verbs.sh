@@ -95,7 +95,7 @@ has collision.glb labels.json walkable.json plan.svg
 grep -q '"class": "armchair"' labels.json || fail "the labels lack the armchair of the prompt"
 grep -q spawn_points_m walkable.json || fail "no spawn points"
 expect 2 "$fastscene" export run room.fbx
-says "room.fbx: expected a name that ends in .glb, .json or .svg"
+says "room.fbx: expected a name that ends in .glb, .usda, .json, .svg, .ply or .npy"
 expect 2 "$fastscene" export run plan.glb --what plan
 says "plan.glb: expected a name that ends in .svg"
 expect 2 "$fastscene" export run room.glb --texture-size 3
@@ -105,6 +105,53 @@ says "nowhere/room.glb: cannot be written"
 expect 2 "$fastscene" export absent room.glb
 expect 2 "$fastscene" export c room.glb
 says photographs
+expect 0 "$fastscene" export run room.usda --texels-per-metre 16
+has room.usda
+[ -n "$(ls room_textures)" ] || fail "no textures beside room.usda"
+expect 0 "$fastscene" export run lit.glb --baked-light --texels-per-metre 8 --texture-size 512
+grep -aq KHR_materials_unlit lit.glb || fail "--baked-light: the materials are lit"
+expect 2 "$fastscene" export run collision.glb --what collision --baked-light
+says "--baked-light"
+
+# Things on splats and views.
+expect 0 "$fastscene" export run labelled.ply
+expect 0 "$fastscene" export run scene.labels.npy
+has scene.labels.json
+grep -aq 'property int instance' labelled.ply || fail "labelled.ply has no labels"
+for from in run labelled.ply; do
+  expect 0 "$fastscene" splat select -i $from --class floor -o floor.ply
+  expect 0 "$fastscene" splat select -i $from --id floor --invert -o rest.spz
+done
+cp run/splat/scene.ply scene.ply
+expect 0 "$fastscene" splat select -i scene.ply --class floor -o floor2.ply
+cmp -s floor.ply floor2.ply || fail "labels in the .ply and beside it cut out other splats"
+expect 2 "$fastscene" splat select -i run --class flor -o floor.ply
+says "did you mean floor?"
+expect 2 "$fastscene" splat select -i run -o floor.ply
+expect 2 "$fastscene" splat select -i c --class floor -o floor.ply
+expect 2 "$fastscene" splat select -i a.glb --class floor -o floor.ply
+says "expected labelled splats"
+expect 0 "$fastscene" metrics labels run --views 2 --size 64 --json
+prints '"class"'
+expect 0 "$fastscene" export run labelled --what views --maps depth,instance
+[ "$(ls labelled/depth | wc -l)" = "$(ls run/views/images | wc -l)" ] || fail "expected a depth map a view"
+[ -d labelled/instance ] && [ ! -e labelled/class ] || fail "--maps depth,instance: expected these and no others"
+grep -q depth_file_path labelled/transforms.json || fail "transforms.json does not name the depth maps"
+expect 2 "$fastscene" export run labelled --what views --maps dept
+expect 2 "$fastscene" export run labelled.zip --what views
+
+# Without a known room: a mesh of what the panoramas show, and a collider; no labels.
+expect 0 "$fastscene" make --panorama run/panorama/color.png --range run/depth/range.exr -o photo "${tiny[@]}"
+expect 0 "$fastscene" export photo mesh.glb --json
+prints '"what": "mesh"'
+expect 0 "$fastscene" export photo mesh-collision.glb --what collision
+has mesh.glb mesh-collision.glb
+[ "$(stat -c %s mesh-collision.glb)" -lt 200000 ] || fail "the collider is large"
+expect 2 "$fastscene" export photo labels2.json
+says "which has no known room"
+expect 2 "$fastscene" splat select -i photo --class sofa -o sofa.ply
+says "which has no known room"
+expect 0 "$fastscene" export run mesh.glb --what mesh
 
 # A film.
 echo '{"fps": 4, "size": [64, 48], "keys": [{"position_m": [0, 0, 0]}, {"time_s": 1, "position_m": [0.1, 0, 0.1], "yaw_deg": 90}]}' >path.json

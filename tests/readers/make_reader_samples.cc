@@ -1,6 +1,7 @@
 // Writes a small colored room in every format that other programs read, and furnished rooms for engines:
 // make_reader_samples DIR [VIEWER_DIR]. The colored room: red wall left (-x), green right (+x), blue ahead (+z), white
 // ceiling (-y), brown floor (+y).
+#include <cmath>
 #include <cstdio>
 #include <exception>
 #include <filesystem>
@@ -11,6 +12,9 @@
 #include "fastscene/base/random.h"
 #include "fastscene/export/collision.h"
 #include "fastscene/export/room_glb.h"
+#include "fastscene/export/room_usda.h"
+#include "fastscene/export/view_maps.h"
+#include "fastscene/io/image_io.h"
 #include "fastscene/io/splat_io.h"
 #include "fastscene/io/view_io.h"
 #include "fastscene/io/viewer.h"
@@ -74,6 +78,18 @@ WalkableArea two_rooms() {
     return {{outline, {{-1, 0}, {1, 0}, {1, 1}, {-1, 1}}}, -0.4f, 0.6f, kHalfHeight};
 }
 
+// What the camera of room.glb sees, as the numbers of things; their ids beside.
+void write_instances(const std::filesystem::path& stem, const Room& room) {
+    const TracedRoom traced(room);
+    constexpr int kWidth = 640, kHeight = 480;
+    const float across_deg = 2 * std::atan(std::tan(kCameraFov_deg * kPi / 360) * kWidth / kHeight) * 180 / kPi;
+    const auto seen = view_maps(traced, Pinhole::with_fov(kWidth, kHeight, across_deg), {}, {}).instance;
+    ImageMask gray(kWidth, kHeight);
+    std::copy(seen.pixels.begin(), seen.pixels.end(), gray.pixels.begin());
+    save_png(stem.string() + ".instances.png", gray);
+    write_json(stem.string() + ".instances.json", instances_json(instances_of(room)));
+}
+
 // Furnished rooms for engines: day and night, glass, mirrors, screens, lamps.
 void write_rooms(const std::filesystem::path& dir) {
     constexpr BakeParams kSmall{.texels_per_metre = 32, .texture_size = 256};
@@ -86,6 +102,12 @@ void write_rooms(const std::filesystem::path& dir) {
         const Room room = make_room(spec, run);
         write_file(dir / fmt::format("{}.room.glb", name), room_glb_bytes(room, kSmall, run));
         write_file(dir / fmt::format("{}.collision.glb", name), collision_glb_bytes(room, room.max_corner.y));
+        const std::string textures = fmt::format("{}_textures", name);
+        const UsdaRoom usda = room_usda(room, textures, kSmall, run);
+        make_directories(dir / textures);
+        for (const NamedBytes& texture : usda.textures) write_file(dir / textures / texture.name, texture.bytes);
+        write_file(dir / fmt::format("{}.room.usda", name), usda.text);
+        write_instances(dir / name, room);
     }
 }
 
@@ -116,6 +138,7 @@ void write_samples(const std::filesystem::path& dir, const std::filesystem::path
     for (const int version : {2, 3, 4})
         save_splats(dir / fmt::format("odd{}.spz", version), odd, {PlyBands::all, version});
     save_splats(dir / "odd.glb", odd);
+    save_splats(dir / "odd.usda", odd);
     write_rooms(dir);
     if (viewer_dir.empty()) return;
     ViewerScene scene{"Colored room", {0, 0, -1}, {0, 0, 4}, 75, {}};

@@ -67,6 +67,22 @@ else
   echo "gltf-validator: skipped (not installed)"
 fi
 
+if command -v node >/dev/null && [ -d "$web/node_modules/tinyusdz" ]; then
+  asked=1
+  rooms=()
+  for room in bedroom bathroom attic; do rooms+=("$out/$room.room.usda" "$out/$room.room.glb"); done
+  node "$here/usd_check.mjs" "$web" "$out/odd.usda" 300 "${rooms[@]}"
+else
+  echo "tinyusdz: skipped (not installed)"
+fi
+
+if command -v node >/dev/null && [ -d "$web/node_modules/three" ] && [ -d "$web/node_modules/playwright-core" ] && [ -x "${CHROMIUM:-/usr/bin/chromium}" ]; then
+  asked=1
+  node "$here/three_check.mjs" "$web" "$out/bedroom.room.glb" "$out/bedroom.instances.png" "$out/bedroom.instances.json" "$out/three.png"
+else
+  echo "three.js: skipped (chromium or the npm packages are not installed)"
+fi
+
 if command -v node >/dev/null && [ -f "$out/viewer.html" ] && [ -d "$web/node_modules/playwright-core" ] && [ -x "${CHROMIUM:-/usr/bin/chromium}" ]; then
   asked=1
   node "$here/viewer_check.mjs" "$web" "$out/viewer.html" "$out/viewer.png"

@@ -40,32 +40,33 @@ Verb add_metrics(CLI::App& app) {
     verb->footer(
         "Examples:\n  fastscene metrics out/bedroom --truth --views 30\n  fastscene metrics images renders --reference "
         "truth");
-    const std::vector<Verb> parts{add_metrics_depth(*verb), add_metrics_images(*verb), add_niqe_fit(*verb)};
+    const std::vector<Verb> parts{add_metrics_depth(*verb), add_metrics_images(*verb), add_metrics_labels(*verb),
+                                  add_niqe_fit(*verb)};
     for (const Verb& part : parts) part.app->fallthrough();  // common flags belong to `metrics`
-    return {
-        verb, [verb, flags, parts](const Session& session) {
-            for (const Verb& part : parts)
-                if (part.app->parsed()) {
-                    refuse_own(*verb, *flags->given, part.app->get_name());
-                    return part.act(session);
-                }
-            if (flags->folder.empty())
-                throw UsageError(
-                    "metrics: expected the folder of a finished run, or a measure of its own: images, niqe-fit, depth");
-            if (!flags->truth) throw UsageError("metrics: expected --truth, the only measure of runs so far");
-            TruthParams params;
-            if (flags->given->count("--radius")) params.where = "near";  // --radius implies poses near panorama 0
-            apply_fields("", params, *flags->given);
-            check_fields("", params);
-            SplatBackend backend;
-            apply_fields("", backend, *flags->given);
-            check_fields("", backend);
-            if (params.where != "near" && flags->given->count("--radius"))
-                throw UsageError("--radius: expected with --where near, found --where {}", params.where);
-            const Json report = measure_run(flags->folder, params,
-                                            session.run(number_from<std::uint64_t>("--seed", flags->seed)), backend);
-            session.print((RunFolder{flags->folder}.metrics() / "report.json").string(), report);
-        }};
+    return {verb, [verb, flags, parts](const Session& session) {
+                for (const Verb& part : parts)
+                    if (part.app->parsed()) {
+                        refuse_own(*verb, *flags->given, part.app->get_name());
+                        return part.act(session);
+                    }
+                if (flags->folder.empty())
+                    throw UsageError(
+                        "metrics: expected the folder of a finished run, or a measure of its own: depth, images, "
+                        "labels, niqe-fit");
+                if (!flags->truth) throw UsageError("metrics: expected --truth, the only measure of runs so far");
+                TruthParams params;
+                if (flags->given->count("--radius")) params.where = "near";  // --radius implies poses near panorama 0
+                apply_fields("", params, *flags->given);
+                check_fields("", params);
+                SplatBackend backend;
+                apply_fields("", backend, *flags->given);
+                check_fields("", backend);
+                if (params.where != "near" && flags->given->count("--radius"))
+                    throw UsageError("--radius: expected with --where near, found --where {}", params.where);
+                const Json report = measure_run(
+                    flags->folder, params, session.run(number_from<std::uint64_t>("--seed", flags->seed)), backend);
+                session.print((RunFolder{flags->folder}.metrics() / "report.json").string(), report);
+            }};
 }
 
 }  // namespace fastscene::cli

@@ -7,6 +7,7 @@ namespace fastscene::cli {
 
 Verb add_metrics_depth(CLI::App& metrics);
 Verb add_metrics_images(CLI::App& metrics);
+Verb add_metrics_labels(CLI::App& metrics);
 Verb add_niqe_fit(CLI::App& metrics);
 
 }  // namespace fastscene::cli

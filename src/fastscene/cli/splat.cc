@@ -5,6 +5,7 @@
 #include <string>
 
 #include "fastscene/cli/request.h"
+#include "fastscene/cli/splat_select.h"
 #include "fastscene/io/capture_io.h"
 #include "fastscene/pipeline/capture_run.h"
 
@@ -119,12 +120,17 @@ Verb add_splat(CLI::App& app) {
         [&](CLI::App& help) { add_capture_flags(help, *flags); });
     verb.app->get_option("folder")->required(false);
     add_short_names(*verb.app, stage->given);
+    const Verb selecting = add_splat_select(*verb.app);
+    selecting.app->fallthrough();  // common flags belong to `splat`
     verb.app->footer(
         "The prefix --splat- may be omitted: --until is --splat-until.\n\nExamples:\n  fastscene splat --colmap photos "
-        "-o out/photos\n  fastscene splat out/bedroom --splat-steps 5000");
+        "-o out/photos\n  fastscene splat out/bedroom --splat-steps 5000\n  fastscene splat select -i out/bedroom "
+        "--class "
+        "armchair -o armchair.ply");
 
     const auto continue_run = verb.act;
-    verb.act = [stage, flags, continue_run, app = verb.app](const Session& session) {
+    verb.act = [stage, flags, continue_run, selecting, app = verb.app](const Session& session) {
+        if (selecting.app->parsed()) return selecting.act(session);
         const auto sources = !stage->out.empty() + std::count_if(flags->sources.begin(), flags->sources.end(),
                                                                  [](const auto& s) { return !s.second.empty(); });
         if (sources != 1)

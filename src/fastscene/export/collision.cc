@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <deque>
+#include <optional>
 
 #include "fastscene/export/gltf.h"
 #include "fastscene/export/identities.h"
@@ -110,25 +111,40 @@ class Grid {
                     cells_[k] = {low, low + Vec3f{size_[0], size_[1], size_[2]}};
                 }
     }
-    bool all(int x0, int x1, int y0, int y1, int z0, int z1) const {
+    // The bounds of a block of cells; none if one of them is empty.
+    std::optional<Box> bounds_of(int x0, int x1, int y0, int y1, int z0, int z1) const {
+        Box box = nothing();
         for (int y = y0; y < y1; ++y)
             for (int z = z0; z < z1; ++z)
-                for (int x = x0; x < x1; ++x)
-                    if (!full_[index(x, y, z)]) return false;
+                for (int x = x0; x < x1; ++x) {
+                    if (!full_[index(x, y, z)]) return std::nullopt;
+                    widen(box, cells_[index(x, y, z)].low), widen(box, cells_[index(x, y, z)].high);
+                }
+        return box;
+    }
+    // Whether one box for both juts out beyond neither, along the other axes: a jamb and the sill between two of them
+    // would else close the doorway.
+    static bool fits(const Box& a, const Box& b, std::size_t along) {
+        constexpr float kJut_m = 0.03f;
+        for (std::size_t i = 0; i < 3; ++i)
+            if (i != along && (std::fabs(a.low[i] - b.low[i]) > kJut_m || std::fabs(a.high[i] - b.high[i]) > kJut_m))
+                return false;
         return true;
     }
     Box take(int x, int y, int z) {
         int x1 = x + 1, y1 = y + 1, z1 = z + 1;
-        while (x1 < count_[0] && all(x1, x1 + 1, y, y1, z, z1)) ++x1;
-        while (z1 < count_[2] && all(x, x1, y, y1, z1, z1 + 1)) ++z1;
-        while (y1 < count_[1] && all(x, x1, y1, y1 + 1, z, z1)) ++y1;
-        Box box = nothing();
+        Box box = *bounds_of(x, x1, y, y1, z, z1);
+        const auto grow = [&](const std::optional<Box>& more, std::size_t along) {
+            if (!more || !fits(box, *more, along)) return false;
+            widen(box, more->low), widen(box, more->high);
+            return true;
+        };
+        while (x1 < count_[0] && grow(bounds_of(x1, x1 + 1, y, y1, z, z1), 0)) ++x1;
+        while (z1 < count_[2] && grow(bounds_of(x, x1, y, y1, z1, z1 + 1), 2)) ++z1;
+        while (y1 < count_[1] && grow(bounds_of(x, x1, y1, y1 + 1, z, z1), 1)) ++y1;
         for (int j = y; j < y1; ++j)
             for (int k = z; k < z1; ++k)
-                for (int i = x; i < x1; ++i) {
-                    widen(box, cells_[index(i, j, k)].low), widen(box, cells_[index(i, j, k)].high);
-                    full_[index(i, j, k)] = false;
-                }
+                for (int i = x; i < x1; ++i) full_[index(i, j, k)] = false;
         for (std::size_t a = 0; a < 3; ++a) {
             const float lack = 0.5f * (kThinnest_m - (box.high[a] - box.low[a]));
             if (lack > 0) box.low[a] -= lack, box.high[a] += lack;
@@ -153,7 +169,8 @@ void append(Triangles& out, const Mesh& mesh, const Rigid& boxes_from_world) {
 struct Source {
     Collider collider;
     Triangles triangles;
-    bool whole = false;  // one box
+    bool whole = false;    // one box
+    bool passage = false;  // one walks through it: its cells stay small
 };
 
 // What gets boxes, besides the floor.
@@ -176,6 +193,7 @@ std::vector<Source> sources(const Room& room, float floor_y) {
             if (mesh.object == static_cast<int>(i)) append(source.triangles, mesh, inverse(pose));
         // Nobody leaves through the panes, which are not modelled.
         source.whole = room.objects[i].kind.find("window") != std::string::npos;
+        source.passage = room.objects[i].kind.find("door") != std::string::npos;
         out.push_back(std::move(source));
     }
     const Rigid plan{plan_from_world(room), {}};
@@ -222,7 +240,10 @@ std::vector<Collider> colliders(const Room& room, float floor_y) {
             Collider collider = source.collider;
             const bool shell = collider.id == "walls" || collider.id == "ceiling";
             constexpr float kOneCell_m = 1e6f;
-            const float size = source.whole ? kOneCell_m : shell ? std::min(cell, kCoarsestShell_m) : cell;
+            const float size = source.whole     ? kOneCell_m
+                               : source.passage ? kFinestCell_m
+                               : shell          ? std::min(cell, kCoarsestShell_m)
+                                                : cell;
             collider.boxes = Grid(source.triangles, size).boxes();
             boxes += collider.boxes.size();
             out.push_back(std::move(collider));

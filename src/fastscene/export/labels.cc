@@ -8,6 +8,7 @@
 #include "fastscene/base/shortest.h"
 #include "fastscene/export/gltf.h"
 #include "fastscene/export/identities.h"
+#include "fastscene/export/instances.h"
 #include "fastscene/export/object_boxes.h"
 #include "fastscene/export/shell.h"
 #include "fastscene/rooms/catalogue.h"
@@ -70,11 +71,8 @@ Json labels_json(const TracedRoom& traced) {
     for (std::size_t i = 0; i < room.objects.size(); ++i) {
         const RoomObject& object = room.objects[i];
         const int label = nyu40_label(object.kind);
-        Json entry{{"id", ids[i]},
-                   {"class", object.kind},
-                   {"label", object.name},
-                   {"nyu40", label},
-                   {"nyu40_name", nyu40_labels()[at(label)]}};
+        Json entry{{"instance", i + 1},    {"id", ids[i]},   {"class", object.kind},
+                   {"label", object.name}, {"nyu40", label}, {"nyu40_name", nyu40_labels()[at(label)]}};
         if (!boxes[i].empty) {
             const Rigid pose = Rigid{kGltfAxes, {}} * object.world_from_object;
             Json placed;
@@ -97,7 +95,8 @@ Json labels_json(const TracedRoom& traced) {
     return {{"room", room.type},
             {"style", room.style},
             {"axes", "x left, y up, z forward; rotation x y z w"},
-            {"objects", std::move(objects)}};
+            {"objects", std::move(objects)},
+            {"instances", instances_json(instances_of(room))}};
 }
 
 Json walkable_floor_json(const TracedRoom& traced) {

@@ -3,12 +3,13 @@
 
 #include <string>
 
-#include "fastscene/export/bake.h"
+#include "fastscene/export/room_model.h"
 
 namespace fastscene {
 
 // The bytes of a .glb file. Metres, y up, z forward (kGltfAxes). Light intensities and emission share one unit, in
 // which white paper in daylight shade is about 1.
+std::string room_glb_bytes(const Room& room, const RoomModel& model);
 std::string room_glb_bytes(const Room& room, const BakeParams& params, const Run& run);
 
 }  // namespace fastscene

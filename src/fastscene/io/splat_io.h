@@ -2,8 +2,10 @@
 // including spherical harmonics, happen here (table in docs/formats.md).
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <string>
+#include <vector>
 
 #include "fastscene/io/splat_format.h"
 #include "fastscene/scene/splat_edit.h"
@@ -27,7 +29,20 @@ LoadedSplats load_splats(const std::filesystem::path& path);
 void save_splats(const std::filesystem::path& path, const Splats& splats, const SplatWriting& writing = {});
 
 // INRIA's PLY, binary little endian, normals 0.
-std::string splat_ply_bytes(const Splats& splats, PlyBands bands = PlyBands::all, Vec3d offset_m = {});
+// A whole number for each splat, in the property "instance", and comments that say what the numbers mean.
+struct SplatLabels {
+    std::vector<std::uint16_t> values;
+    std::vector<std::string> comments;
+};
+std::string splat_ply_bytes(const Splats& splats, PlyBands bands = PlyBands::all, Vec3d offset_m = {},
+                            const SplatLabels& labels = {});
+// Splats as they are in the file (not cleaned, so that labels stay beside their splats), and their labels; all comments
+// of the file. No splats if the file has no labels.
+struct LabelledSplats {
+    Splats splats;
+    SplatLabels labels;
+};
+LabelledSplats load_labelled_ply(const std::filesystem::path& path);
 // With an offset, positions stay as they are and a comment in the header names it; load_splats reads it.
 void save_splat_ply(const std::filesystem::path& path, const Splats& splats, PlyBands bands = PlyBands::all,
                     Vec3d offset_m = {});

@@ -8,6 +8,7 @@
 
 #include "fastscene/base/file.h"
 #include "fastscene/image/color.h"
+#include "fastscene/image/encoded_maps.h"
 #include "fastscene/io/image_io.h"
 #include "fastscene/panorama/dataset_parts.h"
 #include "fastscene/scene/pose_json.h"
@@ -125,22 +126,11 @@ std::vector<Vec3f> eyes_in(const DatasetPlan& plan, const TracedRoom& room, int 
 
 ImageRgb8 encoded_normals(const ImageColor& normals, const Image<std::int32_t>& object,
                           const Mat3f& camera_from_world) {
-    ImageRgb8 out(normals.width, normals.height, Rgb8{128, 128, 128});
+    ImageRgb8 out(normals.width, normals.height, encoded_normal({}));
     for (std::size_t i = 0; i < normals.size(); ++i) {
         if (object.pixels[i] == -2) continue;
-        const Vec3f n = camera_from_world * normals.pixels[i];
-        out.pixels[i] = {byte_from_unit(0.5f + 0.5f * n.x), byte_from_unit(0.5f + 0.5f * n.y),
-                         byte_from_unit(0.5f + 0.5f * n.z)};
+        out.pixels[i] = encoded_normal(camera_from_world * normals.pixels[i]);
     }
-    return out;
-}
-
-// Millimetres; 0 = sky, or beyond the 16-bit range.
-Image<std::uint16_t> millimetres(const ImageF& range) {
-    Image<std::uint16_t> out(range.width, range.height);
-    std::transform(range.pixels.begin(), range.pixels.end(), out.pixels.begin(), [](float r) {
-        return r < 65.5f ? static_cast<std::uint16_t>(std::lround(r * 1000.f)) : std::uint16_t{0};
-    });
     return out;
 }
 

@@ -8,6 +8,7 @@
 
 #include "fastscene/base/check.h"
 #include "fastscene/base/parallel.h"
+#include "fastscene/base/random.h"
 #include "fastscene/geometry/eyes.h"
 #include "fastscene/trace/film.h"
 #include "fastscene/trace/irradiance.h"
@@ -100,7 +101,8 @@ struct TracedRoom::Impl {
         if (parts.mirrored_range) shot.mirrored_range = ImageF(camera.width, camera.height);
         if (parts.normal) shot.normal = ImageColor(camera.width, camera.height);
         if (parts.object) shot.object = Image<std::int32_t>(camera.width, camera.height, -2);
-        if (!parts.range && !parts.mirrored_range && !parts.normal && !parts.object) return shot;
+        if (parts.mesh) shot.mesh = Image<std::int32_t>(camera.width, camera.height, -1);
+        if (!parts.range && !parts.mirrored_range && !parts.normal && !parts.object && !parts.mesh) return shot;
         parallel_for(camera.height, 8, [&](std::int64_t begin, std::int64_t end) {
             for (auto y = static_cast<int>(begin); y < end; ++y)
                 for (int x = 0; x < camera.width; ++x) {
@@ -114,6 +116,7 @@ struct TracedRoom::Impl {
                     if (!hit) continue;
                     const Mesh& mesh = room.meshes[static_cast<std::size_t>(hit.mesh)];
                     if (parts.object) shot.object.at(x, y) = mesh.object;
+                    if (parts.mesh) shot.mesh.at(x, y) = hit.mesh;
                     if (parts.normal)
                         shot.normal.at(x, y) = hit.back ? -shading_normal(mesh, hit) : shading_normal(mesh, hit);
                 }
@@ -172,6 +175,32 @@ ImageColor TracedRoom::outside(const Mat3f& world_from_pano, EquirectSize size) 
     return color;
 }
 
+std::vector<Vec3f> TracedRoom::colors_faced(const std::vector<FacedPoint>& points, int samples, const Run& run) const {
+    FASTSCENE_CHECK(impl_->light.has_value());
+    constexpr float kBefore_m = 2e-3f;  // closer than what lies on a surface, such as a rug
+    const ShadeScene scene{impl_->room, impl_->bvh, impl_->lights(), *impl_->light, false, false, 0};
+    std::vector<Vec3f> out(points.size());
+    Progress progress(run, "light", static_cast<std::int64_t>(points.size()));
+    parallel_for(static_cast<std::int64_t>(points.size()), 1024, [&](std::int64_t begin, std::int64_t end) {
+        run.check_stop();
+        for (std::int64_t i = begin; i < end; ++i) {
+            const FacedPoint& p = points[static_cast<std::size_t>(i)];
+            Vec3f sum{};
+            // All from one place: beside an edge another may lie within a wall.
+            const Vec3f from = p.position + p.normal * kBefore_m;
+            for (int s = 0; s < samples; ++s) {
+                Sampler sampler(mix64(run.seed ^ 0xfaceull) ^ static_cast<std::uint64_t>(i),
+                                static_cast<std::uint32_t>(s));
+                sum += develop(impl_->room.look,
+                               shade_ray(scene, from, -p.normal, p.width_m / kBefore_m, sampler).radiance);
+            }
+            out[static_cast<std::size_t>(i)] = sum / static_cast<float>(samples);
+        }
+        progress.advance(end - begin);
+    });
+    return out;
+}
+
 float TracedRoom::distance(Vec3f origin, Vec3f direction) const {
     return impl_->bvh.first_hit(origin, direction).distance;
 }
@@ -179,7 +208,7 @@ float TracedRoom::distance(Vec3f origin, Vec3f direction) const {
 TracedRoom::Surface TracedRoom::surface(Vec3f origin, Vec3f direction) const {
     const RayHit hit = impl_->bvh.first_lit(origin, direction);
     if (!hit) return {hit.distance, {}};
-    return {hit.distance, dot(hit.normal, direction) < 0 ? hit.normal : -hit.normal};
+    return {hit.distance, dot(hit.normal, direction) < 0 ? hit.normal : -hit.normal, hit.mesh};
 }
 
 float TracedRoom::distance_through_mirrors(Vec3f origin, Vec3f direction) const {

@@ -49,9 +49,11 @@ struct Shot {
     ImageColor albedo;           // mean over the pixel
     ImageColor normal;           // world frame, unit, of the center ray
     Image<std::int32_t> object;  // center ray: index into Room::objects; -1 = walls, floor, ceiling, -2 = outside
+    Image<std::int32_t> mesh;    // center ray: index into Room::meshes; -1 = outside
 };
 struct ShotParts {
-    bool color = true, range = true, mirrored_range = false, albedo = false, normal = false, object = false;
+    bool color = true, range = true, mirrored_range = false, albedo = false, normal = false, object = false,
+         mesh = false;
     int pixel_samples = 0;  // camera rays per pixel; 0 = TraceParams::pixel_samples
     bool paths = false;     // path tracing: no cache, pixels are independent; the reference for measurements
     bool radiance = false;  // `color` holds mean radiance, without tone mapping
@@ -101,15 +103,23 @@ class TracedRoom {
 
     // Distance in metres to the first surface along a ray; +inf: none. `direction`: unit length.
     float distance(Vec3f origin, Vec3f direction) const;
-    // The first surface along a ray (`direction` of unit length), through clear glass: distance in metres and unit
-    // normal facing the ray's origin. +inf and zero: none.
+    // The first surface along a ray (`direction` of unit length), through clear glass: distance in metres, unit normal
+    // facing the ray's origin, and index into Room::meshes. +inf, zero and -1: none.
     struct Surface {
         float distance;
         Vec3f normal;
+        int mesh = -1;
     };
     Surface surface(Vec3f origin, Vec3f direction) const;
     // Metres along a ray, through flat mirrors to the virtual image that a picture shows there; +inf: none.
     float distance_through_mirrors(Vec3f origin, Vec3f direction) const;
+    // Display color (as ShotParts::color) of surfaces, each seen from straight in front of it: `samples` rays each.
+    // Needs light. For baking; a mirror shows what lies straight in front.
+    struct FacedPoint {
+        Vec3f position, normal;  // world; unit, out of the surface
+        float width_m;           // of what is seen
+    };
+    std::vector<Vec3f> colors_faced(const std::vector<FacedPoint>& points, int samples, const Run& run) const;
     // Whether two points see each other, clear glass ignored. The last millimetres before `to` are ignored too: it may
     // lie on a surface.
     bool sees(Vec3f from, Vec3f to) const;

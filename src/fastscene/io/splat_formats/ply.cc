@@ -3,6 +3,7 @@
 #include <cmath>
 #include <sstream>
 
+#include "fastscene/base/check.h"
 #include "fastscene/base/error.h"
 #include "fastscene/base/file.h"
 #include "fastscene/io/bytes.h"
@@ -11,6 +12,11 @@
 #include "fastscene/io/splat_io.h"
 
 namespace fastscene {
+namespace {
+
+constexpr const char* kPlyInstance = "instance";
+
+}  // namespace
 
 std::string ply_comments(const Splats& splats) { return splats.antialias ? "comment SplatRenderMode: mip\n" : ""; }
 
@@ -23,9 +29,12 @@ bool is_antialiased(const Ply& ply) {
 namespace {
 
 // `absolute`: positions in double, the offset added. Otherwise positions as they are; a comment tells the offset.
-std::string ply_bytes(const Splats& splats, PlyBands bands, Vec3d offset, bool absolute) {
+std::string ply_bytes(const Splats& splats, PlyBands bands, Vec3d offset, bool absolute, const SplatLabels& labels) {
+    const bool labelled = !labels.values.empty();
+    FASTSCENE_CHECK(!labelled || labels.values.size() == splats.size());
     const int have = splats.rest_coefficients(), written = bands == PlyBands::all ? 15 : have;
     std::string out = fmt::format("ply\nformat binary_little_endian 1.0\n{}", ply_comments(splats));
+    for (const std::string& comment : labels.comments) out += fmt::format("comment {}\n", comment);
     if (offset != Vec3d{} && !absolute)
         out += fmt::format("comment fastscene offset {} {} {}\n", offset.x, offset.y, offset.z);
     out += fmt::format("element vertex {}\n", splats.size());
@@ -36,9 +45,10 @@ std::string ply_bytes(const Splats& splats, PlyBands bands, Vec3d offset, bool a
     for (int i = 0; i < 3 * written; ++i) out += fmt::format("property float f_rest_{}\n", i);
     for (const char* name : {"opacity", "scale_0", "scale_1", "scale_2", "rot_0", "rot_1", "rot_2", "rot_3"})
         out += fmt::format("property float {}\n", name);
+    if (labelled) out += fmt::format("property int {}\n", kPlyInstance);
     out += "end_header\n";
     const std::size_t floats = 14 + 3 * static_cast<std::size_t>(written);
-    out.reserve(out.size() + splats.size() * (floats * 4 + 24));
+    out.reserve(out.size() + splats.size() * ((floats + labelled) * 4 + 24));
 
     std::array<float, 62> row{};
     for (std::size_t i = 0; i < splats.size(); ++i) {
@@ -61,14 +71,30 @@ std::string ply_bytes(const Splats& splats, PlyBands bands, Vec3d offset, bool a
         const Quatf q = splats.rotation[i];
         put(q.w), put(q.x), put(q.y), put(q.z);
         out.append(reinterpret_cast<const char*>(row.data()), floats * 4);
+        if (labelled) append(out, static_cast<std::int32_t>(labels.values[i]));
     }
     return out;
 }
 
 }  // namespace
 
-std::string splat_ply_bytes(const Splats& splats, PlyBands bands, Vec3d offset_m) {
-    return ply_bytes(splats, bands, offset_m, offset_m != Vec3d{});
+LabelledSplats load_labelled_ply(const std::filesystem::path& path) {
+    const Ply ply(path);
+    if (is_compressed_ply(ply) || !ply.has("vertex") || Ply::find(ply.element("vertex"), kPlyInstance) < 0) return {};
+    const PlyElement& v = ply.element("vertex");
+    LabelledSplats out{splats_of_ply(ply), {{}, ply.comments()}};
+    const int instance = Ply::find(v, kPlyInstance);
+    for (std::size_t i = 0; i < v.count; ++i) {
+        const double value = ply.value(v, i, instance);
+        if (!(value >= 0 && value <= 0xffff))
+            throw Error("{}: expected instances of 0 to 65535, found {} for splat {}", path.string(), value, i);
+        out.labels.values.push_back(static_cast<std::uint16_t>(value));
+    }
+    return out;
+}
+
+std::string splat_ply_bytes(const Splats& splats, PlyBands bands, Vec3d offset_m, const SplatLabels& labels) {
+    return ply_bytes(splats, bands, offset_m, offset_m != Vec3d{}, labels);
 }
 
 void save_splat_ply(const std::filesystem::path& path, const Splats& splats, PlyBands bands, Vec3d offset_m) {
