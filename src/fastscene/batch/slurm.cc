@@ -71,19 +71,30 @@ std::string job_name(const fs::path& folder) {
     return "fastscene-" + Hash().add(fs::canonical(folder).string()).hex().substr(0, 12);
 }
 
-// How often each first word of a line occurs.
-std::map<std::string, int> words_of(const std::string& text) {
+// How often each word occurs as the `place`th of a line.
+std::map<std::string, int> words_of(const std::string& text, int place = 0) {
     std::map<std::string, int> out;
     std::istringstream lines(text);
-    for (std::string line, word; std::getline(lines, line);)
-        if (std::istringstream(line) >> word) ++out[word];
+    for (std::string line, word; std::getline(lines, line);) {
+        std::istringstream words(line);
+        int at = 0;
+        while (at <= place && words >> word) ++at;
+        if (at > place) ++out[word];
+    }
     return out;
 }
 
-std::optional<std::map<std::string, int>> queued(const fs::path& folder) {
-    const auto answer = ask("squeue", {"--noheader", "--array", "--name=" + job_name(folder), "--format=%T"});
+struct Queue {
+    std::map<std::string, int> states, reasons;
+};
+
+// Nothing if squeue is not there or does not answer.
+std::optional<Queue> queue_of(const fs::path& folder) {
+    const auto answer = ask("squeue", {"--noheader", "--array", "--name=" + job_name(folder), "--format=%T %r"});
     if (!answer || answer->code != 0) return {};
-    return words_of(answer->text);
+    Queue queue{words_of(answer->text), words_of(answer->text, 1)};
+    queue.reasons.erase("None");
+    return queue;
 }
 
 int sum_of(const std::map<std::string, int>& counts) {
@@ -191,9 +202,9 @@ Json settings_of(const fs::path& folder) {
 bool is_submitted(const fs::path& folder) { return settings_of(folder).contains("slurm_job"); }
 
 std::optional<int> tasks_in_slurm(const fs::path& folder) {
-    const auto states = queued(folder);
-    if (!states) return {};
-    return sum_of(*states);
+    const auto queue = queue_of(folder);
+    if (!queue) return {};
+    return sum_of(queue->states);
 }
 
 SlurmJob submit_to_slurm(const std::vector<BatchScene>& scenes, const fs::path& given, const BatchParams& params,
@@ -228,10 +239,11 @@ std::optional<Json> slurm_status(const fs::path& folder) {
     if (!settings.contains("slurm_job")) return {};
     const std::string id = settings.at("slurm_job");
     Json out{{"job", id}, {"source", "files"}, {"tasks", Json::object()}, {"requeues", requeues_in(folder)}};
-    const auto states = queued(folder);
-    if (!states) return out;
-    out["source"] = "squeue", out["tasks"] = *states;
-    if (!states->empty()) return out;
+    const auto queue = queue_of(folder);
+    if (!queue) return out;
+    out["source"] = "squeue", out["tasks"] = queue->states;
+    if (!queue->reasons.empty()) out["reasons"] = queue->reasons;
+    if (!queue->states.empty()) return out;
     // The queue forgets what has ended; the accounts, where a cluster keeps them, do not.
     const auto accounts = ask("sacct", {"--noheader", "--allocations", "--jobs=" + id, "--format=State%20"});
     if (accounts && accounts->code == 0) out["source"] = "sacct", out["tasks"] = words_of(accounts->text);

@@ -29,7 +29,8 @@ SlurmJob submit_to_slurm(const std::vector<BatchScene>& scenes, const std::files
                          const BatchParams& params, const SlurmParams& slurm, const Run& run);
 
 // States of the batch's tasks, and how many there are of each: {"source": "squeue", "sacct" or "files", "job", "tasks":
-// {"RUNNING": 3}, "requeues"}. Nothing if the batch was never submitted.
+// {"RUNNING": 3}, "requeues", "reasons": {"Priority": 4}}. Reasons are Slurm's, why tasks wait. Nothing if the batch
+// was never submitted.
 std::optional<Json> slurm_status(const std::filesystem::path& folder);
 
 // Whether the batch was ever submitted.

@@ -23,19 +23,24 @@ struct BatchFlags {
     CLI::App* verb = nullptr;
 };
 
+// {"RUNNING": 3, "PENDING": 4} as "4 PENDING, 3 RUNNING".
+std::string counts_text(const Json& counts) {
+    std::string text;
+    for (const auto& [word, count] : counts.items())
+        text += fmt::format("{}{} {}", text.empty() ? "" : ", ", count.get<int>(), word);
+    return text;
+}
+
 // Tasks of a job array, and what to do if they ended without a result.
 std::string slurm_text(const Json& status) {
     const Json& slurm = status.at("slurm");
-    std::string tasks;
-    bool is_active = false;
-    for (const auto& [state, count] : slurm.at("tasks").items())
-        tasks += fmt::format("{}{} {}", tasks.empty() ? "" : ", ", count.get<int>(), state);
-    const std::string source = slurm.at("source");
-    is_active = source == "squeue" && !tasks.empty();
+    const std::string tasks = counts_text(slurm.at("tasks")), source = slurm.at("source");
+    const bool is_active = source == "squeue" && !tasks.empty();
     std::string text = fmt::format("\nSlurm job {}: {}", slurm.at("job").get<std::string>(),
                                    !tasks.empty()      ? "tasks " + tasks
                                    : source == "files" ? "squeue does not answer"
                                                        : "ended");
+    if (slurm.contains("reasons")) text += "; wait for " + counts_text(slurm.at("reasons"));
     if (const int requeues = slurm.at("requeues").get<int>(); requeues > 0)
         text += fmt::format(
             "\n{} times a task met its time limit and was requeued; --slurm-args=--time=MINUTES gives more", requeues);
