@@ -44,7 +44,7 @@ if [ ! -x "$program" ]; then
   echo "$(hostname): $program: expected fastscene, found no such program on this node" >&2
   exit 1
 fi
-"$program" batch --chunk "$SLURM_ARRAY_TASK_ID" -o "$folder" --scratch "$scratch" \
+"$program" batch --chunk "$SLURM_ARRAY_TASK_ID" -o "$folder" ${scratch:+--scratch "$scratch"} \
   --threads "${SLURM_CPUS_PER_TASK:-1}" --progress none &
 child=$!
 wait "$child"

@@ -11,18 +11,16 @@ done
 # Sockets have short paths only.
 cluster=$(mktemp -d /tmp/fastscene-slurm.XXXXXX)
 chmod 755 "$cluster"
-# Daemons and jobs have this in their environment; nothing else has.
+# Processes with this in their environment: daemons and jobs have SLURM_CONF, and nothing else has.
 ours() {
-  local entry
-  for entry in /proc/[0-9]*; do
-    tr '\0' '\n' <"$entry/environ" 2>/dev/null | grep -qxF "SLURM_CONF=$cluster/slurm.conf" || continue
-    [ -z "${1-}" ] || tr '\0' '\n' <"$entry/environ" 2>/dev/null | grep -qxF "$1" || continue
-    echo "${entry#/proc/}"
-  done 2>/dev/null
+  local files
+  files=$(grep -lzxF -- "SLURM_CONF=$cluster/slurm.conf" /proc/[0-9]*/environ 2>/dev/null)
+  [ -z "${1-}" ] || files=$(grep -lzxF -- "$1" $files /dev/null 2>/dev/null)
+  grep -oE '[0-9]+' <<<"$files"
 }
 clean_up() {
   local pids
-  pids=$(ours; cat "$cluster"/*.pid 2>/dev/null)
+  pids=$(ours)
   [ -z "$pids" ] || kill -9 $pids 2>/dev/null
   rm -rf "$cluster"
 }
@@ -70,7 +68,7 @@ SelectTypeParameters=CR_Core_Memory
 SchedulerType=sched/builtin
 SchedulerParameters=batch_sched_delay=0,sched_interval=1,sched_min_interval=0
 SlurmdParameters=config_overrides
-MaxArraySize=7
+MaxArraySize=4
 $(for node in 0 1 2; do
   echo "NodeName=node$node NodeHostname=$host NodeAddr=127.0.0.1 Port=$(free_port) CPUs=1 RealMemory=8000"
 done)
@@ -87,10 +85,10 @@ for node in 0 1 2; do start slurmd -N node$node; done
 all_idle() { [ "$(sinfo --noheader --Node --format=%T 2>/dev/null | grep -cx idle)" = 3 ]; }
 wait_for 60 all_idle
 
-# Eight scenes, panoramas alone; the first of every task takes some seconds, so that something is lost with a node.
+# Six scenes, panoramas alone; the first of every task takes some seconds, so that something is lost with a node.
 small=(--stage panorama --quality draft --panorama-width 128 --panorama-cell 0.25 --panorama-cell-samples 8 --panorama-pixel-samples 2 --panorama-outside-detail 0)
-for i in 0 1 2 3 4 5 6 7; do
-  slow=; [ $((i % 2)) = 1 ] || slow=', "flags": ["--panorama-pixel-samples", "900"]'
+for i in 0 1 2 3 4 5; do
+  slow=; [ $((i % 2)) = 1 ] || slow=', "flags": ["--panorama-pixel-samples", "300"]'
   echo "{\"prompt\": \"a small study with a desk\", \"seed\": $i, \"name\": \"study-$i\"$slow}"
 done > list.jsonl
 expect 0 "$fastscene" batch list.jsonl -o alone "${small[@]}" --threads 2
@@ -100,7 +98,7 @@ batch=("$fastscene" batch list.jsonl -o set "${small[@]}" --engine slurm --threa
 PATH=/nowhere expect 1 "$fastscene" batch list.jsonl -o none "${small[@]}" --engine slurm
 says "expected Slurm's programs on PATH, found no scontrol"
 expect 2 "${batch[@]}" --chunk-scenes 1
-says "--chunk-scenes: expected at least 2, found 1: 8 scenes, and an array of at most 6 tasks"
+says "--chunk-scenes: expected at least 2, found 1: 6 scenes, and an array of at most 3 tasks"
 expect 1 "${batch[@]}" --slurm-args --time=soon
 says "sbatch: "
 says "time"
@@ -109,10 +107,10 @@ says '--slurm-args: expected flags of sbatch'
 expect 2 "$fastscene" batch set --cancel
 says "expected a batch that was submitted"
 
-# Four tasks of two scenes, three nodes.
+# Three tasks of two scenes, three nodes.
 expect 0 "${batch[@]}" --parallel 3 --slurm-args "--partition=all --time=10"
-prints "8 scenes in 4 tasks"
-grep -q '^#SBATCH --array=0-3%3$' set/slurm/batch.sh || fail "the script does not limit the tasks at a time"
+prints "6 scenes in 3 tasks"
+grep -q '^#SBATCH --array=0-2%3$' set/slurm/batch.sh || fail "the script does not limit the tasks at a time"
 expect 1 "${batch[@]}"
 says "tasks of this batch still wait or run in Slurm"
 expect 1 "$fastscene" batch list.jsonl -o set "${small[@]}"
@@ -144,9 +142,9 @@ prints '"requeues": 1'
 ended() { [ -z "$(squeue --noheader)" ]; }
 wait_for 120 ended
 expect 0 "$fastscene" batch set --status
-prints "8 of 8 scenes done, 0 failed"
+prints "6 of 6 scenes done, 0 failed"
 prints "1 times a task met its time limit"
-for i in 0 1 2 3 4 5 6 7; do
+for i in 0 1 2 3 4 5; do
   same "alone/study-$i" "set/study-$i"
 done
 no_rest set
@@ -157,22 +155,22 @@ has set/index.html
 expect 0 "${batch[@]}"
 prints "nothing to do"
 lacks set/tasks/000000.jsonl
-[ "$(wc -l < set/batch.jsonl)" = 8 ] || fail "the journal lacks scenes"
+[ "$(wc -l < set/batch.jsonl)" = 6 ] || fail "the journal lacks scenes"
 
 # Another version of the program is refused.
-expect 0 "$fastscene" batch list.jsonl -o chunks "${small[@]}" --engine manual --chunk-scenes 7
-prints "8 scenes in 2 chunks"
+expect 0 "$fastscene" batch list.jsonl -o chunks "${small[@]}" --engine manual --chunk-scenes 5
+prints "6 scenes in 2 chunks"
 expect 2 "$fastscene" batch --chunk 2 -o chunks
 says "--chunk: expected a number below 2"
 expect 0 "$fastscene" batch --chunk 1 -o chunks --threads 1
-same alone/study-7 chunks/study-7
+same alone/study-5 chunks/study-5
 sed -i 's/"version": "[^"]*"/"version": "0.0.1"/' chunks/batch.json
 expect 1 "$fastscene" batch --chunk 0 -o chunks
 says "expected version 0.0.1 of fastscene"
 
 # Cancelled, and what was finished stays.
 sed -i 's/"name": "/"name": "again-/' list.jsonl
-expect 0 "${batch[@]}" --scratch ""
+expect 0 "$fastscene" batch list.jsonl -o set "${small[@]}" --engine slurm --threads 1
 wait_for 30 on_node node0
 expect 0 "$fastscene" batch set --cancel
 prints "tasks cancelled"
