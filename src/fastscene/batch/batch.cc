@@ -1,5 +1,7 @@
 #include "fastscene/batch/batch.h"
 
+#include <unistd.h>
+
 #include <algorithm>
 #include <atomic>
 #include <chrono>
@@ -222,7 +224,7 @@ Json batch_status(const fs::path& folder) {
         throw UsageError("{}: expected the folder of a batch, found no batch.json", folder.string());
     const Json settings = read_json(folder / "batch.json");
     const std::vector<BatchRecord> records = all_records(folder).all();
-    if (settings.contains("chunks")) save_index(records, folder);
+    if (settings.contains("chunks") && ::access(folder.c_str(), W_OK) == 0) save_index(records, folder);
     int done = 0;
     double spent = 0;
     Json failures = Json::array();

@@ -42,7 +42,7 @@ std::vector<BatchRecord> run_chunk(const std::filesystem::path& folder, int numb
 bool is_done(const BatchScene& scene, const BatchParams& params, const BatchJournal& journal);
 
 // How far a batch is: done, failed, total (-1: unknown), seconds_a_scene, failures, and slurm for one that was
-// submitted there (slurm.h). Writes the page anew if chunks are made. Throws UsageError if `folder` is none.
+// submitted there (slurm.h). Writes the page anew if chunks are made and it may. Throws UsageError if `folder` is none.
 Json batch_status(const std::filesystem::path& folder);
 
 }  // namespace fastscene

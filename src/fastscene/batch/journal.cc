@@ -93,14 +93,10 @@ BatchRecords all_records(const fs::path& folder) {
 
 void collect_journals(const fs::path& folder) {
     BatchRecords records;
-    const std::vector<fs::path> files = chunk_journals(folder);
-    for (const fs::path& file : files) read_lines(file, records);
+    for (const fs::path& file : chunk_journals(folder)) read_lines(file, records);
     BatchJournal journal(folder);
     for (const BatchRecord& record : records.all()) journal.add(record);
-    for (const fs::path& file : files) {
-        fs::remove(file);
-        fs::remove(fs::path(file).replace_extension(".requeues"));
-    }
+    fs::remove_all(folder / "tasks");  // what tasks noted beside their journals is of the past, too
 }
 
 }  // namespace fastscene

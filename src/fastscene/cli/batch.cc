@@ -227,7 +227,7 @@ Verb add_batch(CLI::App& app) {
     verb->footer(
         "Examples:\n  fastscene batch prompts.txt -o out/rooms "
         "--quality draft\n  fastscene batch --count 100 -o out/hundred --splat-steps 800\n  fastscene batch "
-        "prompts.txt -o /shared/rooms --engine slurm --slurm-args --partition=long\n  fastscene batch /shared/rooms "
+        "prompts.txt -o /shared/rooms --engine slurm --slurm-args=--partition=long\n  fastscene batch /shared/rooms "
         "--status");
     flags->verb = verb;
     return {verb, [flags](const Session& session) { act(*flags, session); }};
