@@ -76,6 +76,7 @@ int run_program(const std::filesystem::path& program, const std::vector<std::str
     const int failed = ::posix_spawn(&child, program.c_str(), &actions.files, &actions.attributes,
                                      pointers_to(texts).data(), pointers_to(variables).data());
     if (failed) throw Error("{}: cannot be run: {}", program.string(), std::strerror(failed));
+    if (options.started) options.started(child);
     int status = 0;
     {
         const std::stop_callback on_stop(options.stop, [&] { ::kill(child, SIGTERM); });

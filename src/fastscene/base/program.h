@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <stop_token>
 #include <string>
@@ -16,6 +17,7 @@ struct ProgramOptions {
     std::filesystem::path log;             // receives stdout and stderr; empty: stdout is discarded, stderr inherited
     std::vector<std::string> environment;  // NAME=value, in addition to the inherited environment
     std::stop_token stop;  // a stop request terminates the program (SIGTERM), and run_program throws Stopped
+    std::function<void(int pid)> started = {};  // called once it runs
 };
 // Runs it with these arguments and waits; returns its exit code (128 + signal if killed). Throws Error if it cannot be
 // started.

@@ -23,6 +23,7 @@
 #include "fastscene/batch/workspace.h"
 #include "fastscene/pipeline/build_info.h"
 #include "fastscene/pipeline/run_folder.h"
+#include "fastscene/pipeline/scene_cost.h"
 
 namespace fastscene {
 namespace fs = std::filesystem;
@@ -185,7 +186,7 @@ int jobs_that_fit(const BatchParams& params) {
     const int cores = params.threads > 0 ? params.threads : thread_count();
     const std::int64_t free = available_memory();
     if (free <= 0) return cores;
-    const double fit = kMemoryShare * static_cast<double>(free) / (scene_gib(params.quality) * (1 << 30));
+    const double fit = kMemoryShare * static_cast<double>(free) / (scene_cost(params.quality).gib * (1 << 30));
     return std::clamp(static_cast<int>(fit), 1, cores);
 }
 

@@ -15,7 +15,7 @@ namespace {
 namespace fs = std::filesystem;
 
 struct EditFlags {
-    std::string target, sentence, out, style, time, assets = "cc0";
+    std::string target, sentence, room, out, style, time, assets = "cc0";
     std::vector<std::string> remove, move, recolor, add;
     bool in_place = false, plan_only = false;
 };
@@ -75,7 +75,7 @@ EditResult edited(const EditFlags& flags, const RoomDocument& document,
     if (!steps.empty()) append(edit_document(out.document, steps, pack, run));
     for (const std::string& thing : flags.add) append(edit_by_sentence(out.document, "add " + thing, pack, run));
     if (!flags.sentence.empty()) append(edit_by_sentence(out.document, flags.sentence, pack, run));
-    if (out.changes.empty())
+    if (out.changes.empty() && flags.room.empty())
         throw UsageError(
             "edit: expected what to change, as a sentence or by flags; found nothing that changes the room");
     return out;
@@ -101,7 +101,8 @@ void edit_file(const EditFlags& flags, const Session& session) {
     check_writable(to);
     std::vector<std::string> complaints;
     const auto pack = FurniturePack::open(FurniturePack::default_folder(), assets_named(flags.assets), complaints);
-    const EditResult result = edited(flags, load_document(from), pack, session.run(0));
+    const EditResult result = edited(flags, load_document(flags.room.empty() ? from : fs::path(flags.room)), pack,
+                                     session.run(0));
     write_json(to, document_json(result.document));
     session.print(as_text(result, to.string()), as_json(result, to.string()));
 }
@@ -113,7 +114,8 @@ void edit_run(const EditFlags& flags, const Session& session) {
     const Run run = session.run(recorded.seed);
     const PanoramaParams& panorama = recorded.request.params.panorama;
     const auto pack = furniture_pack(panorama);
-    const EditResult result = edited(flags, document_of_run(from, recorded, run), pack, run);
+    const EditResult result = edited(
+        flags, flags.room.empty() ? document_of_run(from, recorded, run) : load_document(flags.room), pack, run);
     std::string name = from.root.string();
     while (name.size() > 1 && name.ends_with('/')) name.pop_back();
     const RunFolder to{flags.in_place      ? from.root
@@ -152,6 +154,9 @@ Verb add_edit(CLI::App& app) {
         ->expected(1);
     list("--add", flags->add, "THING", "Add a thing, in words: \"a floor lamp beside the bed\". May be repeated.")
         ->expected(1);
+    verb->add_option("--room", flags->room,
+                     "Begin with this document instead of the scene's room; the scene's settings are kept.")
+        ->type_name("FILE");
     verb->add_option("--style", flags->style, "Another style for the room.")->type_name("STYLE");
     verb->add_option("--time", flags->time, "Another hour: morning, day, evening, dusk, night.")->type_name("HOUR");
     verb->add_option("-o,--out", flags->out,

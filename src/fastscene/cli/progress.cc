@@ -17,6 +17,7 @@ constexpr Seconds kLineEvery{0.1};
 // Logs should be short: a line per tenth of the work, or after this long a silence.
 constexpr int kPlainStepPercent = 10;
 constexpr Seconds kPlainEvery{10};
+constexpr Seconds kJsonEvery{1};  // a program draws it
 
 std::string clock_text(double seconds) {
     const auto s = static_cast<long>(seconds + 0.5);
@@ -108,7 +109,8 @@ void ProgressDisplay::show(const ProgressEvent& event) {
     if (style_ == ProgressStyle::line) {
         if (!finished && since < kLineEvery) return;
     } else {
-        const bool due = percent >= shown_percent_ + kPlainStepPercent || since >= kPlainEvery || shown_percent_ < 0;
+        const Seconds every = style_ == ProgressStyle::json ? kJsonEvery : kPlainEvery;
+        const bool due = percent >= shown_percent_ + kPlainStepPercent || since >= every || shown_percent_ < 0;
         if (!due && !(finished && shown_percent_ < 100)) return;
     }
     if (finished && shown_percent_ == 100) return;

@@ -1,16 +1,16 @@
-// The only file that includes httplib, to contain its macros and compile time.
+// One of two files that include httplib (studio/web_server.cc), to contain its macros and compile time.
 #include "fastscene/cli/server.h"
 
 #include <httplib.h>
 
 #include "fastscene/base/error.h"
 #include "fastscene/base/file.h"
-#include "fastscene/cli/local_request.h"
 #include "fastscene/io/viewer.h"
 #include "fastscene/pipeline/best_view.h"
 #include "fastscene/pipeline/request.h"
 #include "fastscene/pipeline/run_files.h"
 #include "fastscene/pipeline/share.h"
+#include "fastscene/studio/local_request.h"
 
 namespace fastscene::cli {
 namespace {
@@ -43,7 +43,7 @@ std::vector<std::string> headers_named(const httplib::Request& request, const st
 // Before all routes, those to files among them.
 void refuse_other_sites(httplib::Server& server) {
     server.set_pre_routing_handler([](const httplib::Request& request, httplib::Response& response) {
-        const auto why = refusal(headers_named(request, "Host"), headers_named(request, "Origin"));
+        const auto why = studio::refusal(headers_named(request, "Host"), headers_named(request, "Origin"));
         if (!why) return httplib::Server::HandlerResponse::Unhandled;
         response.status = 403;
         response.set_content("Refused: " + *why + ".\n", "text/plain; charset=utf-8");

@@ -49,6 +49,7 @@ Verb add_batch(CLI::App& app);
 Verb add_render(CLI::App& app);
 Verb add_convert(CLI::App& app);
 Verb add_view(CLI::App& app);
+Verb add_studio(CLI::App& app);
 Verb add_models(CLI::App& app);
 Verb add_doctor(CLI::App& app);
 Verb add_rooms(CLI::App& app);

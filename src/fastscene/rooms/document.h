@@ -1,5 +1,5 @@
 // The room as a document: all that is needed to build it again, byte for byte. Written to room.json, read back, edited
-// by hand or by edit_document (edit.h). docs/room-document.md shows one. Room frame of plan.h: x right, y up, metres,
+// by hand or by edit_document (edit.h). docs/room-document.md shows one. Room frame of plan.h: x left, y up, metres,
 // the floor is y = 0 and the middle of the plan's box the origin.
 #pragma once
 

@@ -37,9 +37,9 @@ template <class V>
 void visit_fields(Opening& o, V&& v) {
     v("kind", o.kind, Rule{.always = true}, "What it is.");
     v("wall", o.wall, Rule{.low = 0, .high = 3, .needed = true, .always = true},
-      "0 far (+z), 1 right (+x), 2 near, 3 left.");
+      "0 far (+z), 1 (+x), 2 near (-z), 3 (-x).");
     v("from_m", o.u0, Rule{.low = 0, .needed = true, .always = true},
-      "Its left side along the wall, from the left end as seen from inside.");
+      "Its right side along the wall, from the right end as seen from inside.");
     v("to_m", o.u1, Rule{.low = 0, .needed = true, .always = true}, "Its right side.");
     v("low_m", o.y0, Rule{.low = 0, .always = true}, "Its lower edge above the floor.");
     v("high_m", o.y1, Rule{.low = 0, .needed = true, .always = true}, "Its upper edge.");
@@ -110,9 +110,9 @@ void visit_fields(DocumentThing& t, V&& v) {
     v("id", t.id, Rule{.needed = true, .always = true}, "Its name within the room: unique.");
     v("kind", t.kind, Rule{.needed = true, .always = true}, "What it is: a class of furniture.");
     v("position", t.position, Rule{.needed = true, .always = true},
-      "Of its base in the room: x right, y up, z to the far wall.");
+      "Of its base in the room: x to the left of who faces the far wall, y up, z to that wall.");
     v("yaw_deg", t.yaw, Rule{.low = -720, .high = 720, .always = true, .degrees = true},
-      "Its turn about the vertical; 0: it faces the far wall (+z), 90: the right one.");
+      "Its turn about the vertical; 0: it faces the far wall (+z), 90: wall 1 (+x).");
     v("size_m", t.size_m, Rule{.low = 0},
       "Width, height and depth. Others than it is built in scale it; without it, it is as usual.");
     v("on", t.on, Rule{}, "Id of what carries it.");

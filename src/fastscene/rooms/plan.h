@@ -1,5 +1,6 @@
-// Plan: the empty room. Room frame: x right, y UP, z towards the far wall, metres; the floor is y = 0 and the plan's
-// center is the origin. Walls are numbered 0 far (+z), 1 right (+x), 2 near (-z), 3 left (-x).
+// Plan: the empty room. Room frame, right-handed: y UP, z towards the far wall, x to the left of who faces it, metres; the floor
+// is y = 0 and the plan's center is the origin. Walls are numbered 0 far (+z), 1 (+x), 2 near (-z), 3 (-x); 1 is called
+// right and 3 left, as seen from the far wall.
 #pragma once
 
 #include <algorithm>
@@ -30,7 +31,7 @@ inline constexpr float kTrayStep = 0.09f, kTrayBorder = 0.55f;
 inline constexpr const char* kNeon = "neon strip";  // the name of their materials
 
 // A hole in a wall (window, doorway without a door), or a door leaf set before it. `u` runs along the wall from its
-// left end as seen from inside.
+// right end as seen from inside.
 struct Opening {
     enum class Kind : unsigned char { window, door, doorway } kind = Kind::window;
     int wall = 0;
@@ -46,8 +47,8 @@ inline float arch_rise(const Opening& o) {
 
 // The inner face of a wall.
 struct WallFace {
-    Vec3f origin;  // its left end at the floor, as seen from inside
-    Vec3f along;   // unit, to the right as seen from inside
+    Vec3f origin;  // its right end at the floor, as seen from inside
+    Vec3f along;   // unit, to the left as seen from inside
     Vec3f inward;  // unit, into the room
     float length;
     int wall = -1;   // the wall it is a part of; -1: the side of a block

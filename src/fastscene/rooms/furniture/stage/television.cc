@@ -172,7 +172,7 @@ void build_news_desk(Kit& k) {
 void build_video_wall(Kit& k) {
     const Vec3f s = k.wanted({3.6f, 1.9f, 0.12f});
     const int frame = k.main(plain("bezel", {0.015f, 0.015f, 0.016f}, 0.35f)),
-              shown = screen(k, {0.22f, 0.34f, 0.62f}, 1.2f);
+              shown = screen(k, {0.09f, 0.14f, 0.27f}, 1.2f);
     const int columns = std::max(1, static_cast<int>(std::lround(s.x / 1.1f))),
               rows = std::max(1, static_cast<int>(std::lround(s.y / 0.63f)));
     k.board(frame, {0, 0, 0.5f * s.z}, s, 0.01f);

@@ -1,8 +1,8 @@
-#include "fastscene/cli/local_request.h"
+#include "fastscene/studio/local_request.h"
 
 #include <gtest/gtest.h>
 
-namespace fastscene::cli {
+namespace fastscene::studio {
 namespace {
 
 bool answered(const std::string& host) { return !refusal({host}, {}); }
@@ -34,4 +34,4 @@ TEST(LocalRequest, OnlyThePageItselfIsAnOrigin) {
 }
 
 }  // namespace
-}  // namespace fastscene::cli
+}  // namespace fastscene::studio

@@ -1,9 +1,9 @@
-#include "fastscene/cli/local_request.h"
+#include "fastscene/studio/local_request.h"
 
 #include <algorithm>
 #include <array>
 
-namespace fastscene::cli {
+namespace fastscene::studio {
 namespace {
 
 std::string lower(std::string_view text) {
@@ -40,4 +40,4 @@ std::optional<std::string> refusal(const std::vector<std::string>& hosts, const 
     return std::nullopt;
 }
 
-}  // namespace fastscene::cli
+}  // namespace fastscene::studio
