@@ -1,9 +1,12 @@
 #include "fastscene/batch/batch.h"
 
+#include <unistd.h>
+
 #include <algorithm>
 #include <atomic>
 #include <chrono>
 #include <exception>
+#include <functional>
 #include <mutex>
 #include <optional>
 #include <thread>
@@ -13,7 +16,11 @@
 #include "fastscene/base/memory.h"
 #include "fastscene/base/parallel.h"
 #include "fastscene/base/program.h"
+#include "fastscene/batch/estimates.h"
 #include "fastscene/batch/index_page.h"
+#include "fastscene/batch/manifest.h"
+#include "fastscene/batch/slurm.h"
+#include "fastscene/batch/workspace.h"
 #include "fastscene/pipeline/build_info.h"
 #include "fastscene/pipeline/run_folder.h"
 #include "fastscene/pipeline/scene_cost.h"
@@ -40,12 +47,12 @@ std::string key_of(const BatchScene& scene, const BatchParams& params) {
     return hash.hex();
 }
 
-std::vector<std::string> arguments_of(const BatchScene& scene, const fs::path& folder, const BatchParams& params,
+std::vector<std::string> arguments_of(const BatchScene& scene, const fs::path& out_folder, const BatchParams& params,
                                       int threads) {
     std::vector<std::string> out{params.stage, scene.prompt,
                                  "--seed",     std::to_string(scene.seed),
                                  "--quality",  quality_of(scene, params),
-                                 "-o",         (folder / scene.name).string(),
+                                 "-o",         out_folder.string(),
                                  "--threads",  std::to_string(threads),
                                  "--progress", "none"};
     out.insert(out.end(), params.flags.begin(), params.flags.end());
@@ -69,17 +76,18 @@ std::string error_in(const fs::path& log) {
 // Processes of a batch that was killed live on, and finish their scenes.
 bool is_taken(const std::string& error) { return error.ends_with("another fastscene is working on this folder"); }
 
-// The scenes of a batch in work.
+// The scenes of a batch in work, or those of a chunk.
 class Engine {
   public:
-    Engine(const std::vector<BatchScene>& scenes, fs::path folder, const BatchParams& params, const Run& run)
-        : folder_(std::move(folder)), params_(params), run_(run), journal_(folder_) {
-        for (const BatchScene& scene : scenes) {
-            const BatchRecord* known = journal_.find(scene.name);
-            if (known && known->done && known->key == key_of(scene, params)) ++done_before_;
+    Engine(const std::vector<BatchScene>& scenes, fs::path folder, BatchJournal journal, const BatchParams& params,
+           const Run& run)
+        : folder_(std::move(folder)), params_(params), run_(run), journal_(std::move(journal)) {
+        for (const BatchScene& scene : scenes)
+            if (is_done(scene, params, journal_)) ++done_before_;
             else waiting_.push_back(&scene);
-        }
     }
+    // Called with all records from time to time.
+    std::function<void(const std::vector<BatchRecord>&)> show = [](const auto&) {};
 
     std::vector<BatchRecord> go() {
         const int jobs = std::min<int>(params_.jobs > 0 ? params_.jobs : jobs_that_fit(params_),
@@ -92,7 +100,7 @@ class Engine {
             std::vector<std::jthread> workers;
             for (int i = 0; i < jobs; ++i) workers.emplace_back([this, threads] { work(threads); });
         }
-        save_index(journal_.records(), folder_);
+        show(journal_.records());
         if (failure_) std::rethrow_exception(failure_);
         run_.check_stop();
         return journal_.records();
@@ -110,13 +118,27 @@ class Engine {
 
     BatchRecord make(const BatchScene& scene, int threads) {
         BatchRecord record{scene.name, scene.prompt, key_of(scene, params_), false, 0, 0, {}};
+        const double start = seconds();
+        Workspace space(folder_ / scene.name, params_.scratch);
+        try {
+            try_to_make(scene, space.path(), threads, record);
+        } catch (const Stopped&) {
+            space.bring_home();  // whoever goes on may be another machine
+            throw;
+        }
+        space.bring_home();
+        record.seconds = seconds() - start;
+        return record;
+    }
+
+    void try_to_make(const BatchScene& scene, const fs::path& out_folder, int threads, BatchRecord& record) {
         const fs::path log = folder_ / (scene.name + ".log");
         const double start = seconds();
         while (!record.done && record.tries < params_.tries) {
             ++record.tries;
             std::error_code none;
             fs::remove(log, none);
-            const int code = run_program(params_.program, arguments_of(scene, folder_, params_, threads),
+            const int code = run_program(params_.program, arguments_of(scene, out_folder, params_, threads),
                                          {log, {}, run_.stop});
             record.done = code == 0;
             record.error = record.done ? "" : error_in(log);
@@ -128,8 +150,6 @@ class Engine {
             if (code != 2) continue;
             break;  // the request itself is wrong: a second try would fail alike
         }
-        record.seconds = seconds() - start;
-        return record;
     }
 
     void wait_a_moment() const {
@@ -144,7 +164,7 @@ class Engine {
         progress_->advance();
         if (seconds() - indexed_s_ < kIndexEverySeconds) return;
         indexed_s_ = seconds();
-        save_index(journal_.records(), folder_);
+        show(journal_.records());
     }
 
     fs::path folder_;
@@ -170,35 +190,56 @@ int jobs_that_fit(const BatchParams& params) {
     return std::clamp(static_cast<int>(fit), 1, cores);
 }
 
+bool is_done(const BatchScene& scene, const BatchParams& params, const BatchJournal& journal) {
+    const BatchRecord* known = journal.find(scene.name);
+    return known && known->done && known->key == key_of(scene, params);
+}
+
 std::vector<BatchRecord> run_batch(const std::vector<BatchScene>& scenes, const fs::path& folder,
                                    const BatchParams& params, const Run& run) {
     make_directories(folder);
     const FolderLock lock(folder);
-    write_json(folder / "batch.json", {{"scenes", scenes.size()},
-                                       {"quality", params.quality},
-                                       {"command", params.stage},
-                                       {"flags", params.flags},
-                                       {"version", program_version()}});
-    return Engine(scenes, folder, params, run).go();
+    if (is_submitted(folder) && tasks_in_slurm(folder).value_or(0) > 0)
+        throw Error("{}: tasks of this batch still wait or run in Slurm; let them end, or use --cancel",
+                    folder.string());
+    collect_journals(folder);
+    write_json(folder / "batch.json", batch_settings(static_cast<int>(scenes.size()), params));
+    Engine engine(scenes, folder, BatchJournal(folder), params, run);
+    engine.show = [&](const std::vector<BatchRecord>& records) { save_index(records, folder); };
+    return engine.go();
+}
+
+std::vector<BatchRecord> run_chunk(const fs::path& folder, int number, const BatchParams& settings, const Run& run) {
+    Chunk chunk = read_chunk(folder, number);
+    chunk.params.program = settings.program, chunk.params.threads = settings.threads;
+    chunk.params.scratch = settings.scratch;
+    chunk.params.jobs = 1;  // the scheduler decides how much is done at a time
+    make_directories(folder / "tasks");
+    return Engine(chunk.scenes, folder, BatchJournal(folder / "tasks", fmt::format("{:06}.jsonl", number)),
+                  chunk.params, run)
+        .go();
 }
 
 Json batch_status(const fs::path& folder) {
     if (!fs::exists(folder / "batch.json"))
         throw UsageError("{}: expected the folder of a batch, found no batch.json", folder.string());
-    const BatchJournal journal(folder);
+    const Json settings = read_json(folder / "batch.json");
+    const std::vector<BatchRecord> records = all_records(folder).all();
+    if (settings.contains("chunks") && ::access(folder.c_str(), W_OK) == 0) save_index(records, folder);
     int done = 0;
     double spent = 0;
     Json failures = Json::array();
-    for (const BatchRecord& r : journal.records()) {
+    for (const BatchRecord& r : records) {
         done += r.done, spent += r.seconds;
         if (!r.done) failures.push_back({{"name", r.name}, {"error", r.error}});
     }
-    const int total = read_json(folder / "batch.json").value("scenes", -1);
-    return {{"done", done},
-            {"failed", failures.size()},
-            {"total", total},
-            {"seconds_a_scene", journal.records().empty() ? 0 : spent / static_cast<double>(journal.records().size())},
-            {"failures", failures}};
+    Json out{{"done", done},
+             {"failed", failures.size()},
+             {"total", settings.value("scenes", -1)},
+             {"seconds_a_scene", records.empty() ? 0 : spent / static_cast<double>(records.size())},
+             {"failures", failures}};
+    if (const auto slurm = slurm_status(folder)) out["slurm"] = *slurm;
+    return out;
 }
 
 }  // namespace fastscene

@@ -21,6 +21,7 @@ struct BatchParams {
     int jobs = 0;                    // scenes at a time; 0: as many as cores and memory allow
     int threads = 0;                 // of all scenes together; 0: all cores
     int tries = 2;                   // before a scene is given up
+    std::filesystem::path scratch;   // where scenes are made before they are moved to the batch; empty: nowhere else
 };
 
 // Scenes at a time that cores and free memory allow.
@@ -32,8 +33,16 @@ int jobs_that_fit(const BatchParams& params);
 std::vector<BatchRecord> run_batch(const std::vector<BatchScene>& scenes, const std::filesystem::path& folder,
                                    const BatchParams& params, const Run& run);
 
-// How far a batch is: done, failed, total (-1: unknown), seconds_a_scene, failures. Throws UsageError if `folder` is
-// none.
+// Makes the scenes of one chunk (manifest.h), as run_batch does, beside other processes that make others. Returns their
+// records. `settings`: program, threads and scratch are taken from it.
+std::vector<BatchRecord> run_chunk(const std::filesystem::path& folder, int number, const BatchParams& settings,
+                                   const Run& run);
+
+// Whether the journal knows that the scene was made with these settings.
+bool is_done(const BatchScene& scene, const BatchParams& params, const BatchJournal& journal);
+
+// How far a batch is: done, failed, total (-1: unknown), seconds_a_scene, failures, and slurm for one that was
+// submitted there (slurm.h). Writes the page anew if chunks are made and it may. Throws UsageError if `folder` is none.
 Json batch_status(const std::filesystem::path& folder);
 
 }  // namespace fastscene

@@ -7,6 +7,8 @@
 
 #include "fastscene/base/file.h"
 #include "fastscene/batch/index_page.h"
+#include "fastscene/batch/manifest.h"
+#include "fastscene/batch/workspace.h"
 
 namespace fastscene {
 namespace {
@@ -148,6 +150,78 @@ TEST_F(Batch, AJournalThatWasCutShortIsReadUpToThere) {
     EXPECT_EQ(BatchJournal(folder_).records().size(), 3u);
     std::ofstream(folder_ / "batch.jsonl", std::ios::app) << "nonsense\n";
     EXPECT_THROW(BatchJournal{folder_}, Error);
+}
+
+// Chunks share nothing but the folder; what they tell comes together, and is asked no second time.
+TEST_F(Batch, ChunksMakeTheScenesThatAreLeft) {
+    BatchParams params;
+    params.flags = {"--views-size", "64"};
+    params.program = program("echo \"$2\" >> " + (folder_ / "calls").string() +
+                             "; [ \"$2\" != bad ] || { echo 'fastscene: no such luck' >&2; exit 1; }");
+    const std::vector<BatchScene> scenes{
+        {"a", "one", 0, {}, {}}, {"b", "two", 1, "draft", {"--x"}}, {"c", "bad", 2, {}, {}}, {"d", "four", 3, {}, {}}};
+    const fs::path out = folder_ / "out";
+    EXPECT_EQ(prepare_chunks(scenes, out, params, 3).chunks(), 2);
+    EXPECT_EQ(run_chunk(out, 1, params, fastscene::Run{}).size(), 1u);
+    EXPECT_EQ(read_file(folder_ / "calls"), "four\n");
+    const auto records = run_chunk(out, 0, params, fastscene::Run{});
+    ASSERT_EQ(records.size(), 3u);
+    EXPECT_TRUE(records[1].done);
+    EXPECT_FALSE(records[2].done);
+    EXPECT_EQ(read_file(folder_ / "calls"), "four\none\ntwo\nbad\nbad\n");
+    EXPECT_THROW(run_chunk(out, 2, params, fastscene::Run{}), UsageError);
+    const Json status = batch_status(out);
+    EXPECT_EQ(status["done"], 3);
+    EXPECT_EQ(status["failed"], 1);
+    EXPECT_EQ(status["total"], 4);
+
+    // A chunk that is called again makes what is missing; so does a new plan.
+    fs::remove(folder_ / "calls");
+    run_chunk(out, 0, params, fastscene::Run{});
+    EXPECT_EQ(read_file(folder_ / "calls"), "bad\nbad\n");
+    const ChunkPlan plan = prepare_chunks(scenes, out, params, 1);
+    EXPECT_EQ(plan.scenes, 1);
+    EXPECT_FALSE(fs::exists(out / "tasks" / "000000.jsonl"));
+    EXPECT_EQ(read_chunk(out, 0).scenes[0].name, "c");
+    EXPECT_EQ(read_chunk(out, 0).params.flags, params.flags);
+
+    Json settings = read_json(out / "batch.json");
+    settings["version"] = "0.0.1";
+    write_json(out / "batch.json", settings);
+    EXPECT_THROW(run_chunk(out, 0, params, fastscene::Run{}), Error);
+}
+
+TEST_F(Batch, ChunksStayWithinTheArray) {
+    std::vector<BatchScene> scenes;
+    for (int i = 0; i < 10; ++i) scenes.push_back({std::to_string(i), "a room", 0, {}, {}});
+    BatchParams params;
+    EXPECT_EQ(write_manifest(scenes, folder_, params, 0, 100).chunks(), 10);
+    const ChunkPlan plan = write_manifest(scenes, folder_, params, 0, 4);
+    EXPECT_EQ(plan.of_chunk, 3);
+    EXPECT_EQ(plan.chunks(), 4);
+    EXPECT_EQ(read_chunk(folder_, 3).scenes.size(), 1u);
+    EXPECT_THROW(write_manifest(scenes, folder_, params, 2, 4), UsageError);
+}
+
+TEST_F(Batch, AScratchFolderKeepsWhatIsUnfinishedAndLeavesNothing) {
+    const fs::path home = folder_ / "set" / "a", scratch = folder_ / "scratch";
+    fs::create_directories(home);
+    write_file(home / "old", std::string_view("1"));
+    {
+        Workspace space(home, scratch);
+        EXPECT_EQ(read_file(space.path() / "old"), "1");
+        write_file(space.path() / "new", std::string_view("2"));
+        EXPECT_FALSE(fs::exists(home / "new"));
+    }
+    // That process was killed; the next one on this machine finds what it had.
+    Workspace space(home, scratch);
+    EXPECT_TRUE(fs::exists(space.path() / "new"));
+    space.bring_home();
+    EXPECT_EQ(read_file(home / "new"), "2");
+    EXPECT_TRUE(fs::is_empty(scratch));
+    EXPECT_EQ(std::distance(fs::directory_iterator(home.parent_path()), fs::directory_iterator()), 1);
+
+    EXPECT_EQ(Workspace(home, {}).path(), home);
 }
 
 TEST_F(Batch, NoPromptBecomesMarkup) {

@@ -1,5 +1,6 @@
-// What became of each scene of a batch: batch.jsonl, a line for every try that ended. Lines are only ever appended, so
-// a process that is killed loses at most the line it was writing.
+// What became of each scene of a batch: a file of lines, one for every try that ended. Lines are only ever appended, so
+// a process that is killed loses at most the line it was writing. A file has one writer: batch.jsonl the process that
+// makes the batch, tasks/NUMBER.jsonl the one that makes that chunk.
 #pragma once
 
 #include <filesystem>
@@ -20,21 +21,36 @@ struct BatchRecord {
     std::string error;  // the last one of the program's own words
 };
 
-class BatchJournal {
+// The last record of each name, in the order of their first.
+class BatchRecords {
   public:
-    // Reads what there is; a last line without its end is dropped. Throws Error naming a line that is none of ours.
-    explicit BatchJournal(const std::filesystem::path& folder);
-    // Throws Error if it cannot be written.
-    void add(const BatchRecord& record);
-    // The last record of each name, in the order of their first.
-    const std::vector<BatchRecord>& records() const { return records_; }
+    void keep(BatchRecord record);
+    const std::vector<BatchRecord>& all() const { return all_; }
     const BatchRecord* find(const std::string& name) const;
 
   private:
-    void keep(BatchRecord record);
-    std::filesystem::path file_;
-    std::vector<BatchRecord> records_;
+    std::vector<BatchRecord> all_;
     std::map<std::string, std::size_t> places_;
 };
+
+class BatchJournal {
+  public:
+    // Reads what there is; a last line without its end is dropped. Throws Error naming a line that is none of ours.
+    explicit BatchJournal(const std::filesystem::path& folder, const std::string& name = "batch.jsonl");
+    // Throws Error if it cannot be written.
+    void add(const BatchRecord& record);
+    const std::vector<BatchRecord>& records() const { return records_.all(); }
+    const BatchRecord* find(const std::string& name) const { return records_.find(name); }
+
+  private:
+    std::filesystem::path file_;
+    BatchRecords records_;
+};
+
+// The records of all journals of a batch. Leaves the files alone, as others may be writing them.
+BatchRecords all_records(const std::filesystem::path& folder);
+
+// Moves the records of chunks into batch.jsonl. No other process may work on the batch.
+void collect_journals(const std::filesystem::path& folder);
 
 }  // namespace fastscene

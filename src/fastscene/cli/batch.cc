@@ -1,6 +1,10 @@
 // Many scenes from a list of prompts.
 #include "fastscene/batch/batch.h"
 
+#include <algorithm>
+
+#include "fastscene/batch/manifest.h"
+#include "fastscene/batch/slurm.h"
 #include "fastscene/cli/checks.h"
 #include "fastscene/cli/flags.h"
 #include "fastscene/cli/request.h"
@@ -13,15 +17,45 @@ namespace {
 struct BatchFlags {
     std::string list, out, seed = "0", stage = "make";
     std::shared_ptr<RequestFlags> scene = std::make_shared<RequestFlags>();  // settings of all scenes
-    int count = 0, jobs = 0, tries = 2;
-    bool strict = false, status = false;
+    std::string engine = "local", slurm_arguments, scratch;
+    int count = 0, jobs = 0, tries = 2, chunk = -1, chunk_scenes = 0;
+    bool strict = false, status = false, cancel = false;
     CLI::App* verb = nullptr;
 };
+
+// {"RUNNING": 3, "PENDING": 4} as "4 PENDING, 3 RUNNING".
+std::string counts_text(const Json& counts) {
+    std::string text;
+    for (const auto& [word, count] : counts.items())
+        text += fmt::format("{}{} {}", text.empty() ? "" : ", ", count.get<int>(), word);
+    return text;
+}
+
+// Tasks of a job array, and what to do if they ended without a result.
+std::string slurm_text(const Json& status) {
+    const Json& slurm = status.at("slurm");
+    const std::string tasks = counts_text(slurm.at("tasks")), source = slurm.at("source");
+    const bool is_active = source == "squeue" && !tasks.empty();
+    std::string text = fmt::format("\nSlurm job {}: {}", slurm.at("job").get<std::string>(),
+                                   !tasks.empty()      ? "tasks " + tasks
+                                   : source == "files" ? "squeue does not answer"
+                                                       : "ended");
+    if (slurm.contains("reasons")) text += "; wait for " + counts_text(slurm.at("reasons"));
+    if (const int requeues = slurm.at("requeues").get<int>(); requeues > 0)
+        text += fmt::format(
+            "\n{} times a task met its time limit and was requeued; --slurm-args=--time=MINUTES gives more", requeues);
+    const int missing = status.at("total").get<int>() - status.at("done").get<int>() - status.at("failed").get<int>();
+    if (missing > 0 && source != "files" && !is_active)
+        text += fmt::format(
+            "\n{} scenes have no result: slurm/*.out tells why; the command that submitted them goes on", missing);
+    return text;
+}
 
 std::string status_text(const Json& s) {
     std::string text = fmt::format("{} of {} scenes done, {} failed; {:.0f} s each", s.at("done").get<int>(),
                                    s.at("total").get<int>(), s.at("failed").get<int>(),
                                    s.at("seconds_a_scene").get<double>());
+    if (s.contains("slurm")) text += slurm_text(s);
     for (const Json& f : s.at("failures"))
         text += fmt::format("\n  {}: {}", f.at("name").get<std::string>(), f.at("error").get<std::string>());
     return text;
@@ -48,31 +82,112 @@ std::vector<std::string> scene_flags(const BatchFlags& flags) {
     return out;
 }
 
-void act(const BatchFlags& flags, const Session& session) {
-    if (flags.status) {
-        const Json status = batch_status(flags.out);
-        return session.print(status_text(status), status);
-    }
+SceneList checked_scenes(const BatchFlags& flags, const Run& run) {
     if (flags.list.empty() == (flags.count == 0))
         throw UsageError("batch: expected a list of prompts or --count N, found {}", flags.count ? "both" : "neither");
-    const SceneList list = scenes_of(flags);
-    const Run run = session.run(0);
+    SceneList list = scenes_of(flags);
     for (const std::string& problem : list.problems) {
         if (flags.strict) throw UsageError("{}", problem);
         run.warn(problem + "; left out");
     }
     if (list.scenes.empty()) throw UsageError("{}: expected prompts, found none", flags.list);
+    return list;
+}
+
+void throw_if_failed(const std::vector<BatchRecord>& records, const std::string& folder) {
+    const auto failed = std::count_if(records.begin(), records.end(), [](const auto& r) { return !r.done; });
+    if (failed > 0) throw Error("{} of {} scenes failed: see their .log files in {}", failed, records.size(), folder);
+}
+
+void make_here(const BatchFlags& flags, const BatchParams& params, const Session& session, const Run& run) {
+    const std::vector<BatchRecord> records = run_batch(checked_scenes(flags, run).scenes, flags.out, params, run);
+    Json status = batch_status(flags.out);
+    status["index"] = (std::filesystem::path(flags.out) / "index.html").string();
+    session.print(status_text(status) + "\n" + status["index"].get<std::string>(), status);
+    throw_if_failed(records, flags.out);
+}
+
+void make_chunk(const BatchFlags& flags, const BatchParams& params, const Session& session, const Run& run) {
+    const std::vector<BatchRecord> records = run_chunk(flags.out, flags.chunk, params, run);
+    session.print(fmt::format("chunk {}: {} scenes", flags.chunk, records.size()),
+                  {{"chunk", flags.chunk}, {"scenes", records.size()}});
+    throw_if_failed(records, flags.out);
+}
+
+void submit(const BatchFlags& flags, const BatchParams& params, const Session& session, const Run& run) {
+    const SlurmJob job = submit_to_slurm(checked_scenes(flags, run).scenes, flags.out, params,
+                                         {flags.slurm_arguments, flags.scratch, flags.chunk_scenes, flags.jobs}, run);
+    const Json json{{"job", job.id}, {"scenes", job.scenes}, {"tasks", job.tasks}};
+    if (job.id.empty()) return session.print("nothing to do: all scenes are done", json);
+    session.print(fmt::format("Slurm job {}: {} scenes in {} tasks\nfastscene batch {} --status", job.id, job.scenes,
+                              job.tasks, flags.out),
+                  json);
+}
+
+void prepare(const BatchFlags& flags, const BatchParams& params, const Session& session, const Run& run) {
+    const ChunkPlan plan = prepare_chunks(checked_scenes(flags, run).scenes, flags.out, params, flags.chunk_scenes);
+    session.print(fmt::format("{} scenes in {} chunks, to be made in any order:\n"
+                              "fastscene batch --chunk NUMBER -o {}    # 0 to {}",
+                              plan.scenes, plan.chunks(), flags.out, plan.chunks() - 1),
+                  {{"scenes", plan.scenes}, {"chunks", plan.chunks()}});
+}
+
+// Flags that another engine or action would silently ignore.
+void check_engine(const BatchFlags& flags) {
+    const auto refuse = [&](const char* flag, const char* where) {
+        throw UsageError("{}: expected with {}, found --engine {}", flag, where, flags.engine);
+    };
+    if (!flags.slurm_arguments.empty() && flags.engine != "slurm") refuse("--slurm-args", "--engine slurm");
+    if (flags.chunk_scenes > 0 && flags.engine == "local") refuse("--chunk-scenes", "--engine slurm or manual");
+    if (!flags.scratch.empty() && flags.engine == "manual" && flags.chunk < 0)
+        refuse("--scratch", "--chunk or --engine slurm");
+}
+
+void act(BatchFlags flags, const Session& session) {
+    const bool is_question = flags.status || flags.cancel || flags.chunk >= 0;
+    if (is_question && flags.out.empty()) std::swap(flags.out, flags.list);  // batch DIR --status
+    if (flags.out.empty()) throw UsageError("--out: expected the folder of the scenes, found none");
+    if (flags.cancel) {
+        const int tasks = cancel_in_slurm(flags.out);
+        return session.print(fmt::format("{} tasks cancelled; what is finished stays", tasks), {{"cancelled", tasks}});
+    }
+    if (flags.status) {
+        const Json status = batch_status(flags.out);
+        return session.print(status_text(status), status);
+    }
+    check_engine(flags);
+    const Run run = session.run(0);
     BatchParams params;
     params.program = std::filesystem::read_symlink("/proc/self/exe");
     params.stage = flags.stage, params.quality = flags.scene->quality, params.flags = scene_flags(flags);
     params.jobs = flags.jobs, params.tries = flags.tries, params.threads = session.common.threads;
-    const std::vector<BatchRecord> records = run_batch(list.scenes, flags.out, params, run);
-    Json status = batch_status(flags.out);
-    status["index"] = (std::filesystem::path(flags.out) / "index.html").string();
-    session.print(status_text(status) + "\n" + status["index"].get<std::string>(), status);
-    if (status.at("failed").get<int>() > 0)
-        throw Error("{} of {} scenes failed: see their .log files in {}", status.at("failed").get<int>(),
-                    records.size(), flags.out);
+    if (flags.engine != "slurm") params.scratch = flags.scratch;
+    if (flags.chunk >= 0) return make_chunk(flags, params, session, run);
+    if (flags.engine == "slurm") return submit(flags, params, session, run);
+    if (flags.engine == "manual") return prepare(flags, params, session, run);
+    make_here(flags, params, session, run);
+}
+
+void add_cluster_flags(CLI::App& verb, const std::shared_ptr<BatchFlags>& flags) {
+    verb.add_option("--engine", flags->engine,
+                    "local: on this machine; slurm: as a job array; manual: only prepare chunks for a scheduler.")
+        ->type_name("local|slurm|manual")
+        ->check(one_of({"local", "slurm", "manual"}))
+        ->capture_default_str();
+    verb.add_option("--slurm-args", flags->slurm_arguments,
+                    "Flags of sbatch, over the estimates: \"--partition=long --time=120\".")
+        ->type_name("TEXT");
+    verb.add_option("--chunk-scenes", flags->chunk_scenes, "Scenes of a chunk; 0: as few as a job array allows.")
+        ->type_name("N")
+        ->check(whole_number_within(0, 1000000))
+        ->capture_default_str();
+    verb.add_option("--scratch", flags->scratch,
+                    "Folder on a disk of the machine's own: scenes are made there and then moved.")
+        ->type_name("DIR");
+    verb.add_option("--chunk", flags->chunk, "Only make this chunk of the batch in --out: what a scheduler calls.")
+        ->type_name("N")
+        ->check(whole_number_within(0, 1000000));
+    verb.add_flag("--cancel", flags->cancel, "Only cancel the tasks of the batch in --out in Slurm.");
 }
 
 }  // namespace
@@ -85,9 +200,7 @@ Verb add_batch(CLI::App& app) {
     verb->add_option("list", flags->list,
                      "A prompt a line; or .jsonl: objects with prompt, and optionally seed, name, quality, flags.")
         ->type_name("FILE");
-    verb->add_option("-o,--out", flags->out, "Folder of the scenes; index.html shows them all.")
-        ->type_name("DIR")
-        ->required();
+    verb->add_option("-o,--out", flags->out, "Folder of the scenes; index.html shows them all.")->type_name("DIR");
     verb->add_option("--count", flags->count, "Instead of a list: so many made-up prompts of all rooms and styles.")
         ->type_name("N")
         ->check(whole_number_within(1, 1000000));
@@ -98,9 +211,10 @@ Verb add_batch(CLI::App& app) {
         ->type_name("make|panorama")
         ->check(one_of({"make", "panorama"}))
         ->capture_default_str();
-    verb->add_option("--jobs", flags->jobs, "Scenes at a time; 0: as many as cores and memory allow.")
+    verb->add_option("--jobs,--parallel", flags->jobs,
+                     "Scenes at a time, in Slurm tasks; 0: as many as cores and memory allow, or as Slurm starts.")
         ->type_name("N")
-        ->check(whole_number_within(0, 4096))
+        ->check(whole_number_within(0, 100000))
         ->capture_default_str();
     verb->add_option("--tries", flags->tries, "How often a scene is tried.")
         ->type_name("N")
@@ -108,12 +222,13 @@ Verb add_batch(CLI::App& app) {
         ->capture_default_str();
     verb->add_flag("--strict", flags->strict, "Stop at a line that gives no scene, instead of leaving it out.");
     verb->add_flag("--status", flags->status, "Only tell how far the batch in --out is.");
+    add_cluster_flags(*verb, flags);
     add_param_flags(*verb, flags->scene, "splat");
     verb->footer(
         "Examples:\n  fastscene batch prompts.txt -o out/rooms "
-        "--quality draft\n  fastscene batch --count 100 -o out/hundred --splat-steps 800\n  fastscene batch --status "
-        "-o "
-        "out/rooms");
+        "--quality draft\n  fastscene batch --count 100 -o out/hundred --splat-steps 800\n  fastscene batch "
+        "prompts.txt -o /shared/rooms --engine slurm --slurm-args=--partition=long\n  fastscene batch /shared/rooms "
+        "--status");
     flags->verb = verb;
     return {verb, [flags](const Session& session) { act(*flags, session); }};
 }

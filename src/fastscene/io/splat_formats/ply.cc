@@ -98,7 +98,7 @@ std::string splat_ply_bytes(const Splats& splats, PlyBands bands, Vec3d offset_m
 }
 
 void save_splat_ply(const std::filesystem::path& path, const Splats& splats, PlyBands bands, Vec3d offset_m) {
-    write_file(path, ply_bytes(splats, bands, offset_m, false));
+    write_file(path, ply_bytes(splats, bands, offset_m, false, {}));
 }
 
 namespace {
