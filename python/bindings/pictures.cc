@@ -6,7 +6,7 @@
 #include "calls.h"
 #include "fastscene/image/color.h"
 #include "fastscene/image/ssim.h"
-#include "fastscene/io/gpano.h"
+#include "fastscene/io/gpano_mark.h"
 #include "fastscene/io/image_io.h"
 #include "fastscene/metrics/images.h"
 

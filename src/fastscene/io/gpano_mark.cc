@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::string_view kXmpName("http://ns.adobe.com/xap/1.0/\0", 29);  // of the JPEG segment
 constexpr std::string_view kPngKeyword = "XML:com.adobe.xmp";
-constexpr std::string_view kNamespace = "http://ns.google.com/photos/1.0/panorama/";
+constexpr std::string_view kPanoramaNamespace = "http://ns.google.com/photos/1.0/panorama/";
 
 std::string packet_of(const SphereMark& p) {
     return fmt::format(
@@ -27,7 +27,7 @@ std::string packet_of(const SphereMark& p) {
         "GPano:CroppedAreaLeftPixels=\"{}\" GPano:CroppedAreaTopPixels=\"{}\" "
         "GPano:CroppedAreaImageWidthPixels=\"{}\" GPano:CroppedAreaImageHeightPixels=\"{}\"/>\n"
         "</rdf:RDF></x:xmpmeta>\n<?xpacket end=\"w\"?>",
-        kNamespace, p.heading_deg, p.full_width, p.full_height, p.left, p.top, p.width, p.height);
+        kPanoramaNamespace, p.heading_deg, p.full_width, p.full_height, p.left, p.top, p.width, p.height);
 }
 
 std::uint32_t big_endian(std::string_view bytes, std::size_t at, std::size_t size) {

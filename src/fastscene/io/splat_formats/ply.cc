@@ -82,7 +82,7 @@ LabelledSplats load_labelled_ply(const std::filesystem::path& path) {
     const Ply ply(path);
     if (is_compressed_ply(ply) || !ply.has("vertex") || Ply::find(ply.element("vertex"), kPlyInstance) < 0) return {};
     const PlyElement& v = ply.element("vertex");
-    LabelledSplats out{splats_of_ply(ply), {{}, ply.comments()}};
+    LabelledSplats out{splats_of_ply(ply).splats, {{}, ply.comments()}};
     const int instance = Ply::find(v, kPlyInstance);
     for (std::size_t i = 0; i < v.count; ++i) {
         const double value = ply.value(v, i, instance);

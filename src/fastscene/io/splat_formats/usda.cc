@@ -110,7 +110,7 @@ Similarity world_from_file(const UsdaText& text) {
     return {transpose(kGltfFromWorld) * y_up, metres > 0 && metres < 1e6 ? metres : 1, {}};
 }
 
-Splats read_usda(const std::filesystem::path& file, std::string_view bytes) {
+ReadSplats read_usda(const std::filesystem::path& file, std::string_view bytes) {
     const UsdaText text(file, bytes);
     const auto counted = [&](std::string_view name, std::size_t count, std::size_t width) {
         auto values = text.numbers(name);
