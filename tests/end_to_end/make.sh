@@ -85,8 +85,11 @@ says "photo.pfm: the left and the right edge do not meet"
 says "photo.pfm: no range: estimated from the picture, the camera 2 m above the floor"
 says "other/walk/001/color.png: expected a position above the floor, which is 1.6 m below the first camera, found 1.5 m below it"
 expect 0 "$fastscene" depth mixed --depth-tta 1
-expect 2 "$fastscene" export mixed mixed.glb
+expect 2 "$fastscene" export mixed mixed.svg
 says "mixed: expected a scene from a prompt, found one from a picture, which has no known room"
+lacks mixed.svg
+expect 1 "$fastscene" export mixed mixed.glb
+says "mixed: its panoramas are not made yet: run \`fastscene walk mixed\` first"
 lacks mixed.glb
 tr -d ' \n' <mixed/depth/stage.json >about
 for told in '"about":{"backend":"image"' '"picture":"photo.pfm","backend":"egformer","weights":"egformer-rooms-256,egformer-rooms","tta":1,"camera_height_m":2.0' \

@@ -177,6 +177,9 @@ Verb add_export(CLI::App& app) {
                 const ExportKind& kind = export_kind_of(*flags, has_known);
                 if (flags->baked_light && std::string(kind.name) != "room")
                     throw UsageError("--baked-light: expected with the room, found with --what {}", kind.name);
+                if (kind.needs == ExportKind::ranges && !has_known && !fs::exists(folder.walk() / "poses.json"))
+                    throw Error("{}: its panoramas are not made yet: run `fastscene walk {}` first", flags->scene,
+                                flags->scene);
                 check_place(kind, flags->out);
                 ExportJob job{folder, nullptr, *flags, params, run};
                 if (has_known || kind.needs == ExportKind::room)
