@@ -42,13 +42,14 @@ def flags_of(program, words):
 
 
 def commands_of(text):
-    """(line number, words) of each command in the fenced blocks."""
-    fenced, carried = False, ""
+    """(line number, words) of each command in the fenced blocks. Blocks of Python hold no commands."""
+    fenced, python, carried = False, False, ""
     for number, line in enumerate(text.split("\n"), 1):
         if line.lstrip().startswith("```"):
             fenced = not fenced
+            python = fenced and line.strip() == "```python"
             continue
-        if not fenced or line.startswith("Usage"):
+        if not fenced or python or line.startswith("Usage"):
             continue
         line = carried + line
         carried = line[:-1] if line.endswith("\\") else ""
