@@ -37,7 +37,9 @@ void fill_draft(SceneParams& p) {
     p.walk.room_viewpoints = 12;
     p.walk.pixel_samples = 2;
     p.views.size = 320;
-    p.views.points = 250'000;
+    p.views.points = 200'000;
+    p.views.outside_density = 3;
+    p.views.outside_points = 50'000;
     p.splat.count = 250'000;
     p.splat.per_m2 = 800;
     p.splat.steps = 1200;
@@ -49,7 +51,9 @@ void fill_standard(SceneParams& p) {
     p.walk.room_viewpoints = 20;
     p.walk.pixel_samples = 2;
     p.views.size = 640;
-    p.views.points = 700'000;
+    p.views.points = 550'000;
+    p.views.outside_density = 12;
+    p.views.outside_points = 200'000;
     p.splat.count = 600'000;
     p.splat.per_m2 = 2000;
     p.splat.steps = 1200;
@@ -62,6 +66,8 @@ void fill_high(SceneParams& p) {
     p.walk.pixel_samples = 4;
     p.views.size = 1024;
     p.views.points = 1'500'000;
+    p.views.outside_density = 30;
+    p.views.outside_points = 400'000;
     p.splat.count = 1'500'000;
     p.splat.per_m2 = 5000;
     p.splat.steps = 5000;

@@ -18,11 +18,29 @@ bool usable(const SurfacePoint& p) {
     return reach < 1e6f && p.radius_m > 0.f && p.radius_m < 1e3f && dot(p.normal, p.normal) < 4.f;
 }
 
-// `count` of the usable points, uniformly at random, in their original order.
-std::vector<std::size_t> draw(const std::vector<SurfacePoint>& points, std::size_t count, const Run& run) {
-    std::vector<std::size_t> chosen;
-    for (std::size_t i = 0; i < points.size(); ++i)
-        if (usable(points[i])) chosen.push_back(i);
+// Larger than any room: farther points are scenery.
+constexpr float kOutside_m = 100.f;
+bool is_scenery(const SurfacePoint& p) { return length(p.position_m) >= kOutside_m; }
+
+// Numbers of Gaussians.
+struct Counts {
+    double surfaces = 0, scenery = 0;
+    double all() const { return surfaces + scenery; }
+};
+Counts counts_for(const std::vector<SurfacePoint>& points, float per_m2) {
+    constexpr double kLeast = 20'000;  // minimum: even a closet has edges
+    double area = 0;                   // surface area as the sum of squared point spacings
+    Counts out;
+    for (const SurfacePoint& p : points)
+        if (!usable(p)) continue;
+        else if (is_scenery(p)) out.scenery += 1;
+        else area += static_cast<double>(p.radius_m) * static_cast<double>(p.radius_m);
+    out.surfaces = std::max(kLeast, static_cast<double>(per_m2) * area);
+    return out;
+}
+
+// `count` of the points, uniformly at random, in their original order.
+std::vector<std::size_t> draw(std::vector<std::size_t> chosen, std::size_t count, const Run& run) {
     if (chosen.size() <= count) return chosen;
     const auto key = [&](std::size_t i) { return Random(run.seed, "splat.draw", i).next_u64(); };
     std::nth_element(chosen.begin(), chosen.begin() + static_cast<std::ptrdiff_t>(count), chosen.end(),
@@ -35,6 +53,32 @@ std::vector<std::size_t> draw(const std::vector<SurfacePoint>& points, std::size
     return chosen;
 }
 
+// A chosen point; how many of its kind there are for each one that was chosen.
+struct Chosen {
+    std::size_t point;
+    float thinning;
+};
+std::vector<Chosen> choose(const std::vector<SurfacePoint>& points, const SplatParams& params, const Run& run) {
+    const auto total = static_cast<double>(std::max(params.count, 0));
+    std::vector<std::size_t> surfaces, scenery;
+    for (std::size_t i = 0; i < points.size(); ++i)
+        if (usable(points[i])) (params.per_m2 > 0 && is_scenery(points[i]) ? scenery : surfaces).push_back(i);
+    std::vector<Chosen> out;
+    const auto add = [&](const std::vector<std::size_t>& group, double count) {
+        const std::vector<std::size_t> drawn = draw(group, static_cast<std::size_t>(count), run);
+        for (const std::size_t i : drawn)
+            out.push_back({i, static_cast<float>(group.size()) / static_cast<float>(drawn.size())});
+    };
+    // Too few for both are shared in proportion.
+    const double share = scenery.empty()
+                             ? 0
+                             : static_cast<double>(scenery.size()) / counts_for(points, params.per_m2).all();
+    const double outside = std::min(static_cast<double>(scenery.size()), std::round(total * share));
+    add(surfaces, total - outside);
+    add(scenery, outside);
+    return out;
+}
+
 // Neighbours in space become neighbours in memory (Morton order), so that the splats of one vector tend to be visible
 // together.
 std::uint64_t morton(Vec3f p, Vec3f low, float cell) {
@@ -42,17 +86,19 @@ std::uint64_t morton(Vec3f p, Vec3f low, float cell) {
     return morton_code(step(p.x - low.x), step(p.y - low.y), step(p.z - low.z));
 }
 
-void order_in_space(const std::vector<SurfacePoint>& points, std::vector<std::size_t>& chosen) {
+void order_in_space(const std::vector<SurfacePoint>& points, std::vector<Chosen>& chosen) {
     Vec3f low{1e9f, 1e9f, 1e9f};
-    for (const std::size_t i : chosen) {
-        const Vec3f p = points[i].position_m;
+    for (const Chosen& c : chosen) {
+        const Vec3f p = points[c.point].position_m;
         low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
     }
     constexpr float kCellM = 0.02f;
-    std::vector<std::pair<std::uint64_t, std::size_t>> keyed;
+    std::vector<std::pair<std::uint64_t, Chosen>> keyed;
     keyed.reserve(chosen.size());
-    for (const std::size_t i : chosen) keyed.emplace_back(morton(points[i].position_m, low, kCellM), i);
-    std::sort(keyed.begin(), keyed.end());
+    for (const Chosen& c : chosen) keyed.emplace_back(morton(points[c.point].position_m, low, kCellM), c);
+    std::sort(keyed.begin(), keyed.end(), [](const auto& a, const auto& b) {
+        return a.first != b.first ? a.first < b.first : a.second.point < b.second.point;
+    });
     for (std::size_t k = 0; k < chosen.size(); ++k) chosen[k] = keyed[k].second;
 }
 
@@ -60,30 +106,19 @@ void order_in_space(const std::vector<SurfacePoint>& points, std::vector<std::si
 
 int count_for(const std::vector<SurfacePoint>& points, const SplatParams& params) {
     if (!(params.per_m2 > 0)) return params.count;
-    constexpr float kOutside_m = 100.f;  // larger than any room: farther points are scenery
-    constexpr double kLeast = 20'000;    // minimum count: even a closet has edges
-    double area = 0;                     // surface area as the sum of squared point spacings
-    for (const SurfacePoint& p : points)
-        if (length(p.position_m) < kOutside_m)
-            area += static_cast<double>(p.radius_m) * static_cast<double>(p.radius_m);
-    return static_cast<int>(
-        std::min<double>(params.count, std::max(kLeast, static_cast<double>(params.per_m2) * area)));
+    return static_cast<int>(std::min<double>(params.count, counts_for(points, params.per_m2).all()));
 }
 
 Splats initial_splats(const std::vector<SurfacePoint>& points, const SplatParams& params, const Run& run) {
-    std::vector<std::size_t> chosen = draw(points, static_cast<std::size_t>(std::max(params.count, 0)), run);
+    std::vector<Chosen> chosen = choose(points, params, run);
     order_in_space(points, chosen);
-    std::size_t all = 0;
-    for (const SurfacePoint& p : points) all += usable(p);
-    // Fewer discs must each cover more: the spacing grows with the square root of the thinning.
-    const float thinning = chosen.empty() ? 1.f
-                                          : std::sqrt(static_cast<float>(all) / static_cast<float>(chosen.size()));
 
     Splats out;
     out.resize(chosen.size());
     for (std::size_t k = 0; k < chosen.size(); ++k) {
-        const SurfacePoint& p = points[chosen[k]];
-        const float sigma = std::max(params.start_overlap * p.radius_m * thinning, 1e-4f);
+        const SurfacePoint& p = points[chosen[k].point];
+        // Fewer discs must each cover more: the spacing grows with the square root of the thinning.
+        const float sigma = std::max(params.start_overlap * p.radius_m * std::sqrt(chosen[k].thinning), 1e-4f);
         const bool flat = dot(p.normal, p.normal) > 0.25f;
         out.mean_m[k] = p.position_m;
         out.log_scale[k] = {std::log(sigma), std::log(sigma), std::log(flat ? sigma * kThickness : sigma)};

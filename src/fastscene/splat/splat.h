@@ -74,7 +74,7 @@ void visit_fields(SplatParams& p, V&& v) {
     visit_fields(p.backend, v);
     v("count", p.count, Bounds{1, 2e7}, "Number of Gaussians; never exceeded, whatever the strategy.");
     v("per-m2", p.per_m2, Bounds{0, 1e6},
-      "Gaussians per square metre of surface, up to --splat-count; 0: always that count.");
+      "Gaussians per square metre of surface, up to --splat-count with those of the outside; 0: always that count.");
     v("steps", p.steps, Bounds{0, 1e6}, "Training steps, one view each.");
     v("start-opacity", p.start_opacity, Bounds{0.01, 0.999}, "Initial opacity.");
     v("start-overlap", p.start_overlap, Bounds{0.05, 5}, "Initial standard deviation, relative to the point spacing.");
@@ -142,10 +142,12 @@ int most_that_fit(const SplatParams& params);
 // Throws Error if training needs more memory than available, with `beside_bytes` reserved for other uses.
 void check_splat_memory(const SplatParams& params, std::size_t points, std::int64_t beside_bytes = 0);
 
-// params.count, or less if params.per_m2 times the surface area of the points (without scenery outside) is less.
+// params.count, or less if params.per_m2 times the surface area of the points, plus one for each point of the scenery
+// outside, is less.
 int count_for(const std::vector<SurfacePoint>& points, const SplatParams& params);
 
-// Initial Gaussians: flat discs on the surfaces, at params.count randomly chosen points.
+// Initial Gaussians: flat discs on the surfaces, at params.count randomly chosen points. With params.per_m2 those of
+// the outside are kept, as many as count_for counts, since their number is chosen by what can be seen of it.
 Splats initial_splats(const std::vector<SurfacePoint>& points, const SplatParams& params, const Run& run);
 inline Splats initial_splats(const std::vector<SurfacePoint>& points, int count, const Run& run) {
     SplatParams params;

@@ -251,40 +251,41 @@ void collect_outside(const Outside& outside, std::vector<Candidate>& out) {
         }
 }
 
-// The area that a pixel counts with: for the outside that of surfaces a few times as far away as the room's, since
-// people look out from across the room; by its true area a window would take nearly all points.
-std::vector<float> counted_areas(const std::vector<Candidate>& candidates) {
+// The area that a surface's pixel counts with.
+std::vector<float> areas_of_surfaces(const std::vector<Candidate>& candidates) {
     std::vector<float> per_angle;
-    for (const Candidate& c : candidates)
-        if (!c.outside) per_angle.push_back(c.area / c.angle);
+    for (const Candidate& c : candidates) per_angle.push_back(c.area / c.angle);
     const auto middle = per_angle.begin() + static_cast<std::ptrdiff_t>(per_angle.size() / 2);
     if (!per_angle.empty()) std::nth_element(per_angle.begin(), middle, per_angle.end());
     const float usual = per_angle.empty() ? 1.f : *middle;
     std::vector<float> areas;
     areas.reserve(candidates.size());
+    for (const Candidate& c : candidates) areas.push_back(std::min(c.area, kMostArea * usual * c.angle));
+    return areas;
+}
+
+// The outside has no size, only directions: pixels count by their solid angle.
+std::vector<float> areas_of_outside(const std::vector<Candidate>& candidates) {
     constexpr float kHidden = 0.25f;  // rarely seen, and without detail
-    constexpr float kFarther = 6.f;   // area grows with the square of the distance: 2.5 times as far
-    for (const Candidate& c : candidates)
-        areas.push_back(c.outside ? c.angle * usual *
-                                        (c.panorama == kOutside ? kFarther
-                                         : c.hidden > 0         ? kHidden * c.hidden
-                                                                : 1.f)
-                                  : std::min(c.area, kMostArea * usual * c.angle));
+    std::vector<float> areas;
+    areas.reserve(candidates.size());
+    for (const Candidate& c : candidates) areas.push_back(c.hidden > 0 ? kHidden * c.hidden * c.angle : c.angle);
     return areas;
 }
 
 // Expected number of points per pixel: half by area, half by edges; at most one, since a second would be at the same
 // position.
-std::vector<double> shares_of(const std::vector<Candidate>& candidates, int count) {
-    const std::vector<float> areas = counted_areas(candidates);
+std::vector<double> shares_of(const std::vector<Candidate>& candidates, const std::vector<float>& areas, int count) {
     double area = 0, edge = 0;
     for (std::size_t i = 0; i < candidates.size(); ++i) {
         area += static_cast<double>(areas[i]);
         edge += static_cast<double>(candidates[i].edge);
     }
+    const double by_edges = edge > 0 ? 0.5 : 0;
     std::vector<double> shares(candidates.size());
     for (std::size_t i = 0; i < candidates.size(); ++i)
-        shares[i] = 0.5 * static_cast<double>(areas[i]) / area + 0.5 * static_cast<double>(candidates[i].edge) / edge;
+        shares[i] = (1 - by_edges) * static_cast<double>(areas[i]) / area +
+                    (edge > 0 ? by_edges * static_cast<double>(candidates[i].edge) / edge : 0);
     // What saturated pixels cannot take is redistributed.
     double scale = count;
     constexpr int kRounds = 12;
@@ -298,53 +299,80 @@ std::vector<double> shares_of(const std::vector<Candidate>& candidates, int coun
     return shares;
 }
 
+// The number of points of the outside: by density, over its weighted solid angle.
+int outside_count(const std::vector<float>& areas, const ViewsParams& params) {
+    constexpr double kSquareDegrees = 180 * 180 / (static_cast<double>(kPi) * static_cast<double>(kPi));
+    double angle = 0;
+    for (const float a : areas) angle += static_cast<double>(a);
+    return static_cast<int>(std::min<double>(params.outside_points, params.outside_density * kSquareDegrees * angle));
+}
+
+// Stratified sampling along the cumulative sum of the shares, with one jittered sample per stratum: calls
+// point(candidate, share).
+template <class Point>
+void sample(const std::vector<Candidate>& candidates, const std::vector<double>& shares, int count, Random& random,
+            const Point& point) {
+    double sum = 0, next = static_cast<double>(random.uniform());
+    for (std::size_t i = 0, made = 0; i < candidates.size(); ++i) {
+        sum += shares[i];
+        while (next < sum && made < static_cast<std::size_t>(count)) {
+            point(candidates[i], shares[i]), ++made;
+            next = std::floor(next) + 1.0 + static_cast<double>(random.uniform());
+        }
+    }
+}
+
 }  // namespace
 
-std::vector<SurfacePoint> sample_points(const std::vector<Panorama>& panoramas, int count, const Run& run,
-                                        const Outside* outside) {
-    std::vector<Candidate> candidates;
+std::vector<SurfacePoint> sample_points(const std::vector<Panorama>& panoramas, const ViewsParams& params,
+                                        const Run& run, const Outside* outside) {
+    std::vector<Candidate> surfaces, far;
     const Outside* known = outside && !outside->color.empty() ? outside : nullptr;
     const float sky_m = sky_distance(panoramas);
     const Owners owners(panoramas, sky_m);
-    for (std::uint32_t i = 0; i < panoramas.size(); ++i) collect(panoramas, i, owners, sky_m, known, candidates);
-    if (candidates.empty()) return {};
+    {
+        std::vector<Candidate> all;
+        for (std::uint32_t i = 0; i < panoramas.size(); ++i) collect(panoramas, i, owners, sky_m, known, all);
+        for (const Candidate& c : all) (c.outside ? far : surfaces).push_back(c);
+    }
+    if (surfaces.empty() && far.empty()) return {};
     ImageColor outlook;
-    if (known) collect_outside(*known, candidates);
+    if (known) collect_outside(*known, far);
     else outlook = outside_picture(panoramas[0].color, panoramas[0].range);
-    if (!outlook.empty()) collect_hidden(panoramas[0], candidates);
-    const std::vector<double> shares = shares_of(candidates, count);
-    // Stratified sampling along the cumulative sum, with one jittered sample per stratum.
+    if (!outlook.empty()) collect_hidden(panoramas[0], far);
+
     std::vector<SurfacePoint> points;
-    points.reserve(static_cast<std::size_t>(count));
     std::vector<ImageMask> cuts(panoramas.size());
     const auto surface_of = [&](const Candidate& c, int x, int y) {
         if (cuts[c.panorama].empty()) cuts[c.panorama] = range_edges(panoramas[c.panorama].range);
         return surface_at(panoramas[c.panorama], cuts[c.panorama], sky_m, x, y);
     };
-    Random random(run.seed, "views/points");
-    double sum = 0, next = static_cast<double>(random.uniform());
-    for (std::size_t i = 0; i < candidates.size(); ++i) {
-        const Candidate& c = candidates[i];
-        sum += shares[i];
-        while (next < sum && static_cast<int>(points.size()) < count) {
-            const bool known_outside = c.panorama == kOutside, far = known_outside || c.hidden > 0;
-            const Panorama& panorama = panoramas[known_outside ? 0 : c.panorama];
-            const ImageColor& color = known_outside ? known->color : c.hidden > 0 ? outlook : panorama.color;
-            const int x = static_cast<int>(c.pixel) % color.width, y = static_cast<int>(c.pixel) / color.width;
-            const Vec3f d = direction_of_pixel(x, y, {color.width, color.height});
-            const Surface s = far ? Surface{d * sky_m, -d} : surface_of(c, x, y);
-            SurfacePoint point;
-            point.position_m = panorama.world_from_pano * s.point;
-            point.normal = panorama.world_from_pano.rotation * s.normal;
-            point.color = srgb8_from_linear(color.at(x, y));
-            const float area = far ? c.angle * sky_m * sky_m : c.area;
-            // Rarely trained, so it stays as initialized: discs must overlap enough to be opaque from the start.
-            constexpr float kWide = 1.7f;
-            point.radius_m = (far ? kWide : 1.f) * static_cast<float>(std::sqrt(static_cast<double>(area) / shares[i]));
-            points.push_back(point);
-            next = std::floor(next) + 1.0 + static_cast<double>(random.uniform());
-        }
-    }
+    const auto add = [&](const Candidate& c, double share) {
+        const bool known_outside = c.panorama == kOutside, at_sky = known_outside || c.hidden > 0;
+        const Panorama& panorama = panoramas[known_outside ? 0 : c.panorama];
+        const ImageColor& color = known_outside ? known->color : c.hidden > 0 ? outlook : panorama.color;
+        const int x = static_cast<int>(c.pixel) % color.width, y = static_cast<int>(c.pixel) / color.width;
+        const Vec3f d = direction_of_pixel(x, y, {color.width, color.height});
+        const Surface s = at_sky ? Surface{d * sky_m, -d} : surface_of(c, x, y);
+        SurfacePoint point;
+        point.position_m = panorama.world_from_pano * s.point;
+        point.normal = panorama.world_from_pano.rotation * s.normal;
+        point.color = srgb8_from_linear(color.at(x, y));
+        const float area = at_sky ? c.angle * sky_m * sky_m : c.area;
+        // Rarely trained, so it stays as initialized: discs must overlap enough to be opaque from the start.
+        constexpr float kWide = 1.7f;
+        point.radius_m = (at_sky ? kWide : 1.f) * static_cast<float>(std::sqrt(static_cast<double>(area) / share));
+        points.push_back(point);
+    };
+    const auto draw = [&](const std::vector<Candidate>& candidates, const std::vector<float>& areas, int count,
+                          const char* stream) {
+        if (candidates.empty() || count < 1) return;
+        Random random(run.seed, stream);
+        sample(candidates, shares_of(candidates, areas, count), count, random, add);
+    };
+    draw(surfaces, areas_of_surfaces(surfaces), params.points, "views/points");
+    const std::vector<float> areas = areas_of_outside(far);
+    draw(far, areas, outside_count(areas, params), "views/points.outside");
     return points;
 }
 

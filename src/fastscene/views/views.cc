@@ -92,7 +92,7 @@ ViewSet project_views(std::vector<Panorama> panoramas, const ViewsParams& params
     const std::vector<SurfacePoint> behind = panoramas.empty() ? std::vector<SurfacePoint>{}
                                                                : backdrop_points(panoramas, params.backdrop, outside);
     // First, because it needs all panoramas at once, while cutting frees them one by one.
-    set.points = sample_points(panoramas, params.points, run, outside);
+    set.points = sample_points(panoramas, params, run, outside);
     set.points.insert(set.points.end(), behind.begin(), behind.end());
     const Pinhole camera = Pinhole::with_fov(params.size, params.size, params.fov_deg);
     const auto rotations = view_rotations();

@@ -16,7 +16,9 @@ namespace fastscene {
 struct ViewsParams {
     int size = 640;  // width and height of a view
     float fov_deg = 90;
-    int points = 200000;          // number of initial points
+    int points = 200000;          // number of initial points on surfaces
+    float outside_density = 12;   // of the outside: points per square degree …
+    int outside_points = 200000;  // … up to so many
     int backdrop = 0;             // … plus this many on a sphere behind everything
     std::string sfm = "known";    // source of the camera poses
     int weight_carried = 200;     // of 255: inpainted at an earlier viewpoint
@@ -28,6 +30,9 @@ void visit_fields(ViewsParams& p, V&& v) {
     v("size", p.size, Bounds{16, 4096}, "Width and height of a view in pixels.");
     v("fov", p.fov_deg, Bounds{30, 120}, "Field of view in degrees.");
     v("points", p.points, Bounds{1, 1e7}, "Number of initial points sampled from the range maps.");
+    v("outside-density", p.outside_density, Bounds{0.1, 1000},
+      "Initial points per square degree of the outside, as seen through windows.");
+    v("outside-points", p.outside_points, Bounds{0, 1e7}, "Maximum number of initial points of the outside.");
     v("backdrop", p.backdrop, Bounds{0, 1e6},
       "Additional initial points on a distant sphere, so that gaps are not transparent; 0: none.");
     v("sfm", p.sfm, Choices{{"known", "colmap", "triangulate"}},
