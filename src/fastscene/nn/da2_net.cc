@@ -1,0 +1,72 @@
+#include "fastscene/nn/da2_net.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "fastscene/base/check.h"
+#include "fastscene/nn/da2_head.h"
+
+namespace fastscene::nn {
+
+using at::Tensor;
+
+namespace {
+
+constexpr double kFarQuantile = 0.98;        // of the distances: becomes 1
+constexpr double kLeast = -8, kMost = 8;     // of the logarithm
+constexpr double kLift = 2;                  // added to it; cancels but for rounding
+
+std::int64_t whole_patches(double pixels) {
+    const auto whole = static_cast<std::int64_t>(pixels);
+    return (whole + kDinoPatch - 1) / kDinoPatch * kDinoPatch;
+}
+
+// Less ImageNet's mean, by its deviation.
+Tensor normalized(const Tensor& color) {
+    const auto per_channel = [&](std::initializer_list<float> values) {
+        return at::tensor(at::ArrayRef<float>(values), at::kFloat).view({1, 3, 1, 1}).to(color.device());
+    };
+    return (color - per_channel({0.485f, 0.456f, 0.406f})) / per_channel({0.229f, 0.224f, 0.225f});
+}
+
+Tensor embedded_angles(const Scope& root, const Da2Shape& shape, const Da2Size& size) {
+    if (root.is_heard()) (root / "sphere_dirs").out(sphere_directions(size.height, size.width, size.sphere));
+    const std::int64_t rows = size.height / kDinoPatch, columns = size.width / kDinoPatch;
+    // As published, a patch looks where its top left pixel does, not its middle.
+    const Tensor angles =
+        (root / "sphere_angles").out(sphere_angles(sphere_directions(rows, columns, size.sphere, kDinoPatch)));
+    return (root / "sphere_embeddings")
+        .out(sphere_embedding(angles, shape.features / 2, std::max(rows, columns) / 2));
+}
+
+}  // namespace
+
+Da2Size da2_size(std::int64_t height, std::int64_t width, const Da2Config& config) {
+    FASTSCENE_CHECK(height > 0 && width > 0);
+    const double h = static_cast<double>(height), w = static_cast<double>(width);
+    const double pixels = std::min(config.max_pixels, std::max(config.min_pixels, h * w));
+    const double factor = std::sqrt(pixels / (h * w));
+    return {whole_patches(h * factor),
+            whole_patches(w * factor),
+            {config.sphere.width * factor, config.sphere.height * factor}};
+}
+
+Tensor da2_log_distance(const Scope& root, const Da2Shape& shape, const Tensor& color, const Da2Size& size) {
+    const Tensor seen =
+        (root / "preprocessed").out(normalized(at::upsample_bilinear2d(color, {size.height, size.width}, false)));
+    const Tensor embedding = embedded_angles(root, shape, size).to(color.device());
+    const Tensor log = da2_head(root, shape.features, dino_features(root, shape.dino, seen), embedding, size.height,
+                                size.width);
+    return (root / "logdistance").out(log);
+}
+
+Tensor da2(const Scope& root, const Da2Shape& shape, const Tensor& color, const Da2Config& config) {
+    const std::int64_t height = color.size(2), width = color.size(3);
+    const Tensor log = da2_log_distance(root, shape, color, da2_size(height, width, config));
+    const Tensor distance = at::exp(at::clamp(log, kLeast, kMost) + kLift);
+    const Tensor far = (root / "quantile98").out(at::quantile(distance.flatten(), kFarQuantile));
+    const Tensor relative = (root / "distance_model_size").out(distance / far);
+    return at::upsample_bilinear2d(relative, {height, width}, false).squeeze(1);
+}
+
+}  // namespace fastscene::nn
