@@ -5,6 +5,7 @@
 
 #include "fastscene/base/check.h"
 #include "fastscene/nn/da2_head.h"
+#include "fastscene/nn/shape_list.h"
 
 namespace fastscene::nn {
 
@@ -12,9 +13,9 @@ using at::Tensor;
 
 namespace {
 
-constexpr double kFarQuantile = 0.98;        // of the distances: becomes 1
-constexpr double kLeast = -8, kMost = 8;     // of the logarithm
-constexpr double kLift = 2;                  // added to it; cancels but for rounding
+constexpr double kFarQuantile = 0.98;     // of the distances: becomes 1
+constexpr double kLeast = -8, kMost = 8;  // of the logarithm
+constexpr double kLift = 2;               // added to it; cancels but for rounding
 
 std::int64_t whole_patches(double pixels) {
     const auto whole = static_cast<std::int64_t>(pixels);
@@ -33,13 +34,32 @@ Tensor embedded_angles(const Scope& root, const Da2Shape& shape, const Da2Size& 
     if (root.is_heard()) (root / "sphere_dirs").out(sphere_directions(size.height, size.width, size.sphere));
     const std::int64_t rows = size.height / kDinoPatch, columns = size.width / kDinoPatch;
     // As published, a patch looks where its top left pixel does, not its middle.
-    const Tensor angles =
-        (root / "sphere_angles").out(sphere_angles(sphere_directions(rows, columns, size.sphere, kDinoPatch)));
-    return (root / "sphere_embeddings")
-        .out(sphere_embedding(angles, shape.features / 2, std::max(rows, columns) / 2));
+    const Tensor angles = (root / "sphere_angles")
+                              .out(sphere_angles(sphere_directions(rows, columns, size.sphere, kDinoPatch)));
+    return (root / "sphere_embeddings").out(sphere_embedding(angles, shape.features / 2, std::max(rows, columns) / 2));
 }
 
 }  // namespace
+
+NamedShapes da2_parameters(const Da2Shape& shape) {
+    ShapeList list;
+    const Da2Size two_patches{kDinoPatch, 2 * kDinoPatch, {2 * kDinoPatch, kDinoPatch}};
+    da2_log_distance(Scope(list), shape, at::zeros({1, 3, two_patches.height, two_patches.width}), two_patches);
+    return list.shapes();
+}
+
+NamedShapes da2_unused(const Da2Shape& shape) {
+    const std::string head = "vit_w_esphere._vit_w_esphere.";
+    const std::int64_t width = shape.dino.width, c = shape.features;
+    return {{"dino.register_tokens", {1, 1, width}},
+            {"dino.mask_token", {1, width}},
+            {head + "to_confidence_lr.weight", {c / 8, c / 4, 3, 3}},
+            {head + "to_confidence_lr.bias", {c / 8}},
+            {head + "to_confidence_hr.0.weight", {c / 16, c / 8, 3, 3}},
+            {head + "to_confidence_hr.0.bias", {c / 16}},
+            {head + "to_confidence_hr.2.weight", {1, c / 16, 1, 1}},
+            {head + "to_confidence_hr.2.bias", {1}}};
+}
 
 Da2Size da2_size(std::int64_t height, std::int64_t width, const Da2Config& config) {
     FASTSCENE_CHECK(height > 0 && width > 0);
@@ -52,8 +72,8 @@ Da2Size da2_size(std::int64_t height, std::int64_t width, const Da2Config& confi
 }
 
 Tensor da2_log_distance(const Scope& root, const Da2Shape& shape, const Tensor& color, const Da2Size& size) {
-    const Tensor seen =
-        (root / "preprocessed").out(normalized(at::upsample_bilinear2d(color, {size.height, size.width}, false)));
+    const Tensor seen = (root / "preprocessed")
+                            .out(normalized(at::upsample_bilinear2d(color, {size.height, size.width}, false)));
     const Tensor embedding = embedded_angles(root, shape, size).to(color.device());
     const Tensor log = da2_head(root, shape.features, dino_features(root, shape.dino, seen), embedding, size.height,
                                 size.width);

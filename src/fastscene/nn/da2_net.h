@@ -7,6 +7,7 @@
 #include "fastscene/nn/dinov2.h"
 #include "fastscene/nn/scope.h"
 #include "fastscene/nn/sphere_embedding.h"
+#include "fastscene/nn/weights_torch.h"
 
 namespace fastscene::nn {
 
@@ -15,6 +16,11 @@ struct Da2Shape {
     DinoShape dino;
     std::int64_t features = 512;  // channels of the head; a multiple of 64, the width of an attention head
 };
+
+// Parameters that the network asks for.
+NamedShapes da2_parameters(const Da2Shape& shape);
+// Parameters of the published file that nothing is computed from: of training, and of a confidence.
+NamedShapes da2_unused(const Da2Shape& shape);
 
 // What the published code reads from configs/infer.json.
 struct Da2Config {

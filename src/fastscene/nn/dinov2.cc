@@ -10,7 +10,6 @@ namespace {
 
 using at::Tensor;
 
-constexpr std::int64_t kHeadWidth = 64;
 constexpr std::int64_t kTableSide = 37;  // of the position table: pictures of 518 x 518 in DINOv2's training
 
 // [1, rows columns + 1, C]; the first entry is the class token's.
@@ -25,7 +24,7 @@ Tensor positions(const Scope& s, std::int64_t width, std::int64_t rows, std::int
 Tensor self_attention(const Scope& s, const Tensor& x) {
     const std::int64_t c = x.size(2);
     const std::vector<Tensor> qkv = linear(s / "qkv", x, 3 * c).chunk(3, -1);
-    return s.out(linear(s / "proj", attention(qkv[0], qkv[1], qkv[2], c / kHeadWidth), c));
+    return s.out(linear(s / "proj", attention(qkv[0], qkv[1], qkv[2], c / kDinoHeadWidth), c));
 }
 
 Tensor feed_forward(const Scope& s, const Tensor& x) {
@@ -49,8 +48,8 @@ std::array<Tensor, 4> dino_features(const Scope& root, const DinoShape& shape, c
     FASTSCENE_CHECK(picture.size(2) % kDinoPatch == 0 && picture.size(3) % kDinoPatch == 0 && shape.blocks % 4 == 0);
     const std::int64_t rows = picture.size(2) / kDinoPatch, columns = picture.size(3) / kDinoPatch;
     const Scope s = root / "dino", embed = s / "patch_embed";
-    const Tensor patches =
-        conv(embed / "proj", picture, shape.width, {.kernel = kDinoPatch, .stride = kDinoPatch, .pad = 0});
+    const Tensor patches = conv(embed / "proj", picture, shape.width,
+                                {.kernel = kDinoPatch, .stride = kDinoPatch, .pad = 0});
     Tensor x = at::cat({s.parameter("cls_token", {1, 1, shape.width}), embed.out(patches.flatten(2).transpose(1, 2))},
                        1);
     x = (s / "tokens").out(x + positions(s, shape.width, rows, columns));

@@ -8,11 +8,12 @@
 
 namespace fastscene::nn {
 
-// ViT-L/14 without registers. Heads are 64 wide.
+// ViT-L/14 without registers.
 struct DinoShape {
     std::int64_t width = 1024, blocks = 24;
 };
-inline constexpr std::int64_t kDinoPatch = 14;  // pixels, each way
+inline constexpr std::int64_t kDinoPatch = 14;      // pixels, each way
+inline constexpr std::int64_t kDinoHeadWidth = 64;  // of an attention head
 
 // picture [1, 3, 14 rows, 14 columns], normalized -> four maps [1, rows, columns, width], shallow to deep, the last of
 // the last block. `root` is where "dino" lies. Differs from the original DINOv2, as DA-2's weights were trained: layer
