@@ -29,6 +29,7 @@ struct DepthParams {
     std::string device = "auto";            // of a network: auto, cpu or cuda
     float camera_height_m = 1.6f;           // above the floor: a tripod at eye height
     std::string da2_resize = "evaluation";  // how DA-2 sees a picture: nn/da2.h
+    std::string da2_precision = "float";
     // What a network in TorchScript wants; auto and 0: as the JSON beside it says.
     std::string script_output = "auto", script_normalize = "auto";
     int script_width = 0;
@@ -49,6 +50,9 @@ void visit_fields(DepthParams& p, V&& v) {
       "da2: how the picture comes to the network's size, both as published. evaluation: to 1092 x 546 with "
       "antialiasing, as for the published scores; inference: to about 600,000 pixels by area, as the authors' program "
       "does, whose viewing angles close only for a picture of 1092 x 546.");
+    v("da2-precision", p.da2_precision, Choices{{"float", "bf16"}},
+      "da2: bf16 rounds its products to bfloat16, but those of its last layers: faster on processors with AVX-512 BF16 "
+      "and on graphics cards.");
     v("script-output", p.script_output, Choices{{"auto", "range", "disparity", "metres"}},
       "torchscript: what its output is. range and disparity: up to a scale, which the camera's height gives; auto: as "
       "the JSON beside the file says, else range.");

@@ -20,6 +20,7 @@ using at::Tensor;
 
 struct Da2::State {
     at::Device device;
+    bool bf16;
     nn::Da2Shape shape;
     mutable nn::LoadedWeights weights;
 };
@@ -74,15 +75,19 @@ bool Da2::is_in(const std::filesystem::path& file) {
     }
 }
 
-Da2 Da2::load(const std::filesystem::path& file, const DeviceChoice& choice) {
+bool Da2::gains_by_bf16(const DeviceChoice& device) {
+    return nn::multiplies_bf16(nn::device_named(device.name, device.flag));
+}
+
+Da2 Da2::load(const std::filesystem::path& file, const DeviceChoice& choice, bool bf16) {
     const at::NoGradGuard no_gradients;
     use_our_threads();
     Weights weights = unwrapped(load_weights(file), kFirstKey);
     const nn::Da2Shape shape = shape_of(weights);
     const at::Device device = nn::device_named(choice.name, choice.flag);
     nn::check_fits(nn::da2_parameters(shape), weights, nn::da2_unused(shape));
-    return Da2(std::make_unique<State>(
-        State{device, shape, nn::LoadedWeights(std::move(weights), at::TensorOptions(device).dtype(at::kFloat))}));
+    return Da2(std::make_unique<State>(State{
+        device, bf16, shape, nn::LoadedWeights(std::move(weights), at::TensorOptions(device).dtype(at::kFloat))}));
 }
 
 ImageF Da2::relative_range(const ImageColor& color, Da2Resize resize, int turns, const Run& run) const {
@@ -94,9 +99,10 @@ ImageF Da2::relative_range(const ImageColor& color, Da2Resize resize, int turns,
         seen = at::_upsample_bilinear2d_aa(seen, {kEvaluatedHeight, kEvaluatedWidth}, false);
     seen = seen.to(state_->device);
     nn::StoppableWeights weights(state_->weights, run);
-    const Tensor found = nn::over_turns(
-                             seen, turns,
-                             [&](const Tensor& turned) { return nn::da2(nn::Scope(weights), state_->shape, turned); })
+    const Tensor found = nn::over_turns(seen, turns,
+                                        [&](const Tensor& turned) {
+                                            return nn::da2(nn::Scope(weights), state_->shape, turned, {}, state_->bf16);
+                                        })
                              .contiguous()
                              .cpu();
     ImageF out(static_cast<int>(found.size(2)), static_cast<int>(found.size(1)));

@@ -27,8 +27,11 @@ class Da2 {
     // Whether the file holds weights of this network, by their names. False for one that cannot be read.
     static bool is_in(const std::filesystem::path& weights);
     // Throws one Error that names every missing, unexpected and misshaped tensor; UsageError naming the flag of a
-    // device that is not there. Parameters are read at their first use.
-    static Da2 load(const std::filesystem::path& weights, const DeviceChoice& device = {});
+    // device that is not there. Parameters are read at their first use. bf16: rounds all products but those of the last
+    // layers to bfloat16.
+    static Da2 load(const std::filesystem::path& weights, const DeviceChoice& device = {}, bool bf16 = false);
+    // Whether that is faster on the device.
+    static bool gains_by_bf16(const DeviceChoice& device);
     Da2(Da2&&) noexcept;
     Da2& operator=(Da2&&) noexcept;
     ~Da2();

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "fastscene/nn/layers.h"
+#include "fastscene/nn/precision.h"
 
 namespace fastscene::nn {
 namespace {
@@ -16,8 +17,8 @@ constexpr double kSlope = 0.01;  // of the leaky ReLUs
 Tensor look_around(const Scope& s, const Tensor& x, const Tensor& embedding) {
     const std::int64_t c = x.size(2);
     const Tensor q = linear(s / "q", layer_norm(s / "norm_attnx", x), c, false);
-    const std::vector<Tensor> kv =
-        linear(s / "kv", layer_norm(s / "norm_attnctx", embedding), 2 * c, false).chunk(2, -1);
+    const std::vector<Tensor> kv = linear(s / "kv", layer_norm(s / "norm_attnctx", embedding), 2 * c, false)
+                                       .chunk(2, -1);
     const Tensor seen = x + linear(s / "out", attention(q, kv[0], kv[1], c / kHeadWidth), c, false);
     const Scope mlp = s / "mlp";
     return seen +
@@ -55,10 +56,9 @@ Tensor mixed_channels(const Scope& s, const Tensor& x) {
     return s.out(linear(s / 1, pixels, x.size(1))).permute({0, 3, 1, 2}).contiguous();
 }
 
-}  // namespace
-
-Tensor da2_head(const Scope& root, std::int64_t features, const std::array<Tensor, 4>& maps, const Tensor& embedding,
-                std::int64_t height, std::int64_t width) {
+// -> [1, features / 4, 8 rows, 8 columns]
+Tensor upsampled_features(const Scope& root, std::int64_t features, const std::array<Tensor, 4>& maps,
+                          const Tensor& embedding) {
     const Scope outer = root / "vit_w_esphere", s = outer / "_vit_w_esphere";
     const std::int64_t rows = maps[0].size(1), columns = maps[0].size(2);
     std::array<Tensor, 4> seen;  // [1, N, features]
@@ -66,7 +66,8 @@ Tensor da2_head(const Scope& root, std::int64_t features, const std::array<Tenso
         const auto index = static_cast<std::int64_t>(i);
         const Tensor aligned = linear(outer / "dim_aligner" / "aligners" / index, maps[i], features);
         const Scope camera = s / "prompt_camera" / index;
-        seen[i] = camera.out(look_around(camera / "layers" / 0, aligned.flatten(1, 2), embedding));
+        seen[i] = camera.out(
+            look_around(camera / "layers" / 0, aligned.flatten(1, 2).to(embedding.scalar_type()), embedding));
     }
     const auto picture = [&](const Tensor& tokens) {
         return tokens.transpose(1, 2).reshape({1, features, rows, columns});
@@ -79,7 +80,21 @@ Tensor da2_head(const Scope& root, std::int64_t features, const std::array<Tenso
         x = x + spread(s / "process_features" / index, picture(seen[i + 1]), in[i], kFactors[i]);
         x = upsampled(s / "up_sampler" / index, x, out[i]);
     }
-    x = conv_reflected(s / "to_depth_lr", mixed_channels(s / "pred_head" / 2, x), features / 8);
+    return x;
+}
+
+}  // namespace
+
+Tensor da2_head(const Scope& root, std::int64_t features, const std::array<Tensor, 4>& maps, const Tensor& embedding,
+                std::int64_t height, std::int64_t width, bool bf16) {
+    const Tensor rough =
+        [&] {
+            const Autocast autocast(embedding.device(), bf16);
+            return upsampled_features(root, features, maps, embedding);
+        }()
+            .to(embedding.scalar_type());
+    const Scope s = root / "vit_w_esphere" / "_vit_w_esphere";
+    Tensor x = conv_reflected(s / "to_depth_lr", mixed_channels(s / "pred_head" / 2, rough), features / 8);
     x = at::upsample_bilinear2d(x, {height, width}, true);
     const Scope fine = s / "to_depth_hr";
     x = at::leaky_relu(conv_reflected(fine / 0, x, features / 16), kSlope);

@@ -5,6 +5,7 @@
 
 #include "fastscene/base/check.h"
 #include "fastscene/nn/da2_head.h"
+#include "fastscene/nn/precision.h"
 #include "fastscene/nn/shape_list.h"
 
 namespace fastscene::nn {
@@ -71,18 +72,20 @@ Da2Size da2_size(std::int64_t height, std::int64_t width, const Da2Config& confi
             {config.sphere.width * factor, config.sphere.height * factor}};
 }
 
-Tensor da2_log_distance(const Scope& root, const Da2Shape& shape, const Tensor& color, const Da2Size& size) {
+Tensor da2_log_distance(const Scope& root, const Da2Shape& shape, const Tensor& color, const Da2Size& size, bool bf16) {
     const Tensor seen = (root / "preprocessed")
                             .out(normalized(at::upsample_bilinear2d(color, {size.height, size.width}, false)));
     const Tensor embedding = embedded_angles(root, shape, size).to(color.device());
-    const Tensor log = da2_head(root, shape.features, dino_features(root, shape.dino, seen), embedding, size.height,
-                                size.width);
-    return (root / "logdistance").out(log);
+    const std::array<Tensor, 4> maps = [&] {
+        const Autocast autocast(color.device(), bf16);
+        return dino_features(root, shape.dino, seen);
+    }();
+    return (root / "logdistance").out(da2_head(root, shape.features, maps, embedding, size.height, size.width, bf16));
 }
 
-Tensor da2(const Scope& root, const Da2Shape& shape, const Tensor& color, const Da2Config& config) {
+Tensor da2(const Scope& root, const Da2Shape& shape, const Tensor& color, const Da2Config& config, bool bf16) {
     const std::int64_t height = color.size(2), width = color.size(3);
-    const Tensor log = da2_log_distance(root, shape, color, da2_size(height, width, config));
+    const Tensor log = da2_log_distance(root, shape, color, da2_size(height, width, config), bf16);
     const Tensor distance = at::exp(at::clamp(log, kLeast, kMost) + kLift);
     const Tensor far = (root / "quantile98").out(at::quantile(distance.flatten(), kFarQuantile));
     const Tensor relative = (root / "distance_model_size").out(distance / far);

@@ -36,9 +36,12 @@ struct Da2Size {
 Da2Size da2_size(std::int64_t height, std::int64_t width, const Da2Config& config = {});
 
 // color [1, 3, H, W], sRGB in 0..1 -> [1, 1, H', W'] of the size the network sees: the logarithm of the distance along
-// each ray, up to one summand. `size` is da2_size of the picture or any other with whole patches.
-at::Tensor da2_log_distance(const Scope& root, const Da2Shape& shape, const at::Tensor& color, const Da2Size& size);
+// each ray, up to one summand. `size` is da2_size of the picture or any other with whole patches. bf16: rounds the
+// products of all but the last layers to bfloat16.
+at::Tensor da2_log_distance(const Scope& root, const Da2Shape& shape, const at::Tensor& color, const Da2Size& size,
+                            bool bf16 = false);
 // The same with the published post-processing: distances [1, H, W] of the picture's size, of which 2 % exceed 1.
-at::Tensor da2(const Scope& root, const Da2Shape& shape, const at::Tensor& color, const Da2Config& config = {});
+at::Tensor da2(const Scope& root, const Da2Shape& shape, const at::Tensor& color, const Da2Config& config = {},
+               bool bf16 = false);
 
 }  // namespace fastscene::nn

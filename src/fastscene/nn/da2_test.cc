@@ -166,5 +166,19 @@ TEST_F(Da2File, GivesRelativeRangeOfEitherSize) {
     EXPECT_THROW(network.relative_range(picture, Da2Resize::evaluation, 1, {0, nullptr, stop.get_token()}), Stopped);
 }
 
+// Rounding to 8 bits of mantissa in every product, on a network that amplifies nothing.
+TEST_F(Da2File, InBfloat16IsAsNearAsItsRounding) {
+    if (!Da2::gains_by_bf16({"cpu", ""})) GTEST_SKIP() << "this processor does not multiply bfloat16";
+    const fs::path file = saved(tiny());
+    const ImageColor picture = painted(160);
+    const ImageF exact = Da2::load(file, {"cpu", ""}).relative_range(picture, Da2Resize::evaluation, 1, {}),
+                 rounded = Da2::load(file, {"cpu", ""}, true).relative_range(picture, Da2Resize::evaluation, 1, {});
+    double sum = 0;
+    for (std::size_t i = 0; i < exact.size(); ++i) sum += std::abs(std::log(rounded.pixels[i] / exact.pixels[i]));
+    const double mean = sum / static_cast<double>(exact.size());
+    EXPECT_GT(mean, 0);
+    EXPECT_LT(mean, 0.03);
+}
+
 }  // namespace
 }  // namespace fastscene

@@ -19,6 +19,7 @@ class Da2Estimator : public DepthEstimator {
         : network_(std::move(network)),
           name_(std::move(name)),
           resize_(params.da2_resize),
+          precision_(params.da2_precision),
           camera_height_m_(params.camera_height_m),
           turns_(params.tta > 0 ? params.tta : kTurns) {}
     EstimatedRange estimate(const ImageColor& color, const Run& run) const override {
@@ -35,6 +36,7 @@ class Da2Estimator : public DepthEstimator {
                 {{"backend", "da2"},
                  {"weights", name_},
                  {"resize", resize_},
+                 {"precision", precision_},
                  {"tta", turns_},
                  {"camera_height_m", fit.camera_height_m},
                  {"ceiling_above_camera_m", fit.ceiling_m},
@@ -46,7 +48,7 @@ class Da2Estimator : public DepthEstimator {
 
   private:
     Da2 network_;
-    std::string name_, resize_;
+    std::string name_, resize_, precision_;
     float camera_height_m_;
     int turns_;
 };
@@ -57,8 +59,12 @@ std::unique_ptr<DepthEstimator> make_da2(const DepthParams& params) {
         throw UsageError(
             "--depth-backend da2: expected --depth-weights FILE, or the model in the cache (fastscene models pull "
             "da2), found neither");
-    return std::make_unique<Da2Estimator>(Da2::load(file, {params.device, "--depth-device"}), file.filename().string(),
-                                          params);
+    const DeviceChoice device{params.device, "--depth-device"};
+    const bool bf16 = params.da2_precision == "bf16";
+    if (bf16 && !Da2::gains_by_bf16(device))
+        throw UsageError(
+            "--depth-da2-precision bf16: expected a graphics card, or a processor with AVX-512 BF16, found neither");
+    return std::make_unique<Da2Estimator>(Da2::load(file, device, bf16), file.filename().string(), params);
 }
 
 }  // namespace
