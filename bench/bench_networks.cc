@@ -1,9 +1,10 @@
-// Benchmark of the networks on a device: seconds of a panorama, its steps and its enlargement, of a depth network and
-// of the inpainter, and how far the results are from a CPU's. Weights of the published sizes come from
-// `bench_diffusion --write`. One line of JSON per part.
+// Benchmark of the networks on a device: seconds of a panorama, its steps and its enlargement, of depth networks and of
+// the inpainter, and how far the results are from a CPU's. Weights of the published sizes come from
+// `bench_diffusion --write`; DA-2's are made up. One line of JSON per part.
 #include <ATen/ATen.h>
 #include <c10/core/InferenceMode.h>
 #include <fmt/format.h>
+#include <sys/resource.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -22,9 +23,11 @@
 #include "fastscene/image/image.h"
 #include "fastscene/nn/aotgan.h"
 #include "fastscene/nn/circular.h"
+#include "fastscene/nn/da2_net.h"
 #include "fastscene/nn/diffusion360.h"
 #include "fastscene/nn/egformer.h"
 #include "fastscene/nn/fused.h"
+#include "fastscene/nn/hashed.h"
 #include "fastscene/nn/hashed_aotgan.h"
 #include "fastscene/nn/libtorch.h"
 #include "fastscene/nn/panorama_loops.h"
@@ -32,6 +35,7 @@
 #include "fastscene/nn/replay.h"
 #include "fastscene/nn/runtime.h"
 #include "fastscene/nn/sd_model.h"
+#include "fastscene/nn/turned_passes.h"
 #include "fastscene/nn/upscale360.h"
 
 namespace {
@@ -279,6 +283,68 @@ Json depth(const Settings& with) {
     return out;
 }
 
+// Multiplications and additions of DA-2's matrix products and convolutions, for a grid of patches.
+double da2_operations(double rows, double columns) {
+    const nn::Da2Shape shape;
+    const double n = rows * columns, tokens = n + 1, pixels = n * nn::kDinoPatch * nn::kDinoPatch,
+                 c = static_cast<double>(shape.dino.width), blocks = static_cast<double>(shape.dino.blocks),
+                 f = static_cast<double>(shape.features);
+    double products = blocks * (12 * c * c * tokens + 2 * tokens * tokens * c) +
+                      3 * nn::kDinoPatch * nn::kDinoPatch * c * n;
+    products += 4 * (n * c * f + 12 * f * f * n + 2 * n * n * f) + n * f * f;  // aligners, cross-attention
+    products += n * f * f * 5 + n * f * (f / 2) * 16;                          // process_features
+    const double in[] = {f, f, f / 2}, out[] = {f, f / 2, f / 4}, grid[] = {n, 4 * n, 16 * n};
+    for (int i = 0; i < 3; ++i) products += grid[i] * (4 * 9 * in[i] * in[i] + in[i] * out[i]);
+    products += 64 * n * (f / 4 * f / 4 + 9 * f / 4 * f / 8) + pixels * (9 * f / 8 * f / 16 + f / 16);
+    return 2 * products;
+}
+
+// Neighbouring columns' mean difference of the logarithm: across the seam, and across all others.
+Json seam_of(const Tensor& distance) {
+    const Tensor log = distance.squeeze(0).to(at::kCPU).log(), step = (log - log.roll(1, 1)).abs().mean(0);
+    const double seam = step[0].item<double>(), others = step.narrow(0, 1, step.size(0) - 1).mean().item<double>();
+    return {{"seam", seam}, {"others", others}};
+}
+
+// A pass of DA-2 with made-up weights: seconds, operations against those of a plain matrix product of its own shape,
+// memory, and what is left of the seam after passes of several turns.
+Json da2(const Settings& with) {
+    const at::Device device = nn::device_named(with.device, "--device");
+    const std::int64_t columns = with.width / nn::kDinoPatch, rows = columns / 2, height = rows * nn::kDinoPatch,
+                       width = columns * nn::kDinoPatch;
+    nn::HashedWeights weights(at::TensorOptions(device).dtype(at::kFloat));
+    const nn::Da2Size whole{height, width, {static_cast<double>(width), static_cast<double>(height)}};
+    const ImageColor drawn = drawn_color(static_cast<int>(width), static_cast<int>(height));
+    Tensor color = at::empty({1, 3, height, width});
+    for (std::int64_t i = 0; i < color.numel() / 3; ++i)
+        for (std::size_t c = 0; c < 3; ++c)
+            color.data_ptr<float>()[static_cast<std::int64_t>(c) * height * width + i] =
+                drawn.pixels[static_cast<std::size_t>(i)][c];
+    color = color.to(device);
+    const nn::DistanceNet net = [&](const Tensor& seen) {
+        return at::exp(nn::da2_log_distance(Scope(weights), {}, seen, whole, with.precision == "bf16")).squeeze(1);
+    };
+    Tensor found;
+    const double first = seconds_of(1, device, [&] { found = net(color); })[0];
+    const double s = least(seconds_of(with.runs, device, [&] { found = net(color); }));
+    rusage usage{};
+    getrusage(RUSAGE_SELF, &usage);
+    const Tensor a = at::randn({rows * columns + 1, 1024}).to(device), b = at::randn({4096, 1024}).to(device);
+    const double product_s = least(seconds_of(5, device, [&] { at::linear(a, b); }));
+    const double operations = da2_operations(static_cast<double>(rows), static_cast<double>(columns)),
+                 speed = operations / s, peak = 2. * static_cast<double>(a.numel()) * 4096 / product_s;
+    Json out = {{"pixels", fmt::format("{} x {}", width, height)},
+                {"first_s", first},
+                {"s", s},
+                {"gflop", operations / 1e9},
+                {"gflop_per_s", speed / 1e9},
+                {"product_gflop_per_s", peak / 1e9},
+                {"share", speed / peak},
+                {"peak_mib", usage.ru_maxrss / 1024}};
+    for (const int turns : {1, 2, 4}) out["turns"][std::to_string(turns)] = seam_of(nn::over_turns(color, turns, net));
+    return out;
+}
+
 Json inpaint(const Settings& with) {
     Json out = Json::object();
     const int side = 512;
@@ -317,8 +383,8 @@ Json inpaint(const Settings& with) {
 int main(int argc, char** argv) try {
     Settings with;
     CLI::App app{"The networks on a device"};
-    app.add_option("--part", with.part, "paint, parts, enlarge, depth or inpaint")
-        ->check(CLI::IsMember({"paint", "parts", "enlarge", "depth", "inpaint"}));
+    app.add_option("--part", with.part, "paint, parts, enlarge, depth, da2 or inpaint")
+        ->check(CLI::IsMember({"paint", "parts", "enlarge", "depth", "da2", "inpaint"}));
     app.add_option("--weights", with.weights, "A folder that bench_diffusion --write made");
     app.add_option("--models", with.models, "The source tree's models/");
     app.add_option("--device", with.device, "auto, cpu or cuda")->check(CLI::IsMember({"auto", "cpu", "cuda"}));
@@ -334,7 +400,7 @@ int main(int argc, char** argv) try {
     const c10::InferenceMode inference;
     use_our_threads();
     const std::map<std::string, std::function<Json(const Settings&)>> all{
-        {"paint", paint}, {"parts", parts}, {"enlarge", enlarge}, {"depth", depth}, {"inpaint", inpaint}};
+        {"paint", paint}, {"parts", parts}, {"enlarge", enlarge}, {"depth", depth}, {"da2", da2}, {"inpaint", inpaint}};
     Json out = all.at(with.part)(with);
     out["part"] = with.part, out["device"] = with.device, out["precision"] = with.precision;
     out["width"] = with.width, out["steps"] = with.steps;

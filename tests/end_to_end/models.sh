@@ -2,7 +2,7 @@
 . "$(dirname "$0")/lib.sh"
 
 expect 0 "$fastscene" models list
-for name in diffusion360 egformer aotgan-places2 lpips clip-vit-large-patch14; do prints "$name"; done
+for name in diffusion360 da2 egformer aotgan-places2 lpips clip-vit-large-patch14; do prints "$name"; done
 prints "licence: "
 expect 0 "$fastscene" models list --json
 prints '"sha256"'
@@ -14,6 +14,9 @@ expect 0 "$fastscene" models path egformer
 prints "$FASTSCENE_MODELS/egformer"
 expect 2 "$fastscene" models
 expect 2 "$fastscene" models pull
+expect 2 "$fastscene" models pull da2
+says "licence: unclear"
+says "CC BY-NC"
 expect 2 "$fastscene" models pull egformr
 says "egformer"
 

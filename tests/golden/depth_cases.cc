@@ -1,5 +1,6 @@
-// EGformer.
+// EGformer and DA-2.
 #include "fastscene/io/image_io.h"
+#include "fastscene/nn/da2_net.h"
 #include "fastscene/nn/egformer_net.h"
 #include "golden.h"
 
@@ -58,8 +59,39 @@ void check_egformer(Case& c) {
     c.tensor("output", nn::egformer(nn::Scope(weights, "", &listener), constants, color));
 }
 
+// The published configuration, with what the case overrides.
+nn::Da2Config da2_config_of(const Json& overrides) {
+    nn::Da2Config config;
+    config.min_pixels = overrides.value("inference.min_pixels", config.min_pixels);
+    config.max_pixels = overrides.value("inference.max_pixels", config.max_pixels);
+    config.sphere.width = overrides.value("spherevit.sphere.width", config.sphere.width);
+    config.sphere.height = overrides.value("spherevit.sphere.height", config.sphere.height);
+    return config;
+}
+
+void check_da2(Case& c) {
+    const bool is_file = c.input().starts_with("inputs/");
+    if (is_file && c.input().find('*') == std::string::npos) needed_input(c.network().set(), c.input());
+    const at::Tensor color = is_file ? picture_input(c.network().set(), c.input()) : unit(c.input(), c.shape());
+    // Tensors of the manifest that are no module's output, under their names in our code.
+    const auto name_in_manifest = [](const std::string& name) -> std::string {
+        if (name == "dino.positions") return "pos_embed";
+        if (name == "dino.tokens" || name.starts_with("dino.features.")) return name.substr(5);
+        return name;
+    };
+    const nn::Listener listener = [&](const std::string& name, const at::Tensor& output) {
+        if (name == "quantile98") c.value(name, output.item<double>());
+        else c.tensor(name_in_manifest(name), output);
+    };
+    nn::HashedWeights weights;
+    c.tensor("output", nn::da2(nn::Scope(weights, "", &listener), {}, color, da2_config_of(c.json().at("config"))));
+}
+
 }  // namespace
 
-void add_depth_checkers(Checkers& checkers) { checkers.emplace_back("egformer*", check_egformer); }
+void add_depth_checkers(Checkers& checkers) {
+    checkers.emplace_back("egformer*", check_egformer);
+    checkers.emplace_back("da2*", check_da2);
+}
 
 }  // namespace fastscene::golden

@@ -122,7 +122,7 @@ std::filesystem::path needed_input(const std::filesystem::path& set, const std::
 bool is_a_true_copy(const std::filesystem::path& copy, const std::filesystem::path& original);
 
 // The checkers, one file per family.
-void add_depth_checkers(Checkers& checkers);  // EGformer
+void add_depth_checkers(Checkers& checkers);  // EGformer, DA-2
 void add_diffusion_checkers(Checkers& checkers);
 void add_metrics_checkers(Checkers& checkers);
 void add_geometry_checkers(Checkers& checkers);

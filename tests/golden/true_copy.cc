@@ -1,5 +1,5 @@
 // The golden set in the source tree is a partial copy of a larger one: only the cases listed in left_out.json may be
-// missing.
+// missing. Their numbers may be zeros in data.bin, which take no room once packed.
 #include <iostream>
 
 #include "fastscene/base/file.h"
@@ -23,6 +23,33 @@ Json without_cases(Json manifest, const Json& left_out, std::vector<std::string>
     return manifest;
 }
 
+std::size_t bytes_of_stored(const Json& tensor) {
+    const std::string dtype = tensor.at("dtype");
+    const std::size_t each = dtype.ends_with("64") ? 8 : dtype.ends_with("32") ? 4 : 1;
+    return each * tensor.at("count").get<std::size_t>();
+}
+
+// data.bin with zeros in place of the omitted cases' numbers.
+std::string without_data(std::string data, const Json& manifest, const Json& left_out) {
+    if (left_out.is_null()) return data;
+    for (const Json& name : left_out.at("cases")) {
+        const Json one = manifest.at("cases").value(name.get<std::string>(), Json::object());
+        for (const Json& tensor : one.value("tensors", Json::array())) {
+            const auto offset = tensor.at("offset").get<std::size_t>();
+            const std::size_t bytes = bytes_of_stored(tensor);
+            if (offset <= data.size() && bytes <= data.size() - offset) data.replace(offset, bytes, bytes, '\0');
+        }
+    }
+    return data;
+}
+
+bool is_same_data(const fs::path& copy, const fs::path& original, const fs::path& file, const Json& left_out) {
+    const std::string ours = read_packed(copy / file), theirs = read_file(original / file);
+    const fs::path manifest = original / file.parent_path() / "manifest.json";
+    return ours == theirs ||
+           (file.filename() == "data.bin" && ours == without_data(theirs, read_json(manifest), left_out));
+}
+
 std::vector<std::string> complaints_about(const fs::path& copy, const fs::path& original, const fs::path& file,
                                           const Json& left_out) {
     std::vector<std::string> complaints;
@@ -38,7 +65,7 @@ std::vector<std::string> complaints_about(const fs::path& copy, const fs::path& 
                 where += " " + patch[i].at("path").get<std::string>();
             complaints.push_back(fmt::format("differs in {} places:{}", patch.size(), where));
         }
-    } else if (read_packed(copy / file) != read_file(original / file)) {
+    } else if (!is_same_data(copy, original, file, left_out.value(file.parent_path().string(), Json()))) {
         complaints.push_back("differs");
     }
     return complaints;

@@ -1,6 +1,7 @@
 #include "fastscene/cli/request.h"
 #include "fastscene/depth/estimator.h"
 #include "fastscene/depth/train.h"
+#include "fastscene/pipeline/cached_weights.h"
 #include "fastscene/pipeline/depth_report.h"
 
 namespace fastscene::cli {
@@ -81,7 +82,9 @@ void check(const CheckFlags& flags, const Session& session) {
     apply_fields("depth", wanted.depth, *flags.given);
     check_fields("depth", wanted.depth);
     depth_backend_of(wanted.depth);  // refuses exact and image: a data set has neither a room nor one map
-    const Json report = check_depth(wanted, session.run(0));
+    const Run run = session.run(0);
+    use_cached_depth_weights(wanted.depth, run);
+    const Json report = check_depth(wanted, run);
     session.print(depth_check_text(report), report);
 }
 

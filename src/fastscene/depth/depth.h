@@ -25,9 +25,11 @@ const std::string& about_depth_choices();
 
 struct DepthParams {
     std::string backend = kAutoDepth;
-    std::string weights;           // of a network
-    std::string device = "auto";   // of a network: auto, cpu or cuda
-    float camera_height_m = 1.6f;  // above the floor: a tripod at eye height
+    std::string weights;                    // of a network
+    std::string device = "auto";            // of a network: auto, cpu or cuda
+    float camera_height_m = 1.6f;           // above the floor: a tripod at eye height
+    std::string da2_resize = "evaluation";  // how DA-2 sees a picture: nn/da2.h
+    std::string da2_precision = "float";
     // What a network in TorchScript wants; auto and 0: as the JSON beside it says.
     std::string script_output = "auto", script_normalize = "auto";
     int script_width = 0;
@@ -40,9 +42,17 @@ template <class V>
 void visit_fields(DepthParams& p, V&& v) {
     v("backend", p.backend, Choices{depth_choices()}, about_depth_choices());
     v("weights", p.weights,
-      "EGformer's weights (the published .pkl, or .safetensors), or the file of --depth-backend torchscript; empty: "
+      "A network's weights: DA-2's model.safetensors, EGformer's (the published .pkl, or .safetensors), or the file of "
+      "--depth-backend torchscript. auto recognizes DA-2's. Empty: those that `fastscene models pull` fetched, else "
       "the "
       "built-in ones, two networks whose outputs are averaged.");
+    v("da2-resize", p.da2_resize, Choices{{"evaluation", "inference"}},
+      "da2: how the picture comes to the network's size, both as published. evaluation: to 1092 x 546 with "
+      "antialiasing, as for the published scores; inference: to about 600,000 pixels by area, as the authors' program "
+      "does, whose viewing angles close only for a picture of 1092 x 546.");
+    v("da2-precision", p.da2_precision, Choices{{"float", "bf16"}},
+      "da2: bf16 rounds its products to bfloat16, but those of its last layers: faster on processors with AVX-512 BF16 "
+      "and on graphics cards.");
     v("script-output", p.script_output, Choices{{"auto", "range", "disparity", "metres"}},
       "torchscript: what its output is. range and disparity: up to a scale, which the camera's height gives; auto: as "
       "the JSON beside the file says, else range.");
@@ -55,7 +65,8 @@ void visit_fields(DepthParams& p, V&& v) {
       "Where the network runs; auto: CUDA if libtorch supports it.");
     v("tta", p.tta, Bounds{0, 8},
       "Test-time augmentation: the network's outputs for this many rotated and mirrored variants are averaged; 0: "
-      "eight for networks as small as the built-in ones, else one, as published.");
+      "eight for networks as small as the built-in ones, two (half a turn apart, which closes the seam) for DA-2, else "
+      "one, as published.");
     v("camera-height", p.camera_height_m, Bounds{0.2, 20},
       "Height of the camera above the floor in metres, if range is estimated.");
 }

@@ -79,15 +79,18 @@ TEST(DepthBackends, AnUnknownNameIsToldTheNames) {
         FAIL() << "expected an error";
     } catch (const UsageError& e) {
         EXPECT_EQ(std::string(e.what()),
-                  "--depth-backend: expected egformer, layout, prior or torchscript, found \"sonar\"");
+                  "--depth-backend: expected da2, egformer, layout, prior or torchscript, found \"sonar\"");
     }
 }
 
 // Without weights, auto takes what needs none; the baseline only by its name.
 TEST(DepthBackends, AutoTakesTheBestThatIsReady) {
-    const DepthBackend& best = wanted_depth_backend({});
-    EXPECT_EQ(best.name, "egformer");
-    EXPECT_EQ(depth_backend_of({}).name, best.ready({}) ? "egformer" : "layout");
+    std::vector<std::string> looked_for;
+    for (const DepthBackend* backend : depth_backends_with_models({})) looked_for.push_back(backend->name);
+    EXPECT_EQ(looked_for, (std::vector<std::string>{"da2", "egformer"}));
+    EXPECT_TRUE(depth_backends_with_models(params_for("layout")).empty());
+    const bool built_in = registered_entry<DepthBackend>("", "egformer").ready({});
+    EXPECT_EQ(depth_backend_of({}).name, built_in ? "egformer" : "layout");
     EXPECT_EQ(depth_backend_of(params_for("prior")).name, "prior");
 }
 

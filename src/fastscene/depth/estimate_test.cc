@@ -105,6 +105,21 @@ TEST(MetricRange, FloorTellsScaleAndShift) {
         }
 }
 
+TEST(MetricRange, FloorTellsScaleAlone) {
+    const BoxLayout box = some_box();
+    const ImageF truth = range_of_box(box, kSize);
+    for (const bool furniture : {false, true}) {
+        const MetricFit fit = fit_metres(relative_of(truth, 8, 0, furniture), box.floor_m, UnknownOfRange::scale);
+        EXPECT_TRUE(fit.sure);
+        EXPECT_NEAR(fit.scale, 8, 0.16);
+        EXPECT_EQ(fit.shift, 0);
+        EXPECT_NEAR(fit.ceiling_m, box.ceiling_m, 0.05f);
+    }
+    const ImageF shifted = relative_of(truth, 8, 0.5f, false);
+    EXPECT_EQ(fit_metres(shifted, box.floor_m, UnknownOfRange::scale).shift, 0);
+    EXPECT_NEAR(fit_metres(shifted, box.floor_m).shift, 0.5f, 0.05f);
+}
+
 TEST(MetricRange, ScalesWithTheCamera) {
     const ImageF relative = relative_of(range_of_box(some_box(), kSize), 8, 0, false);
     const MetricFit low = fit_metres(relative, 1.f), high = fit_metres(relative, 2.f);

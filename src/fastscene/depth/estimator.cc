@@ -55,8 +55,12 @@ const DepthBackend& depth_backend_of(const DepthParams& params) {
     return **found;
 }
 
-const DepthBackend& wanted_depth_backend(const DepthParams& params) {
-    return params.backend == kAutoDepth ? *by_rank().front() : depth_backend_of(params);
+std::vector<const DepthBackend*> depth_backends_with_models(const DepthParams& params) {
+    std::vector<const DepthBackend*> out = params.backend == kAutoDepth
+                                               ? by_rank()
+                                               : std::vector<const DepthBackend*>{&depth_backend_of(params)};
+    std::erase_if(out, [](const DepthBackend* backend) { return backend->model.empty(); });
+    return out;
 }
 
 std::unique_ptr<DepthEstimator> make_depth_estimator(const DepthParams& params) {

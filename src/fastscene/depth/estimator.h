@@ -5,6 +5,7 @@
 #include <memory>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "fastscene/base/json.h"
 #include "fastscene/base/registry.h"
@@ -48,8 +49,9 @@ struct DepthBackend {
 };
 // The one that params.backend names; for "auto" the best that is ready. Throws UsageError with the names for another.
 const DepthBackend& depth_backend_of(const DepthParams& params);
-// The same, but for "auto" the best of all: the one whose weights are worth looking for.
-const DepthBackend& wanted_depth_backend(const DepthParams& params);
+// Those whose model is worth looking for if no weights are given: the one that params.backend names; for "auto" all it
+// may choose, the best first. Without those that need no model.
+std::vector<const DepthBackend*> depth_backends_with_models(const DepthParams& params);
 std::unique_ptr<DepthEstimator> make_depth_estimator(const DepthParams& params);
 
 }  // namespace fastscene

@@ -52,7 +52,8 @@ double trust(double residual, double sigma) {
 }
 
 // Iteratively reweighted least squares: samples near the previous planes dominate.
-bool refit(const std::vector<Sample>& samples, double camera_height, double sigma, Planes& planes) {
+bool refit(const std::vector<Sample>& samples, double camera_height, double sigma, UnknownOfRange unknown,
+           Planes& planes) {
     // Weak regularization towards "shift 0, ceiling 1 m", so that a room without a ceiling is solvable.
     Mat3d m{{}, {0, 1e-4, 0}, {0, 0, 1e-4}};
     Vec3d right{0, 0, 1e-4};
@@ -62,6 +63,7 @@ bool refit(const std::vector<Sample>& samples, double camera_height, double sigm
         m.row0 += weighted * row.x, m.row1 += weighted * row.y, m.row2 += weighted * row.z;
         right += weighted * (s.sine < 0 ? -camera_height : 0.);
     }
+    if (unknown == UnknownOfRange::scale) m.row1 = {0, 1, 0}, right.y = 0;
     const std::optional<Vec3d> found = solved(m, right, 1e-18);
     if (!found) return false;
     planes = {found->x, found->y, found->z};
@@ -79,7 +81,7 @@ double nadir_median(const std::vector<Sample>& samples) {
 
 }  // namespace
 
-MetricFit fit_metres(const ImageF& relative, float camera_height_m) {
+MetricFit fit_metres(const ImageF& relative, float camera_height_m, UnknownOfRange unknown) {
     FASTSCENE_CHECK(camera_height_m > 0.f && !relative.empty());
     const std::vector<Sample> samples = steep_samples(relative);
     const double height = camera_height_m, nadir = nadir_median(samples);
@@ -90,11 +92,13 @@ MetricFit fit_metres(const ImageF& relative, float camera_height_m) {
     // Several initial shifts, each refined; the one that explains most of the sphere wins.
     double best = 0;
     Planes found;
-    for (const double shift_share : {0., -0.3, -0.6, 0.25, 0.5, 0.75}) {
+    const auto shift_shares = unknown == UnknownOfRange::scale ? std::vector<double>{0.}
+                                                               : std::vector<double>{0., -0.3, -0.6, 0.25, 0.5, 0.75};
+    for (const double shift_share : shift_shares) {
         Planes planes{nadir > 0 ? height * (1 - shift_share) / nadir : height, height * shift_share, 1.};
         bool good = planes.scale > 0;
         for (const double sigma : {0.6, 0.4, 0.25, 0.15, 0.1, 0.07, 0.05, 0.05, 0.05, 0.05})
-            good = good && refit(samples, height, sigma * height, planes);
+            good = good && refit(samples, height, sigma * height, unknown, planes);
         // A shift near the camera's height turns everything into a sphere, which has a bit of floor, too: reject.
         if (!good || !(planes.ceiling > 0.1 * height) || !(std::abs(planes.shift) < 0.9 * height)) continue;
         double explained = 0;

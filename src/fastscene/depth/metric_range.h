@@ -1,6 +1,6 @@
 // Recovers metres from relative depth. A network trained with a scale- and shift-invariant loss predicts range = scale
 // * depth + shift with unknown scale and shift; the floor determines them: it is flat, level, and at a known height
-// below the camera.
+// below the camera. Of a network that is invariant to scale alone, the shift is 0.
 #pragma once
 
 #include "fastscene/image/image.h"
@@ -15,9 +15,12 @@ struct MetricFit {
     bool sure = false;             // false: too little floor; then scale comes from the nadir, and shift is 0
 };
 
+enum class UnknownOfRange { scale_and_shift, scale };
+
 // `relative`: equirectangular, increasing with distance. Robust: furniture and lamps are outliers. Not in the paper;
 // the published code divides depth by its maximum and assumes shift 0.
-MetricFit fit_metres(const ImageF& relative, float camera_height_m);
+MetricFit fit_metres(const ImageF& relative, float camera_height_m,
+                     UnknownOfRange unknown = UnknownOfRange::scale_and_shift);
 // Ranges are limited below to a hand's breadth, whatever the shift.
 ImageF metric_range(const ImageF& relative, const MetricFit& fit);
 

@@ -206,4 +206,14 @@ std::vector<Wall> walls_with_lines(const ImageF& range, const RoomLines& lines, 
     return out;
 }
 
+Json json_of_walls(const ImageF& range, const ImageColor& color, float floor_m, float ceiling_m) {
+    Json out = Json::array();
+    for (const Wall& wall : walls_with_lines(range, find_lines(color), floor_m, ceiling_m))
+        out.push_back({{"yaw_deg", wall.yaw * 57.29578f},
+                       {"distance_m", wall.distance_m},
+                       {"share", wall.share},
+                       {"line_m", wall.line_m}});
+    return out;
+}
+
 }  // namespace fastscene

@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "fastscene/base/json.h"
 #include "fastscene/depth/room_lines.h"
 #include "fastscene/image/image.h"
 
@@ -23,5 +24,7 @@ std::vector<Wall> upright_planes(const ImageF& range, float floor_m, float ceili
 
 // The subset with matching lines at floor and ceiling, with line_m set.
 std::vector<Wall> walls_with_lines(const ImageF& range, const RoomLines& lines, float floor_m, float ceiling_m);
+// The same as a backend tells them (EstimatedRange::assumptions).
+Json json_of_walls(const ImageF& range, const ImageColor& color, float floor_m, float ceiling_m);
 
 }  // namespace fastscene

@@ -77,6 +77,16 @@ std::vector<Model> panorama_models() {
 
 std::vector<Model> scene_models() {
     return {
+        {"da2",
+         "da2",
+         "DA-2 (Depth Anything in Any Direction): the most accurate depth estimation for panoramas.",
+         "make --depth-backend da2",
+         "unclear: of the weights, records of their page tell Apache-2.0 and terms of use of their own: read it. The "
+         "code is Apache-2.0; a part of it is modelled on UniK3D's, which is CC BY-NC",
+         "https://huggingface.co/haodongli/DA-2",
+         "https://huggingface.co/haodongli/DA-2",
+         "https://huggingface.co/haodongli/DA-2/resolve/0d55ccb5e46b8ed4715fae3a4c04fc897f1689f3/",
+         {{"model.safetensors", 1378513064, "d8ea568fc3dfb7d7432e5b763de499dd03fb6dc1c2020d84639f35e2dfa4f78e"}}},
         {"egformer",
          "egformer",
          "EGformer: depth estimation for photographed and generated panoramas.",

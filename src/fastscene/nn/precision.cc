@@ -35,9 +35,11 @@ at::Device device_named(const std::string& name, const std::string& flag) {
 
 at::Device training_device(const TrainingParams& params) { return device_named(params.device, "--device"); }
 
+bool multiplies_bf16(at::Device device) { return device.is_cuda() || cpu_has_bf16(); }
+
 bool trains_in_bf16(const TrainingParams& params) {
     if (params.precision != "auto") return params.precision == "bf16";
-    return training_device(params).is_cuda() || cpu_has_bf16();
+    return multiplies_bf16(training_device(params));
 }
 
 Autocast::Autocast(at::Device device, bool on) : device_(device.type()), on_(on) {

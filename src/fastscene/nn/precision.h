@@ -11,7 +11,9 @@ namespace fastscene::nn {
 // but unavailable.
 at::Device device_named(const std::string& name, const std::string& flag);
 at::Device training_device(const TrainingParams& params);
-// Whether "auto" resolves to bf16: on CUDA, or on a CPU with AVX-512 BF16.
+// Whether products of bfloat16 are faster there than of floats: on CUDA, or on a CPU with AVX-512 BF16.
+bool multiplies_bf16(at::Device device);
+// Whether "auto" resolves to bf16: where multiplies_bf16.
 bool trains_in_bf16(const TrainingParams& params);
 
 // During its lifetime, convolutions and matrix products on `device` use bfloat16, numerically sensitive operations

@@ -83,25 +83,36 @@ at::Tensor LoadedWeights::get(const std::string& key, at::IntArrayRef shape) {
     return ready_[key] = placed(tensor, options_);
 }
 
-void load_into(const NamedTensors& targets, const Weights& weights, bool extra_allowed) {
+void check_fits(const NamedShapes& needed, const Weights& weights, const NamedShapes& unused, bool extra_allowed) {
     std::vector<std::string> missing, shapes, extra;
-    std::set<std::string> wanted;
-    for (const auto& [name, target] : targets) {
-        wanted.insert(name);
+    const auto compare = [&](const std::string& name, const std::vector<std::int64_t>& shape,
+                             const WeightTensor& found) {
+        if (found.shape != shape)
+            shapes.push_back(
+                fmt::format("{} (expected {}, found {})", name, text_of_shape(shape), text_of_shape(found.shape)));
+    };
+    for (const auto& [name, shape] : needed) {
         const auto found = weights.tensors.find(name);
-        if (found == weights.tensors.end()) missing.push_back(name + " " + list_text(target.sizes()));
-        else if (at::IntArrayRef(found->second.shape) != target.sizes())
-            shapes.push_back(fmt::format("{} (expected {}, found {})", name, list_text(target.sizes()),
-                                         text_of_shape(found->second.shape)));
+        if (found == weights.tensors.end()) missing.push_back(name + " " + text_of_shape(shape));
+        else compare(name, shape, found->second);
     }
-    for (const auto& [name, tensor] : weights.tensors)
-        if (!extra_allowed && !wanted.contains(name)) extra.push_back(name);
+    for (const auto& [name, tensor] : weights.tensors) {
+        if (needed.contains(name)) continue;
+        if (const auto known = unused.find(name); known != unused.end()) compare(name, known->second, tensor);
+        else if (!extra_allowed) extra.push_back(name);
+    }
     std::vector<std::string> problems;
     if (!missing.empty()) problems.push_back("missing: " + some_of(missing));
     if (!shapes.empty()) problems.push_back("other shapes: " + some_of(shapes));
     if (!extra.empty()) problems.push_back("unexpected: " + some_of(extra));
     if (!problems.empty())
         throw Error("{}: these weights do not fit the network; {}", weights.path.string(), fmt::join(problems, "; "));
+}
+
+void load_into(const NamedTensors& targets, const Weights& weights, bool extra_allowed) {
+    NamedShapes needed;
+    for (const auto& [name, target] : targets) needed[name] = target.sizes().vec();
+    check_fits(needed, weights, {}, extra_allowed);
     const at::NoGradGuard no_gradients;
     for (const auto& [name, target] : targets) at::Tensor(target).copy_(tensor_of(weights.tensors.at(name)));
 }

@@ -1,9 +1,11 @@
 // Weight files as libtorch tensors. Private to nn/ (torch).
 #pragma once
 
+#include <map>
 #include <string>
 #include <unordered_map>
 #include <utility>
+#include <vector>
 
 #include "fastscene/base/check.h"
 #include "fastscene/base/error.h"
@@ -37,8 +39,14 @@ class LoadedWeights final : public WeightSource {
     std::unordered_map<std::string, at::Tensor> ready_;
 };
 
-// Copies into a list of (name, tensor). Throws one Error that lists every missing key, every unexpected one (unless
-// `extra_allowed`) and every mismatched shape, as far as fits in a message.
+// Shapes of a network's parameters by name.
+using NamedShapes = std::map<std::string, std::vector<std::int64_t>>;
+// Throws one Error that lists every missing key, every unexpected one (unless `extra_allowed`) and every mismatched
+// shape, as far as fits in a message. `unused` may be there or not.
+void check_fits(const NamedShapes& needed, const Weights& weights, const NamedShapes& unused = {},
+                bool extra_allowed = false);
+
+// Copies into a list of (name, tensor). Throws what check_fits throws.
 using NamedTensors = std::vector<std::pair<std::string, at::Tensor>>;
 void load_into(const NamedTensors& targets, const Weights& weights, bool extra_allowed = false);
 

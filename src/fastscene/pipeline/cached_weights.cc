@@ -7,11 +7,25 @@
 namespace fastscene {
 namespace fs = std::filesystem;
 
+namespace {
+
+void take_weights(const char* model, const std::optional<fs::path>& found, auto& weights, const Run& run) {
+    if (!found) return;
+    weights = found->string();
+    run.note(fmt::format("{}: weights from {}", model, found->string()));
+}
+
+}  // namespace
+
+void use_cached_depth_weights(DepthParams& depth, const Run& run) {
+    for (const DepthBackend* backend : depth_backends_with_models(depth))
+        if (depth.weights.empty())
+            take_weights(backend->model.c_str(), cached_file(backend->model), depth.weights, run);
+}
+
 void use_cached_weights(SceneRequest& request, const Run& run) {
     const auto take = [&](const char* model, const std::optional<fs::path>& found, auto& weights) {
-        if (!found) return;
-        weights = found->string();
-        run.note(fmt::format("{}: weights from {}", model, found->string()));
+        take_weights(model, found, weights, run);
     };
     const auto asked_for = [](std::string_view what, std::string_view flag, std::string_view model) {
         return UsageError("{}: expected {}, or the model in the cache (fastscene models pull {}), found neither", what,
@@ -38,9 +52,7 @@ void use_cached_weights(SceneRequest& request, const Run& run) {
     const SceneSource& source = request.source;
     if (request.last_stage == "panorama") return;
     DepthParams& depth = request.params.depth;
-    if (is_estimated(source, depth) && depth.weights.empty())
-        if (const std::string& model = wanted_depth_backend(depth).model; !model.empty())
-            take(model.c_str(), cached_file(model), depth.weights);  // otherwise built-in weights may apply
+    if (is_estimated(source, depth)) use_cached_depth_weights(depth, run);
     if (request.last_stage == "depth") return;
     WalkParams& walk = request.params.walk;
     const WalkParams resolved = walk_of(source, depth, walk);

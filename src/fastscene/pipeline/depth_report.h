@@ -15,7 +15,7 @@ struct DepthCheck {
     int count = 50;              // number of places, one picture each
     // all places, for sets that the network was not trained on; false: only held-out ones (depth/examples.h)
     bool all = false;
-    DepthParams depth;  // backend egformer, layout or auto
+    DepthParams depth;  // any backend that estimates, or auto
 };
 // Mean scores after alignment of scale and shift, of scale alone, and without ("affine", "scale", "none"), the
 // backend's name and CPU seconds per picture. Pictures are used at the file's size. Notes in `run` if there are fewer

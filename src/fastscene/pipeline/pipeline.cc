@@ -120,7 +120,7 @@ void check_later_stages(const SceneRequest& request, const RunFolder& folder) {
                std::find(std::begin(kStages), std::end(kStages), request.last_stage);
     };
     if (reaches("depth") && !params.depth.weights.empty() && is_estimated(request.source, params.depth) &&
-        !wanted_depth_backend(params.depth).model.empty())
+        !depth_backends_with_models(params.depth).empty())
         load_weights(params.depth.weights);
     if (reaches("walk")) check_walk(request.source, params.depth, params.walk);
     if (reaches("walk") && !params.walk.inpaint_weights.empty()) {

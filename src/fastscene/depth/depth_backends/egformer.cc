@@ -10,7 +10,6 @@
 #include "fastscene/depth/align.h"
 #include "fastscene/depth/estimator.h"
 #include "fastscene/depth/metric_range.h"
-#include "fastscene/depth/room_lines.h"
 #include "fastscene/depth/walls.h"
 #include "fastscene/geometry/reproject.h"
 #include "fastscene/nn/shipped.h"
@@ -64,20 +63,10 @@ class EgformerEstimator : public DepthEstimator {
                  {"shift", fit.shift},
                  {"floor_share", fit.floor_share},
                  {"floor_found", fit.sure},
-                 {"walls", walls_of(range, color, fit)}}};
+                 {"walls", json_of_walls(range, color, fit.camera_height_m, fit.ceiling_m)}}};
     }
 
   private:
-    static Json walls_of(const ImageF& range, const ImageColor& color, const MetricFit& fit) {
-        Json out = Json::array();
-        for (const Wall& wall : walls_with_lines(range, find_lines(color), fit.camera_height_m, fit.ceiling_m))
-            out.push_back({{"yaw_deg", wall.yaw * 57.29578f},
-                           {"distance_m", wall.distance_m},
-                           {"share", wall.share},
-                           {"line_m", wall.line_m}});
-        return out;
-    }
-
     static constexpr int kSmallNetwork = 128;  // rows: below this, eight augmentations take only a few seconds
     std::vector<Egformer> networks_;
     std::string name_;
