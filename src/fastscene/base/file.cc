@@ -9,6 +9,7 @@
 #include <system_error>
 
 #include "fastscene/base/error.h"
+#include "fastscene/base/forced_exit.h"
 
 namespace fastscene {
 namespace fs = std::filesystem;
@@ -61,13 +62,18 @@ std::string read_file(const fs::path& path) {
 
 void write_renamed(const fs::path& path, const std::function<void(const fs::path&)>& write) {
     const fs::path temporary = temporary_name(path);
+    const auto remove = [temporary] {
+        std::error_code ignored;
+        fs::remove(temporary, ignored);
+    };
+    ExitDuty tidy(remove);
     try {
         write(temporary);
     } catch (...) {
-        std::error_code ignored;
-        fs::remove(temporary, ignored);
+        remove();
         throw;
     }
+    tidy.dismiss();
     rename_or_throw(temporary, path);
 }
 
