@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "fastscene/base/file.h"
+#include "fastscene/base/folder_lock.h"
 #include "fastscene/base/forced_exit.h"
 #include "fastscene/io/image_io.h"
 #include "fastscene/nn/runtime.h"
@@ -172,8 +173,10 @@ TrainingOutcome train(const TrainingTask& task, const TrainingParams& params, co
     use_our_threads();
     const std::unique_ptr<ProcessGroup> group = ProcessGroup::meet(params);
     const bool keeps = !group || group->process() == 0;  // only the first process writes
+    std::optional<FolderLock> lock;
     if (keeps) {
         make_directories(folder / "sheets");
+        lock.emplace(folder);
         settle_settings(task, params, folder, run);
     }
     std::int64_t first = keeps ? load_checkpoint(task, folder) : 0;
