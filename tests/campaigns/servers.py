@@ -13,7 +13,8 @@ import urllib.parse
 
 from campaign import Campaign, Failure, fresh
 
-campaign = Campaign(__doc__, [(["--connections"], {"type": int, "default": 300, "help": "open at once"})])
+campaign = Campaign(__doc__, [(["--connections"], {"type": int, "default": 300, "help": "open at once"}),
+                              (["--slow"], {"type": int, "default": 40, "help": "clients that send a byte at a time"})])
 MOST_GROWTH_MIB = 150
 PATIENT_S = 15  # an honest client is answered within, while others do their worst
 
@@ -200,7 +201,7 @@ def attack(name, server, file, prefixes, secret):
                       ("strangers", lambda: strangers(server, file)),
                       ("ways out", lambda: ways_out(server, secret, prefixes)), ("nonsense", lambda: nonsense(server)),
                       ("ranges", lambda: ranges(server, file)),
-                      ("slow clients", lambda: slow_clients(server, 24)),
+                      ("slow clients", lambda: slow_clients(server, campaign.args.slow)),
                       ("many connections", lambda: many_connections(server, campaign.args.connections))]:
         campaign.attempt(f"{name}: {what}", act)
     server.process.send_signal(signal.SIGTERM)

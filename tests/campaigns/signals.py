@@ -7,7 +7,6 @@ import time
 
 from campaign import COMMANDS, PROMPT, Campaign, Failure, arguments, fresh, now, tail
 
-PATIENCE_S = 2.0
 # Work that takes long in single steps: as it is for users, not tiny. name: (inputs, arguments, seconds of interest).
 LONG = {
     "inpaint-train-long": (["rooms", "holes"],
@@ -22,8 +21,8 @@ LONG = {
     "film-long": (["run"], ["render", "{in}/run", "--path", "walkthrough", "--size", "1280x720", "-o",
                             "{out}/film.mp4"], 20),
     "rooms-dataset-long": ([], ["rooms", "dataset", "--count", 100, "--size", "2048x1024", "-o", "{out}/rooms"], 20),
-    "paths-long": ([], ["panorama", PROMPT, "-o", "{out}/scene", "--panorama-method", "paths", "--panorama-width",
-                        2048], 20),
+    "paths-long": (["run"], ["render", "{in}/run", "--of", "room", "--sphere", "--size", "4096x2048", "-o",
+                             "{out}/a.png"], 20),
     "export-baked": (["run"], ["export", "{in}/run", "{out}/room.glb", "--baked-light"], 10),
     "view": (["run"], ["view", "{in}/run", "--port", 0], 3),
     "studio": ([], ["studio", "{out}", "--port", 0, "--no-open"], 4),
@@ -32,7 +31,8 @@ LONG = {
 USUAL = ["make", "batch", "view", "studio", "inpaint-train-long", "depth-train-long", "splat-long", "film-long",
          "rooms-dataset-long"]
 
-campaign = Campaign(__doc__)
+campaign = Campaign(__doc__, [(["--longest"], {"type": float, "default": 60, "help": "seconds until a signal"}),
+                              (["--patience"], {"type": float, "default": 2.0, "help": "seconds until it is answered"})])
 
 
 def start(args):
@@ -68,7 +68,6 @@ def disturb(name, args, out, seconds, number):
         raise Failure(f"left over: {', '.join(rest[:4])}")
 
 
-campaign.args.patience = PATIENCE_S
 slowest = {}
 for verb in campaign.args.only or USUAL:
     needs, words, span = LONG.get(verb) or (*COMMANDS[verb], 3)
@@ -79,6 +78,6 @@ for verb in campaign.args.only or USUAL:
         command = [str(w).replace("{out}", str(place)).replace("{in}", str(campaign.inputs)) for w in words]
         kind = draw.choice([signal.SIGTERM, signal.SIGINT, signal.SIGHUP])
         campaign.attempt(f"{verb}, round {turn + 1}",
-                         lambda: disturb(verb, command, place, draw.uniform(0.05, span), kind))
+                         lambda: disturb(verb, command, place, draw.uniform(0.05, min(span, campaign.args.longest)), kind))
     print(f"{verb}: gone within {slowest.get(verb, 0):.2f} s", flush=True)
 campaign.end("signals answered")
