@@ -59,7 +59,8 @@ def disturb(name, args, out, seconds, number):
     took = now() - begin
     slowest[name] = max(slowest.get(name, 0), took)
     serves = name in ("view", "studio")
-    if process.returncode not in ([0] if serves else []) + [128 + number]:
+    # Before main() the signal itself ends the process.
+    if process.returncode not in ([0] if serves else []) + [128 + number] + ([-number] if seconds < 1 else []):
         raise Failure(f"exit code {process.returncode} after {signal.Signals(number).name}\n{tail(text)}")
     if took > campaign.args.patience:
         raise Failure(f"gone {took:.1f} s after {signal.Signals(number).name} at {seconds:.1f} s\n{tail(text)}")
