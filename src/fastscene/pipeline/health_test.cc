@@ -131,7 +131,7 @@ TEST_F(Health, SplatsThatAreNoNumbersAreFound) {
     Splats broken = ball();
     broken.mean_m[7].y = std::numeric_limits<float>::quiet_NaN();
     save_splat_ply(folder_.scene_ply(), broken);
-    EXPECT_TRUE(problem().starts_with("splat/scene.ply: "));
+    EXPECT_EQ(problem(), "splat/scene.ply: 1 of its splats are no numbers");
 }
 
 }  // namespace
