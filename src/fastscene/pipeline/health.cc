@@ -105,7 +105,7 @@ class Examination {
         // Readers leave out splats whose numbers are none; we write none.
         const LoadedSplats loaded = load_splats(folder_.scene_ply());
         const Splats& splats = loaded.splats;
-        const std::size_t broken = loaded.cleaned.dropped + loaded.cleaned.repaired;
+        const std::size_t broken = loaded.cleaned.dropped;
         splats_ = {{"count", splats.size() + loaded.cleaned.dropped}, {"not_finite", broken}};
         if (broken > 0) return fmt::format("{} of its splats are no numbers", broken);
         if (splats.size() == 0) return "it has no splats";
