@@ -8,8 +8,13 @@
 
 #include <algorithm>
 #include <chrono>
+#include <condition_variable>
+#include <deque>
+#include <functional>
 #include <memory>
+#include <mutex>
 #include <string_view>
+#include <thread>
 #include <utility>
 #include <vector>
 
@@ -19,7 +24,9 @@ namespace {
 
 using namespace std::chrono_literals;
 
-constexpr std::size_t kConnections = 48;  // threads that answer; a stream of the studio's events keeps one
+// Threads that answer, started when there is none idle. A stream of the studio's events keeps one, and so does a client
+// that sends a byte now and then: these many slow ones do not keep others out. Each takes 100 KB or less.
+constexpr std::size_t kMostClients = 400;  // below the usual limit of 1024 open files
 // A connection without a request gives its thread back after this long. Browsers open another, which takes no time on
 // one machine.
 constexpr auto kIdle = 1s;
@@ -45,6 +52,47 @@ std::string type_of(const fs::path& file) {
         if (ending == known) return type;
     return "application/octet-stream";
 }
+
+class ClientThreads final : public httplib::TaskQueue {
+  public:
+    void enqueue(std::function<void()> task) override {
+        const std::lock_guard lock(mutex_);
+        tasks_.push_back(std::move(task));
+        if (tasks_.size() > idle_ && threads_.size() < kMostClients)
+            threads_.emplace_back([this] { work(); });
+        changed_.notify_one();
+    }
+    void shutdown() override {
+        {
+            const std::lock_guard lock(mutex_);
+            ends_ = true;
+        }
+        changed_.notify_all();
+        threads_.clear();  // joins
+    }
+
+  private:
+    void work() {
+        std::unique_lock lock(mutex_);
+        while (true) {
+            ++idle_;
+            changed_.wait(lock, [&] { return ends_ || !tasks_.empty(); });
+            --idle_;
+            if (tasks_.empty()) return;
+            const std::function<void()> task = std::move(tasks_.front());
+            tasks_.pop_front();
+            lock.unlock();
+            task();
+            lock.lock();
+        }
+    }
+    std::mutex mutex_;
+    std::condition_variable changed_;
+    std::deque<std::function<void()>> tasks_;
+    std::size_t idle_ = 0;
+    bool ends_ = false;
+    std::vector<std::jthread> threads_;
+};
 
 struct OpenFile {
     int descriptor;
@@ -108,7 +156,7 @@ void set_safe_headers(httplib::Response& response) {
 }
 
 void limit_clients(httplib::Server& server) {
-    server.new_task_queue = [] { return new httplib::ThreadPool(kConnections); };
+    server.new_task_queue = [] { return new ClientThreads; };
     server.set_keep_alive_timeout(std::chrono::seconds(kIdle).count());
     server.set_read_timeout(kReadWait);
     server.set_write_timeout(kWriteWait);

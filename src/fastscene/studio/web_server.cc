@@ -20,7 +20,7 @@ using namespace std::chrono_literals;
 using httplib::Request;
 using httplib::Response;
 
-constexpr int kMostStreams = 32;      // each keeps a thread (send_file.cc): others are left to answer
+constexpr int kMostStreams = 32;      // each keeps a thread (send_file.cc)
 constexpr auto kStreamEvery = 250ms;  // pages show no faster changes
 constexpr auto kStreamWait = 1000ms;  // a closed page and the program's end are noticed within
 constexpr std::size_t kMostJsonBytes = 1 << 20;
