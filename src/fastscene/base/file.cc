@@ -9,6 +9,9 @@
 #include <system_error>
 
 #include "fastscene/base/error.h"
+#include "fastscene/base/forced_exit.h"
+#include "fastscene/base/hash.h"
+#include "fastscene/base/temporary_name.h"
 
 namespace fastscene {
 namespace fs = std::filesystem;
@@ -21,10 +24,6 @@ struct Descriptor {
     }
 };
 
-fs::path temporary_name(const fs::path& path) {
-    return path.parent_path() / fmt::format(".{}.{}.part", path.filename().string(), ::getpid());
-}
-
 void rename_or_throw(const fs::path& from, const fs::path& to) {
     std::error_code code;
     fs::rename(from, to, code);
@@ -35,6 +34,14 @@ void rename_or_throw(const fs::path& from, const fs::path& to) {
 }
 
 }  // namespace
+
+fs::path temporary_beside(const fs::path& path) {
+    constexpr std::size_t kLongestName = 255;  // bytes, of Linux
+    std::string name = fmt::format(".{}.{}.part", path.filename().string(), ::getpid());
+    if (name.size() > kLongestName)
+        name = fmt::format(".{}.{}.part", Hash().add(path.filename().string()).hex(), ::getpid());
+    return path.parent_path() / name;
+}
 
 std::string read_file(const fs::path& path) {
     // Opening a pipe without a writer must not block.
@@ -60,14 +67,19 @@ std::string read_file(const fs::path& path) {
 }
 
 void write_renamed(const fs::path& path, const std::function<void(const fs::path&)>& write) {
-    const fs::path temporary = temporary_name(path);
+    const fs::path temporary = temporary_beside(path);
+    const auto remove = [temporary] {
+        std::error_code ignored;
+        fs::remove(temporary, ignored);
+    };
+    ExitDuty tidy(remove);
     try {
         write(temporary);
     } catch (...) {
-        std::error_code ignored;
-        fs::remove(temporary, ignored);
+        remove();
         throw;
     }
+    tidy.dismiss();
     rename_or_throw(temporary, path);
 }
 

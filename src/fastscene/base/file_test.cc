@@ -104,6 +104,18 @@ TEST_F(File, WhatCannotBeWrittenIsKnownBeforehand) {
     EXPECT_NE(complaint([&] { check_writable(folder_); }).find("found a folder"), std::string::npos);
 }
 
+TEST_F(File, NamesMayBeAsLongAsTheFileSystemTakes) {
+    const fs::path longest = folder_ / std::string(255, 'n'), twin = folder_ / (std::string(254, 'n') + 'm');
+    check_writable(longest);
+    write_file(longest, "one");
+    write_pieces(twin, [&](const auto& put) {
+        put("two");
+        write_file(longest, "three");  // no two share a temporary name
+    });
+    EXPECT_EQ(read_file(longest) + read_file(twin), "threetwo");
+    EXPECT_EQ(std::distance(fs::directory_iterator(folder_), {}), 2);
+}
+
 // A file size limit simulates a full disk: the write fails half-way with an error.
 TEST_F(File, AFullDiskIsAnErrorAndKeepsTheOldFile) {
     write_file(folder_ / "x", "old");

@@ -12,6 +12,7 @@
 #include <sstream>
 
 #include "fastscene/base/error.h"
+#include "fastscene/base/forced_exit.h"
 
 namespace fastscene {
 namespace {
@@ -76,6 +77,9 @@ int run_program(const std::filesystem::path& program, const std::vector<std::str
     const int failed = ::posix_spawn(&child, program.c_str(), &actions.files, &actions.attributes,
                                      pointers_to(texts).data(), pointers_to(variables).data());
     if (failed) throw Error("{}: cannot be run: {}", program.string(), std::strerror(failed));
+    // Who is asked to stop waits for those it asked: their folders are free when it has ended.
+    std::optional<ExitHold> hold;
+    if (options.stop.stop_possible()) hold.emplace();
     if (options.started) options.started(child);
     int status = 0;
     {

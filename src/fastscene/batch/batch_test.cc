@@ -1,7 +1,9 @@
 #include "fastscene/batch/batch.h"
 
 #include <gtest/gtest.h>
+#include <sys/resource.h>
 
+#include <csignal>
 #include <fstream>
 #include <set>
 
@@ -150,6 +152,24 @@ TEST_F(Batch, AJournalThatWasCutShortIsReadUpToThere) {
     EXPECT_EQ(BatchJournal(folder_).records().size(), 3u);
     std::ofstream(folder_ / "batch.jsonl", std::ios::app) << "nonsense\n";
     EXPECT_THROW(BatchJournal{folder_}, Error);
+}
+
+// A file size limit simulates a full disk.
+TEST_F(Batch, AFullDiskLeavesNoHalfLineInAJournal) {
+    BatchJournal journal(folder_);
+    journal.add({"a", "x", "k", true, 1, 2.5, {}});
+    const auto whole = fs::file_size(folder_ / "batch.jsonl");
+    rlimit old_limit{};
+    ASSERT_EQ(::getrlimit(RLIMIT_FSIZE, &old_limit), 0);
+    const auto old_handler = std::signal(SIGXFSZ, SIG_IGN);
+    const rlimit small{whole + 10, old_limit.rlim_max};
+    ASSERT_EQ(::setrlimit(RLIMIT_FSIZE, &small), 0);
+    EXPECT_THROW(journal.add({"b", "y", "k", true, 1, 1, {}}), Error);
+    ::setrlimit(RLIMIT_FSIZE, &old_limit);
+    std::signal(SIGXFSZ, old_handler);
+    EXPECT_EQ(fs::file_size(folder_ / "batch.jsonl"), whole);
+    journal.add({"c", "z", "k", true, 1, 1, {}});
+    EXPECT_EQ(BatchJournal(folder_).records().size(), 2u);
 }
 
 // Chunks share nothing but the folder; what they tell comes together, and is asked no second time.

@@ -77,9 +77,14 @@ BatchJournal::BatchJournal(const fs::path& folder, const std::string& name) : fi
 void BatchJournal::add(const BatchRecord& record) {
     const std::string line = to_json(record).dump(-1, ' ', false, Json::error_handler_t::replace) + "\n";
     const int file = ::open(file_.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0644);
-    const bool written = file >= 0 && ::write(file, line.data(), line.size()) == static_cast<ssize_t>(line.size());
-    const int problem = errno;
-    if (file >= 0) ::close(file);
+    if (file < 0) throw Error("{}: cannot be written: {}", file_.string(), std::strerror(errno));
+    const off_t end = ::lseek(file, 0, SEEK_END);
+    errno = ENOSPC;  // what a short write means
+    bool written = ::write(file, line.data(), line.size()) == static_cast<ssize_t>(line.size());
+    int problem = errno;
+    // No half a line before the next record.
+    if (!written && ::ftruncate(file, end) != 0) problem = errno;
+    if (::close(file) != 0 && written) written = false, problem = errno;
     if (!written) throw Error("{}: cannot be written: {}", file_.string(), std::strerror(problem));
     records_.keep(record);
 }

@@ -78,7 +78,7 @@ int act(const Verb& verb, const Common& common, const SignalWatch& signals) {
     } catch (const UsageError& e) {
         return fail(e.what(), 2);
     } catch (const Stopped&) {
-        return fail("stopped; finished work is kept, the same command resumes", 128 + signals.signal());
+        return fail(std::string(kStoppedText), 128 + signals.signal());
     } catch (const CheckFailed& e) {
         return fail(std::string("internal error, please report it: ") + e.what(), 1);
     } catch (const std::exception& e) {
@@ -89,7 +89,7 @@ int act(const Verb& verb, const Common& common, const SignalWatch& signals) {
 }
 
 int run(int argc, char** argv) {
-    const SignalWatch signals;
+    SignalWatch signals;
     CLI::App app("From a sentence to a 3D indoor scene you can walk through.", "fastscene");
     app.require_subcommand(1);
     app.option_defaults()->multi_option_policy(
@@ -133,6 +133,7 @@ int run(int argc, char** argv) {
     for (const Verb& verb : verbs)
         if (verb.app->parsed()) {
             begin_with_settings(verb.app->get_name(), argv);
+            signals.begin();
             return act(verb, *common, signals);
         }
     return 2;

@@ -1,4 +1,4 @@
-// One of two files that include httplib (studio/web_server.cc), to contain its macros and compile time.
+// One of three files that include httplib (studio/web_server.cc, send_file.cc), to contain its macros.
 #include "fastscene/cli/server.h"
 
 #include <httplib.h>
@@ -11,6 +11,7 @@
 #include "fastscene/pipeline/run_files.h"
 #include "fastscene/pipeline/share.h"
 #include "fastscene/studio/local_request.h"
+#include "fastscene/studio/send_file.h"
 
 namespace fastscene::cli {
 namespace {
@@ -40,14 +41,30 @@ std::vector<std::string> headers_named(const httplib::Request& request, const st
     return values;
 }
 
-// Before all routes, those to files among them.
+// The page and its scripts run, nothing comes from outside, and no other page shows it. Scenes may come from others:
+// their scripts see this scene's files alone.
+constexpr const char* kPolicy =
+    "default-src 'none'; script-src 'self' 'unsafe-inline' 'wasm-unsafe-eval' blob: data:; style-src 'self' "
+    "'unsafe-inline'; img-src 'self' data: blob:; font-src 'self' data:; connect-src 'self' data: blob:; worker-src "
+    "'self' data: blob:; frame-ancestors 'none'; base-uri 'none'; form-action 'none'";
+
+void refuse(httplib::Response& response, int status, const std::string& why) {
+    response.status = status;
+    response.set_content("Refused: " + why + ".\n", "text/plain; charset=utf-8");
+}
+
+// Before all routes.
 void refuse_other_sites(httplib::Server& server) {
     server.set_pre_routing_handler([](const httplib::Request& request, httplib::Response& response) {
         const auto why = studio::refusal(headers_named(request, "Host"), headers_named(request, "Origin"));
-        if (!why) return httplib::Server::HandlerResponse::Unhandled;
-        response.status = 403;
-        response.set_content("Refused: " + *why + ".\n", "text/plain; charset=utf-8");
+        if (why) refuse(response, 403, *why);
+        else if (studio::has_too_many_ranges(request)) refuse(response, 416, "too many ranges");
+        else return httplib::Server::HandlerResponse::Unhandled;
         return httplib::Server::HandlerResponse::Handled;
+    });
+    server.set_post_routing_handler([](const httplib::Request&, httplib::Response& response) {
+        studio::set_safe_headers(response);
+        if (!response.has_header("Content-Security-Policy")) response.set_header("Content-Security-Policy", kPolicy);
     });
 }
 
@@ -58,13 +75,9 @@ void serve_scene(const RunFolder& folder, const std::optional<std::filesystem::p
     if (!viewer_dir && !std::filesystem::exists(folder.viewer_html()))
         throw Error("{}: {}", folder.viewer_html().string(), viewer_remedy());
     httplib::Server server;
-    server.set_tcp_nodelay(true);
+    studio::limit_clients(server);
+    server.set_payload_max_length(0);  // nothing is sent here
     refuse_other_sites(server);
-    // By default the library would let two servers share a port silently.
-    server.set_socket_options([](socket_t socket) {
-        const int yes = 1;
-        ::setsockopt(socket, SOL_SOCKET, SO_REUSEADDR, &yes, sizeof yes);
-    });
     const std::string settings = viewer_dir ? settings_of(folder) : "";
     server.Get("/", [&](const httplib::Request&, httplib::Response& response) {
         // Splats of photographs are shown upright, whatever the axes of their model.
@@ -79,9 +92,15 @@ void serve_scene(const RunFolder& folder, const std::optional<std::filesystem::p
     });
     // Browsers ask for an icon; an answer keeps an error out of the console.
     server.Get("/favicon.ico", [](const httplib::Request&, httplib::Response& response) { response.status = 204; });
-    server.set_file_extension_and_mimetype_mapping("ply", "application/octet-stream");
-    if (viewer_dir) server.set_mount_point("/viewer", viewer_dir->string());
-    server.set_mount_point("/", folder.root.string());
+    server.Get("/.*", [&](const httplib::Request& request, httplib::Response& response) {
+        const std::string viewer = "/viewer/";
+        const bool of_viewer = viewer_dir && request.path.starts_with(viewer);
+        const auto file = of_viewer ? studio::file_below(*viewer_dir, request.path.substr(viewer.size()))
+                                    : studio::file_below(folder.root, request.path.substr(1));
+        if (file) return studio::send_file(request, response, *file, kPolicy);
+        response.status = 404;
+        response.set_content("There is no such file.\n", "text/plain; charset=utf-8");
+    });
 
     const int bound = port == 0 ? server.bind_to_any_port("127.0.0.1")
                                 : (server.bind_to_port("127.0.0.1", port) ? port : -1);

@@ -156,6 +156,7 @@ DepthExample load_example(const DepthFiles& files, EquirectSize size, bool with_
 std::vector<DepthExample> load_examples(const std::vector<DepthFiles>& files, bool held_out, EquirectSize size,
                                         const Run& run) {
     std::vector<DepthExample> out;
+    if (files.empty()) return out;
     Progress progress(run, "pictures", static_cast<std::int64_t>(files.size()));
     for (const DepthFiles& one : files) {
         run.check_stop();

@@ -37,10 +37,12 @@ std::vector<DepthFiles> with_fate(const std::vector<DepthFiles>& all, bool held_
     return thinned(out, most);
 }
 
-std::vector<DepthExample> painted_rooms(EquirectSize size, std::size_t count, std::uint64_t seed) {
+std::vector<DepthExample> painted_rooms(EquirectSize size, std::size_t count, const Run& run) {
     std::vector<DepthExample> out;
-    for (std::size_t i = 0; i < count; ++i) {
-        Random rng(seed, "held-out painted room", i);
+    Progress progress(run, "synthetic rooms", static_cast<std::int64_t>(count));
+    for (std::size_t i = 0; i < count; ++i, progress.advance()) {
+        run.check_stop();
+        Random rng(run.seed, "held-out painted room", i);
         out.push_back(painted_room(size, rng));
     }
     return out;
@@ -79,7 +81,8 @@ EgformerTrained train_depth(const DepthTraining& training, const std::filesystem
                         names.dump()));
         held_out = thinned(examples, kMostHeldOut);
     }
-    if (files.empty()) held_out = painted_rooms(size, kPaintedHeldOut, run.seed);
+    if (files.empty()) held_out = painted_rooms(size, kPaintedHeldOut, run);
+    const std::vector<float> mean_range = mean_range_by_latitude(files.empty() ? held_out : examples);
     const double painted = files.empty() ? 1 : p.painted;
 
     EgformerTraining task{
@@ -88,7 +91,7 @@ EgformerTrained train_depth(const DepthTraining& training, const std::filesystem
         p.direct,
         {},
         std::move(held_out),
-        mean_range_by_latitude(examples.empty() ? painted_rooms(size, kPaintedHeldOut, run.seed) : examples),
+        mean_range,
         training.start,
         {{"data", names}, {"painted", painted}, {"repainted", p.repainted}}};
     task.draw = [&](Random& rng) {

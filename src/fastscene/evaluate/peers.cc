@@ -6,6 +6,7 @@
 #include <set>
 
 #include "fastscene/base/file.h"
+#include "fastscene/base/leading_number.h"
 #include "fastscene/evaluate/failure.h"
 #include "fastscene/evaluate/measures.h"
 #include "fastscene/io/splat_format.h"
@@ -54,9 +55,8 @@ fs::path stills_alone(const OtherScene& other, const fs::path& work) {
 
 double minutes_in(const fs::path& file) {
     const std::string text = read_file(file);
-    char* end = nullptr;
-    const double minutes = std::strtod(text.c_str(), &end);
-    if (end == text.c_str() || !(minutes >= 0) || !std::isfinite(minutes))
+    const double minutes = number_in(text).value_or(-1);
+    if (!(minutes >= 0) || !std::isfinite(minutes))
         throw Error("{}: expected a number of minutes, found \"{}\"", file.string(), text.substr(0, 40));
     return minutes;
 }

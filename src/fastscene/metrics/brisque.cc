@@ -6,6 +6,7 @@
 
 #include "fastscene/base/error.h"
 #include "fastscene/base/file.h"
+#include "fastscene/base/leading_number.h"
 #include "fastscene/metrics/brisque_opencv.h"
 #include "fastscene/metrics/naturalness.h"
 
@@ -70,9 +71,9 @@ std::vector<double> brisque_features(const ImageRgb8& image, BrisqueVariant vari
 std::vector<double> brisque_scaled(const std::vector<double>& features, const BrisqueModel& model) {
     if (model.variant == BrisqueVariant::opencv) return model.ranges.scaled(features);
     std::vector<double> out = features;
-    for (double& v : out) v = std::stod(fmt::format("{:.6f}", v));
+    for (double& v : out) v = *number_in(fmt::format("{:.6f}", v));
     out = model.ranges.scaled(out);
-    for (double& v : out) v = std::stod(fmt::format("{:.6g}", v));
+    for (double& v : out) v = *number_in(fmt::format("{:.6g}", v));
     return out;
 }
 

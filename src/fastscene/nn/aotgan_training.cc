@@ -125,6 +125,8 @@ class Trainer {
             return this->step(on_device(batch), step, learning_rate);
         };
         out.evaluate = [this] { return evaluate(); };
+        out.held_out = static_cast<int>(examples_.held_out.size());
+        out.held_out_together = static_cast<int>(kLookTogether);
         AotganTrainingParams network = params_;
         network.training = {};
         out.settings = fields_json(network);

@@ -166,7 +166,12 @@ EgformerTrained train_egformer(const EgformerTraining& training, const std::file
     settings["network"] = {{"name", "egformer"}, {"height", shape.height}, {"channels", shape.channels}};
     settings["direct"] = training.direct;
     trained.steps =
-        nn::train({.learners = {&network}, .draw = draw, .step = step, .evaluate = evaluate, .settings = settings},
+        nn::train({.learners = {&network},
+                   .draw = draw,
+                   .step = step,
+                   .evaluate = evaluate,
+                   .held_out = static_cast<int>(training.held_out.size()),
+                   .settings = settings},
                   training.training, folder, run)
             .steps;
     return trained;

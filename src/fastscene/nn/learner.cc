@@ -67,6 +67,7 @@ bool is_buffer(std::string_view key) {
 }
 
 Tensor TrainableWeights::get(const std::string& key, at::IntArrayRef shape) {
+    ++asked_;
     const auto found = all_.find(key);
     if (found != all_.end()) {
         FASTSCENE_CHECK(found->second.sizes() == shape);
@@ -84,6 +85,7 @@ Learner::Learner(std::string name, const Start& start, at::TensorOptions options
       ema_([this](const std::string& key, at::IntArrayRef) { return weights_.all().at(key).detach().clone(); },
            options),
       adam_((run_once(Scope(weights_)), learning(weights_)), settings.adam),
+      asked_a_pass_(std::max<std::int64_t>(1, weights_.asked())),
       settings_(settings) {
     for (const auto& [key, tensor] : weights_.all()) ema_.get(key, tensor.sizes()).set_requires_grad(false);
 }
@@ -99,6 +101,7 @@ std::vector<Tensor> Learner::gradients() const {
 }
 
 double Learner::update(double learning_rate) {
+    if (before_update_) before_update_();
     const at::NoGradGuard no_gradients;
     if (group_) group_->mean(gradients());
     Tensor square = at::zeros({}, at::kDouble);
@@ -136,6 +139,22 @@ NamedTensors Learner::state() const {
     for (const auto& [key, tensor] : ema_.all()) out.emplace_back(name_ + ".average." + key, tensor);
     for (const auto& [key, tensor] : adam_.memory()) out.emplace_back(name_ + ".adam." + key, tensor);
     return out;
+}
+
+void Learner::rest() {
+    for (const auto& [key, tensor] : weights_.all())
+        if (is_buffer(key)) at_rest_[name_ + ".weights." + key] = tensor.detach().clone();
+}
+
+NamedTensors Learner::state_at_rest() const {
+    NamedTensors out = state();
+    for (auto& [key, tensor] : out)
+        if (const auto found = at_rest_.find(key); found != at_rest_.end()) tensor = found->second;
+    return out;
+}
+
+double Learner::passes() const {
+    return static_cast<double>(weights_.asked() + ema_.asked()) / static_cast<double>(asked_a_pass_);
 }
 
 Weights Learner::kept() const {

@@ -2,6 +2,7 @@
 // Networks remain functions of a scope (scope.h); in training the scope's source is a Learner. Private to nn/ (torch).
 #pragma once
 
+#include <atomic>
 #include <functional>
 #include <map>
 #include <memory>
@@ -35,8 +36,11 @@ class TrainableWeights final : public WeightSource {
     bool has(const std::string&) const override { return true; }
     // By name, including buffers.
     const std::map<std::string, at::Tensor>& all() const { return all_; }
+    // How many parameters were asked for so far: tells another thread how far a pass through the network is.
+    std::int64_t asked() const { return asked_; }
 
   private:
+    std::atomic<std::int64_t> asked_{0};
     Start start_;
     at::TensorOptions options_;
     std::map<std::string, at::Tensor> all_;
@@ -65,6 +69,15 @@ class Learner {
     // While frozen, gradients flow through the network without accumulating in its parameters.
     void freeze(bool frozen);
 
+    // Called before the first change that update() makes.
+    void before_update(std::function<void()> call) { before_update_ = std::move(call); }
+    // Keeps the buffers, which a step changes before update(), as they are now, for state_at_rest().
+    void rest();
+    // The state before the step that is being computed. From any thread, but not during update().
+    NamedTensors state_at_rest() const;
+    // Passes through the network so far, of the trained one and of its average.
+    double passes() const;
+
     const std::string& name() const { return name_; }
     // Everything needed to resume training, sharing memory with this object: NAME.weights.*, NAME.average.*,
     // NAME.adam.*.
@@ -80,7 +93,10 @@ class Learner {
     std::string name_;
     TrainableWeights weights_, ema_;
     Adam adam_;
+    std::int64_t asked_a_pass_ = 1;
     LearnerSettings settings_;
+    std::function<void()> before_update_;
+    std::map<std::string, at::Tensor> at_rest_;  // buffers by their names in state()
     const ProcessGroup* group_ = nullptr;
 };
 

@@ -7,10 +7,13 @@
 #include <optional>
 
 #include "fastscene/base/file.h"
+#include "fastscene/base/folder_lock.h"
+#include "fastscene/base/forced_exit.h"
 #include "fastscene/io/image_io.h"
 #include "fastscene/nn/runtime.h"
 #include "fastscene/nn/safetensors.h"
 #include "fastscene/nn/process_group.h"
+#include "fastscene/nn/training_beginning.h"
 #include "fastscene/nn/training_log.h"
 
 namespace fastscene::nn {
@@ -19,7 +22,7 @@ namespace {
 namespace fs = std::filesystem;
 using Clock = std::chrono::steady_clock;
 
-constexpr int kShares = 1000;  // resolution of the progress display
+constexpr int kShares = 1'000'000;  // resolution of the progress display: each step of a long training is seen
 
 double minutes_since(Clock::time_point begin) {
     return std::chrono::duration<double>(Clock::now() - begin).count() / 60;
@@ -36,7 +39,8 @@ NamedTensors whole_state(const TrainingTask& task) {
 
 void save_checkpoint(const TrainingTask& task, std::int64_t step, const fs::path& folder) {
     Weights out{checkpoint_of(folder), {}, {{"step", std::to_string(step)}}, {}};
-    for (const auto& [name, tensor] : whole_state(task)) out.tensors[name] = weight_of(tensor);
+    for (const Learner* learner : task.learners)
+        for (const auto& [name, tensor] : learner->state_at_rest()) out.tensors[name] = weight_of(tensor);
     for (const Learner* learner : task.learners)
         out.metadata[learner->name() + ".steps"] = std::to_string(learner->steps());
     save_safetensors(checkpoint_of(folder), out);
@@ -134,6 +138,22 @@ class Drawer {
     std::future<Batch> next_;
 };
 
+// Tells of each learner's updates while it exists.
+struct UpdateCalls {
+    std::vector<Learner*> learners;
+    UpdateCalls(std::vector<Learner*> all, const std::function<void()>& call) : learners(std::move(all)) {
+        for (Learner* learner : learners) {
+            learner->rest();
+            learner->before_update(call);
+        }
+    }
+    ~UpdateCalls() {
+        for (Learner* learner : learners) learner->before_update({});
+    }
+    UpdateCalls(const UpdateCalls&) = delete;
+    UpdateCalls& operator=(const UpdateCalls&) = delete;
+};
+
 std::string text_of(const Numbers& numbers) {
     std::string out;
     for (const auto& [name, value] : numbers) out += fmt::format("{}{} {:.4g}", out.empty() ? "" : ", ", name, value);
@@ -153,8 +173,10 @@ TrainingOutcome train(const TrainingTask& task, const TrainingParams& params, co
     use_our_threads();
     const std::unique_ptr<ProcessGroup> group = ProcessGroup::meet(params);
     const bool keeps = !group || group->process() == 0;  // only the first process writes
+    std::optional<FolderLock> lock;
     if (keeps) {
         make_directories(folder / "sheets");
+        lock.emplace(folder);
         settle_settings(task, params, folder, run);
     }
     std::int64_t first = keeps ? load_checkpoint(task, folder) : 0;
@@ -169,6 +191,7 @@ TrainingOutcome train(const TrainingTask& task, const TrainingParams& params, co
     Means means;
     const auto log_now = [&](const Numbers& more = {}) {
         if (!log) return;
+        const ExitHold hold;
         if (!means.empty()) log->add(outcome.steps, minutes_before + minutes_since(begin), means.take());
         log->add(outcome.steps, minutes_before + minutes_since(begin), more);
         log->save();
@@ -185,8 +208,21 @@ TrainingOutcome train(const TrainingTask& task, const TrainingParams& params, co
         run.note(fmt::format("training: step {}, held out: {}", outcome.steps, text_of(evaluation.held_out)));
     };
     const auto keep = [&] {
+        const ExitHold hold;
+        for (Learner* learner : task.learners) learner->rest();
         if (keeps) save_checkpoint(task, outcome.steps, folder);
     };
+    // A step may take minutes. A forced exit within one keeps those before it: until the step's first update the
+    // weights are as after the last one, and from there to its end nothing can force the exit.
+    std::optional<ExitHold> updating;
+    const UpdateCalls calls(task.learners, [&updating] {
+        if (!updating) updating.emplace();
+    });
+    const ExitDuty save([&] {
+        if (!keeps || outcome.steps == first) return;
+        log_now();
+        save_checkpoint(task, outcome.steps, folder);
+    });
     // All processes end after the same step: the first one's clock and user decide.
     enum : std::int64_t { goes_on, time_is_up, stopped };
     const auto now_what = [&] {
@@ -195,10 +231,13 @@ TrainingOutcome train(const TrainingTask& task, const TrainingParams& params, co
         return group ? group->from_first(mine) : mine;
     };
 
-    Progress progress(run, "training", kShares);
     Drawer drawer(task, run.seed, group.get());
     Clock::time_point kept = begin;
+    std::optional<TrainingBeginning> beginning;
+    if (!outcome.finished) beginning.emplace(task, params, first, run);
     if (first == 0 || outcome.finished) evaluate_now();
+    Progress progress(run, "training", kShares);
+    if (beginning) beginning->first_step();
     for (int shown = 0; outcome.steps < params.steps;) {
         const std::int64_t now_to_do = now_what();
         if (now_to_do == stopped) {
@@ -210,8 +249,16 @@ TrainingOutcome train(const TrainingTask& task, const TrainingParams& params, co
         means.add(task.step(drawer.at(outcome.steps, outcome.steps + 1 < params.steps), outcome.steps,
                             learning_rate_at(params, outcome.steps)));
         ++outcome.steps;
+        for (Learner* learner : task.learners) learner->rest();
+        updating.reset();
+        beginning.reset();
         outcome.finished = outcome.steps == params.steps;
-        if (outcome.steps % params.eval_steps == 0 && !outcome.finished) evaluate_now();
+        if (outcome.steps % params.eval_steps == 0 && !outcome.finished) try {
+                evaluate_now();
+            } catch (const Stopped&) {
+                keep();
+                throw;
+            }
         else if (outcome.steps % params.log_steps == 0) log_now();
         if (minutes_since(kept) >= params.checkpoint_minutes && !outcome.finished) {
             keep();

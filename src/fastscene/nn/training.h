@@ -38,6 +38,7 @@ struct TrainingTask {
     // Computes losses, backward(), Learner::update(learning_rate).
     std::function<Numbers(const Batch& batch, std::int64_t step, double learning_rate)> step;
     std::function<Evaluation()> evaluate;  // uses the learners' EMA weights
+    int held_out = 0, held_out_together = 1;  // pictures that evaluate() looks at, in all and in a pass: for estimates
     Json settings;  // further settings that must match for a checkpoint to be resumed: data, sizes, losses
 };
 

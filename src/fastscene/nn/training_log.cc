@@ -6,6 +6,7 @@
 
 #include "fastscene/base/error.h"
 #include "fastscene/base/file.h"
+#include "fastscene/base/leading_number.h"
 #include "fastscene/io/plot_svg.h"
 
 namespace fastscene::nn {
@@ -20,11 +21,7 @@ std::vector<std::string> cells(const std::string& line) {
     return out;
 }
 
-double number(const std::string& cell) {
-    char* end = nullptr;
-    const double value = std::strtod(cell.c_str(), &end);
-    return end == cell.c_str() ? std::nan("") : value;
-}
+double number(const std::string& cell) { return number_in(cell).value_or(std::nan("")); }
 
 // Averages groups of consecutive points.
 std::vector<Vec2d> thinned(const std::vector<Vec2d>& points) {

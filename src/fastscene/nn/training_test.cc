@@ -12,9 +12,12 @@
 #include <filesystem>
 #include <functional>
 #include <future>
+#include <mutex>
+#include <thread>
 
 #include "fastscene/base/error.h"
 #include "fastscene/base/file.h"
+#include "fastscene/base/forced_exit.h"
 #include "fastscene/base/parallel.h"
 #include "fastscene/nn/layers.h"
 #include "fastscene/nn/precision.h"
@@ -148,6 +151,80 @@ TEST(Training, StopsWithACheckpoint) {
     Lesson again;
     EXPECT_EQ(train(again.task, quick(20), folder.path, seeded(7)).steps, 20);
     EXPECT_EQ(again.learner.steps(), 20);
+}
+
+// Ended within its 13th step, after the gradients and before the update: the 12 before it are kept, and what follows is
+// as if it had never ended.
+TEST(Training, AForcedExitWithinAStepKeepsThoseBeforeIt) {
+    GTEST_FLAG_SET(death_test_style, "threadsafe");
+    set_threads(1);
+    const fs::path root = fs::temp_directory_path();
+    // A death test runs this test again in a process of its own: the folder's name must be the same there.
+    const fs::path folder = root / "fastscene-training-forced", whole = root / "fastscene-training-not-forced";
+    const auto play = [&] {
+        Lesson lesson;
+        const auto step = lesson.task.step;
+        lesson.task.step = [&](const Batch& batch, std::int64_t i, double learning_rate) {
+            if (i == 12) {
+                at::mse_loss(small_network(lesson.learner.scope(), batch[0]).squeeze(1), batch[0].prod(1)).backward();
+                if (begin_forced_exit()) ::_exit(3);
+            }
+            return step(batch, i, learning_rate);
+        };
+        train(lesson.task, quick(1000), folder, seeded(7));
+    };
+    fs::remove_all(folder), fs::remove_all(whole);
+    EXPECT_EXIT(play(), testing::ExitedWithCode(3), "");
+    Lesson at_once, again;
+    EXPECT_EQ(load_weights(folder / "checkpoint.safetensors").metadata.at("step"), "12");
+    EXPECT_EQ(train(again.task, quick(20), folder, seeded(7)).steps, 20);
+    train(at_once.task, quick(20), whole, seeded(7));
+    EXPECT_EQ(all_numbers(at_once.learner), all_numbers(again.learner));
+    fs::remove_all(folder), fs::remove_all(whole);
+    set_threads(0);
+}
+
+// From the first gradient that is applied to the end of the step, the exit is held.
+TEST(Training, AnUpdateIsNotCutInTwo) {
+    const Folder folder("fastscene-training-held");
+    Lesson lesson;
+    const auto step = lesson.task.step;
+    int held = 0;
+    lesson.task.step = [&](const Batch& batch, std::int64_t i, double learning_rate) {
+        const Numbers numbers = step(batch, i, learning_rate);
+        held += begin_forced_exit() ? 0 : 1;
+        return numbers;
+    };
+    train(lesson.task, quick(5), folder.path, seeded(7));
+    EXPECT_EQ(held, 5);
+}
+
+// A first step that takes long is told of, with the time that all will take.
+TEST(Training, TheFirstNewsComesBeforeTheFirstStep) {
+    struct Notes : EventSink {
+        std::mutex mutex;
+        std::vector<std::string> texts;
+        void tell(const Event& event) override {
+            const std::lock_guard lock(mutex);
+            if (const auto* note = std::get_if<NoteEvent>(&event)) texts.push_back(note->text);
+        }
+    } notes;
+    const Folder folder("fastscene-training-news");
+    Lesson lesson;
+    const auto step = lesson.task.step;
+    bool told_before_step = false;
+    lesson.task.step = [&](const Batch& batch, std::int64_t i, double learning_rate) {
+        if (i == 0) {
+            small_network(lesson.learner.scope(), batch[0]);
+            std::this_thread::sleep_for(std::chrono::milliseconds(8500));
+            const std::lock_guard lock(notes.mutex);
+            for (const std::string& text : notes.texts)
+                told_before_step |= text.starts_with("training: first step, 33 % in 7 s; a step takes about 21 s");
+        }
+        return step(batch, i, learning_rate);
+    };
+    train(lesson.task, quick(3), folder.path, {7, &notes, {}});
+    EXPECT_TRUE(told_before_step) << (notes.texts.empty() ? "nothing" : notes.texts.back());
 }
 
 // An unused TCP port.

@@ -11,6 +11,7 @@
 #include "fastscene/io/capture_io.h"
 #include "fastscene/io/splat_io.h"
 #include "fastscene/pipeline/fit_report.h"
+#include "fastscene/pipeline/health.h"
 #include "fastscene/pipeline/build_info.h"
 #include "fastscene/pipeline/claim.h"
 #include "fastscene/pipeline/share.h"
@@ -202,6 +203,7 @@ Json train_capture(const CaptureRequest& request, const RunFolder& folder, const
     for (const std::string& name : RunFolder::owned())
         if (name == "report.json" || fs::exists(folder.root / name)) made.push_back(name);
     report["made"] = made;
+    report["health"] = check_health(folder, run);
     write_json(folder.report_json(), report);
     return report;
 }

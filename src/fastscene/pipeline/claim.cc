@@ -7,8 +7,9 @@ namespace fastscene {
 namespace fs = std::filesystem;
 namespace {
 
-void remove_owned(const RunFolder& folder) {
+void remove_all_but_record(const RunFolder& folder) {
     for (const std::string& name : RunFolder::owned()) {
+        if (name == folder.run_json().filename()) continue;
         std::error_code code;
         fs::remove_all(folder.root / name, code);
         if (code) throw Error("{}: cannot be removed: {}", (folder.root / name).string(), code.message());
@@ -20,8 +21,12 @@ void remove_owned(const RunFolder& folder) {
 void claim_folder(const RunFolder& folder, const Json& wanted, bool start_over,
                   const std::function<std::optional<std::string>(const Json&)>& clash, const std::string& described) {
     if (start_over) {
-        remove_owned(folder);
-    } else if (fs::exists(folder.run_json())) {
+        // The record first: on a full disk the old run stays, and whoever is killed while it is removed finds the new
+        // one begun.
+        write_json(folder.run_json(), wanted);
+        return remove_all_but_record(folder);
+    }
+    if (fs::exists(folder.run_json())) {
         if (const auto other = clash(read_json(folder.run_json())))
             throw UsageError(
                 "{}: expected a new folder or a run of {}, found a run of {}; choose another folder with -o, or "

@@ -11,6 +11,7 @@
 #include "fastscene/depth/estimator.h"
 #include "fastscene/nn/weights.h"
 #include "fastscene/pipeline/fit_report.h"
+#include "fastscene/pipeline/health.h"
 #include "fastscene/pipeline/build_info.h"
 #include "fastscene/panorama/diffusion360.h"
 #include "fastscene/rooms/pack.h"
@@ -110,6 +111,25 @@ bool is_shared(const RunFolder& folder, const StageRecord& splat) {
     } catch (const std::exception&) {
         return false;
     }
+}
+
+// As the last report says, if it is of the same files.
+Json health_of_run(const Json& report, const RunFolder& folder, const Run& run) {
+    const auto hashes = [](const Json& stages) {
+        Json out;
+        for (const auto& [name, stage] : stages.items()) out[name] = stage.at("hash");
+        return out;
+    };
+    try {
+        const Json last = fs::exists(folder.report_json()) ? read_json(folder.report_json()) : Json::object();
+        if (last.contains("health") && hashes(last.at("stages")) == hashes(report.at("stages"))) {
+            for (const Json& problem : last.at("health").at("problems")) run.warn(problem.get<std::string>());
+            return last.at("health");
+        }
+    } catch (const std::exception&) {
+        // foreign or damaged: looked at again
+    }
+    return check_health(folder, run);
 }
 
 // Checks files and memory needed by later stages: better to fail now than after an hour.
@@ -216,7 +236,8 @@ Json make_scene(const SceneRequest& request, const RunFolder& folder, const Run&
     } else if (done.back().name != "splat" && fs::exists(folder.room_json())) {
         write_credits(folder);
     }
-    const Json report = report_of(done, request, folder, run);
+    Json report = report_of(done, request, folder, run);
+    report["health"] = health_of_run(report, folder, run);
     write_json(folder.report_json(), report);
     return report;
 }

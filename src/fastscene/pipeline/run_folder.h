@@ -6,6 +6,8 @@
 #include <string_view>
 #include <vector>
 
+#include "fastscene/base/folder_lock.h"
+
 namespace fastscene {
 
 // The stages that produce files, in pipeline order: names of directories and commands.
@@ -51,18 +53,5 @@ struct RunFolder {
 // "A cozy bedroom, 3 chairs" -> "a-cozy-bedroom-3-chairs": letters and digits, at most 60 of them; "scene" if none are
 // left.
 std::string slug_of(std::string_view text);
-
-// Exclusive lock on a folder. Throws Error if another process holds it. Released with the object, or when the process
-// ends.
-class FolderLock {
-  public:
-    explicit FolderLock(const std::filesystem::path& folder);
-    ~FolderLock();
-    FolderLock(const FolderLock&) = delete;
-    FolderLock& operator=(const FolderLock&) = delete;
-
-  private:
-    int descriptor_;
-};
 
 }  // namespace fastscene

@@ -9,6 +9,7 @@
 
 #include "fastscene/base/error.h"
 #include "fastscene/base/file.h"
+#include "fastscene/base/forced_exit.h"
 #include "fastscene/base/hash.h"
 #include "fastscene/pipeline/stage_code.h"
 
@@ -125,11 +126,15 @@ StageRecord run_stage(const fs::path& root, std::string_view name, const std::st
     if (const auto stored = read_stored(root, name); stored && stored->key == key) return stored->record;
 
     const fs::path directory = root / name, unfinished = root / ("." + std::string(name) + ".part");
-    const auto remove_unfinished = [&] {
+    const auto remove_unfinished = [unfinished] {
         std::error_code ignored;
         fs::remove_all(unfinished, ignored);
     };
     remove_unfinished();
+    ExitDuty tidy([=] {
+        // Whoever writes there does not know yet, and may put another file into it meanwhile.
+        for (int i = 0; i < 5 && fs::exists(unfinished); ++i) remove_unfinished();
+    });
     try {
         make_directories(unfinished);
         StageRecord record{std::string(name), "", {}, false};
@@ -146,6 +151,7 @@ StageRecord run_stage(const fs::path& root, std::string_view name, const std::st
         // A stage's notes about how it was made: fallbacks, clipped settings.
         if (fs::exists(unfinished / "about.json")) json["about"] = read_json(unfinished / "about.json");
         write_json(unfinished / "stage.json", json);
+        tidy.dismiss();
         replace_directory(unfinished, directory);
         return record;
     } catch (const fs::filesystem_error& e) {

@@ -8,6 +8,7 @@
 #include <type_traits>
 
 #include "fastscene/base/file.h"
+#include "fastscene/base/leading_number.h"
 #include "fastscene/base/shortest.h"
 #include "fastscene/base/suggest.h"
 #include "fastscene/image/color.h"
@@ -88,7 +89,7 @@ Json written(float value, const Rule& rule) {
     // The fewest digits that give the same radians again.
     const double exact = static_cast<double>(value) * 180 / static_cast<double>(kPi);
     for (int digits = 1; digits <= 17; ++digits) {
-        const double degrees = std::stod(fmt::format("{:.{}g}", exact, digits));
+        const double degrees = *number_in(fmt::format("{:.{}g}", exact, digits));
         if (radians_of(degrees) == value) return degrees;
     }
     return exact;

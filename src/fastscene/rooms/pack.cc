@@ -8,6 +8,7 @@
 
 #include "fastscene/base/error.h"
 #include "fastscene/base/hash.h"
+#include "fastscene/base/leading_number.h"
 #include "fastscene/base/random.h"
 #include "fastscene/rooms/lexicon.h"
 #include "fastscene/rooms/pack_parts.h"
@@ -29,9 +30,8 @@ using Properties = std::map<std::string, std::string>;
 float number(const Properties& p, const std::string& key, float otherwise) {
     const auto at = p.find(key);
     if (at == p.end()) return otherwise;
-    char* end = nullptr;
-    const float value = std::strtof(at->second.c_str(), &end);
-    return end != at->second.c_str() && std::isfinite(value) ? value : otherwise;
+    const auto value = static_cast<float>(number_in(at->second).value_or(std::nan("")));
+    return std::isfinite(value) ? value : otherwise;
 }
 std::string text(const Properties& p, const std::string& key) {
     const auto at = p.find(key);
@@ -41,10 +41,13 @@ std::string text(const Properties& p, const std::string& key) {
 // Nine numbers, row by row.
 std::optional<Mat3f> rotation_from(const std::string& words) {
     if (words.empty()) return {};
-    std::istringstream in(words);
+    std::string_view rest = words;
     std::array<float, 9> v{};
-    for (float& x : v)
-        if (!(in >> x)) return {};
+    for (float& x : v) {
+        const auto found = leading_number(rest);
+        if (!found) return {};
+        x = static_cast<float>(*found);
+    }
     return Mat3f{{v[0], v[1], v[2]}, {v[3], v[4], v[5]}, {v[6], v[7], v[8]}};
 }
 

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "fastscene/rooms/prompt_parts.h"
+#include "fastscene/base/leading_number.h"
 #include "fastscene/rooms/catalogue.h"
 
 namespace fastscene::reading {
@@ -22,7 +23,7 @@ std::optional<float> number_of(const std::string& token, Language language) {
     }
     const auto word = look_up(token, language);
     if (!word || word->kind != WordKind::count || token == "some" || token == "few") return {};
-    return std::stof(word->meaning);
+    return static_cast<float>(number_in(word->meaning).value_or(0));
 }
 
 bool is_times(const std::string& token) {
@@ -40,7 +41,7 @@ std::optional<Unit> unit_at(const std::vector<std::string>& tokens, std::size_t 
     for (std::size_t n = std::min(kLongestUnit, tokens.size() - std::min(at, tokens.size())); n > 0; --n) {
         const std::string term = n == 2 ? tokens[at] + " " + tokens[at + 1] : tokens[at];
         if (const auto word = look_up(term, language); word && word->kind == WordKind::unit)
-            return Unit{std::stof(word->meaning), word->adds == "area", n};
+            return Unit{static_cast<float>(number_in(word->meaning).value_or(0)), word->adds == "area", n};
     }
     return {};
 }

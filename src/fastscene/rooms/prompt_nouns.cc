@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "fastscene/base/is_one_of.h"
+#include "fastscene/base/leading_number.h"
 #include "fastscene/rooms/catalogue.h"
 #include "fastscene/rooms/furniture.h"
 #include "fastscene/rooms/prompt_parts.h"
@@ -437,7 +438,7 @@ void take_added(const Word& word, PromptObject& object) {
     if (const std::string count = added_by(word, "count"); !count.empty())
         object.count = std::stoi(count), object.counted = true;
     if (const std::string length = added_by(word, "length"); !length.empty() && !(object.size_m.x > 0))
-        object.size_m.x = std::stof(length), object.size = "large";
+        object.size_m.x = static_cast<float>(number_in(length).value_or(0)), object.size = "large";
     if (!added_by(word, "row").empty()) object.in_row = true;
 }
 

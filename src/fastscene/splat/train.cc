@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "fastscene/base/file.h"
+#include "fastscene/base/forced_exit.h"
 #include "fastscene/base/hash.h"
 #include "fastscene/base/memory.h"
 #include "fastscene/base/random.h"
@@ -109,10 +110,11 @@ std::int64_t memory_of_one(const SplatParams& params) {
 
 float psnr_of(double mse) { return static_cast<float>(-10 * std::log10(std::max(mse, 1e-10))); }
 
-EvalPoint evaluate(const TrainState& state, const std::vector<const View*>& views) {
+EvalPoint evaluate(const TrainState& state, const std::vector<const View*>& views, const Run& run) {
     Engine engine(choose_kernel());
     double psnr = 0, ssim = 0;
     for (const View* v : views) {
+        run.check_stop();
         engine.render(state.cloud, v->camera, v->world_from_camera, {}, false, v->model);
         const LossSums sums = engine.differentiate(*v, 1.f);  // loss = D-SSIM only
         psnr += psnr_of(sums.squared_error), ssim += 1 - sums.loss;
@@ -167,12 +169,14 @@ class Training {
     FittedSplats go() try {
         Progress progress(run_, "splat", last_);
         progress.advance(std::min(state_.step, last_));
+        evaluate_if_due();  // a training that was stopped within an evaluation does it again
         while (state_.step < last_ && !stalled()) {
             if (run_.stop.stop_requested()) {
                 save();
                 run_.check_stop();
             }
             step();
+            evaluate_if_due();
             progress.advance();
         }
         bring_back();
@@ -185,7 +189,7 @@ class Training {
         close_curve(out.curve, state_.step);
         if (!views_.held_out.empty()) {
             if (out.evals.empty() || out.evals.back().step != state_.step)
-                out.evals.push_back(evaluate(state_, views_.held_out));
+                out.evals.push_back(evaluate(state_, views_.held_out, run_));
             out.eval_pictures = eval_pictures(out.splats, views_.held_out);
         }
         return out;
@@ -220,6 +224,7 @@ class Training {
     }
 
     void step() {
+        const ExitHold hold;  // half a step is no state to go on from
         const int now = state_.step + 1;
         const float done = std::min(1.f, static_cast<float>(now - 1) / static_cast<float>(std::max(params_.steps, 1)));
         StepPlan plan;
@@ -248,11 +253,19 @@ class Training {
         sum_losses();
         if (params_.strategy == "mcmc") move_splats(now, done, plan.rates.rates[0]);
         if (params_.strategy == "classic") densify_splats(now, done);
-        if (params_.eval_every > 0 && now % params_.eval_every == 0) {
-            bring_back();
-            state_.evals.push_back(evaluate(state_, views_.held_out));
-        }
         if (now % params_.checkpoint_every == 0) save();
+    }
+
+    void evaluate_if_due() {
+        if (params_.eval_every == 0 || state_.step == 0 || state_.step % params_.eval_every != 0) return;
+        if (!state_.evals.empty() && state_.evals.back().step == state_.step) return;
+        bring_back();
+        try {
+            state_.evals.push_back(evaluate(state_, views_.held_out, run_));
+        } catch (const Stopped&) {
+            save();
+            throw;
+        }
     }
 
     // The curve grows as losses become known: a backend may run behind.
@@ -334,6 +347,7 @@ class Training {
     // A full disk must not end the training, which is worth more than its checkpoint.
     void save() {
         if (params_.checkpoint.empty() || saved_ == state_.step) return;
+        const ExitHold hold;
         saved_ = state_.step;
         bring_back();
         try {

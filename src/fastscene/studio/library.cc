@@ -8,6 +8,7 @@
 #include "fastscene/base/file.h"
 #include "fastscene/pipeline/request.h"
 #include "fastscene/studio/refusal.h"
+#include "fastscene/studio/send_file.h"
 
 namespace fastscene::studio {
 namespace fs = std::filesystem;
@@ -196,19 +197,8 @@ Json Library::trash() const {
 }
 
 std::optional<fs::path> Library::file(const std::string& name, const std::string& relative) const {
-    if (!is_scene_name(name) || relative.find('\0') != std::string::npos || relative.find('\\') != std::string::npos)
-        return {};
-    fs::path path = root_ / name;
-    if (!is_plain_folder(path)) return {};
-    for (const fs::path& part : fs::path(relative)) {
-        if (part.empty() || part.string().front() == '.' || part == "/") return {};
-        path /= part;
-        std::error_code none;
-        if (fs::is_symlink(fs::symlink_status(path, none))) return {};
-    }
-    std::error_code none;
-    if (!fs::is_regular_file(path, none)) return {};
-    return path;
+    if (!is_scene_name(name) || !is_plain_folder(root_ / name)) return {};
+    return file_below(root_ / name, relative);
 }
 
 }  // namespace fastscene::studio

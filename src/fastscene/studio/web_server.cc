@@ -1,9 +1,6 @@
 #include "fastscene/studio/web_server.h"
 
-#include <fcntl.h>
 #include <httplib.h>
-#include <sys/stat.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <atomic>
@@ -13,6 +10,7 @@
 
 #include "fastscene/base/error.h"
 #include "fastscene/studio/local_request.h"
+#include "fastscene/studio/send_file.h"
 
 namespace fastscene::studio {
 namespace fs = std::filesystem;
@@ -22,10 +20,9 @@ using namespace std::chrono_literals;
 using httplib::Request;
 using httplib::Response;
 
-constexpr std::size_t kConnections = 48;  // threads that answer; a stream of events keeps one
-constexpr int kMostStreams = 32;          // of them, so that others are answered
-constexpr auto kStreamEvery = 250ms;      // pages show no faster changes
-constexpr auto kStreamWait = 1000ms;      // a closed page and the program's end are noticed within
+constexpr int kMostStreams = 32;      // each keeps a thread (send_file.cc)
+constexpr auto kStreamEvery = 250ms;  // pages show no faster changes
+constexpr auto kStreamWait = 1000ms;  // a closed page and the program's end are noticed within
 constexpr std::size_t kMostJsonBytes = 1 << 20;
 constexpr const char* kCookie = "fastscene_studio";
 
@@ -77,63 +74,10 @@ std::vector<std::string> parts_of(const std::string& path) {
     return parts;
 }
 
-std::string type_of(const fs::path& file) {
-    static constexpr std::pair<std::string_view, const char*> kTypes[] = {{".html", "text/html; charset=utf-8"},
-                                                                          {".js", "text/javascript; charset=utf-8"},
-                                                                          {".css", "text/css; charset=utf-8"},
-                                                                          {".json", "application/json"},
-                                                                          {".svg", "image/svg+xml"},
-                                                                          {".png", "image/png"},
-                                                                          {".jpg", "image/jpeg"},
-                                                                          {".jpeg", "image/jpeg"},
-                                                                          {".webp", "image/webp"},
-                                                                          {".woff2", "font/woff2"},
-                                                                          {".txt", "text/plain; charset=utf-8"},
-                                                                          {".glb", "model/gltf-binary"}};
-    const std::string ending = file.extension().string();
-    for (const auto& [known, type] : kTypes)
-        if (ending == known) return type;
-    return "application/octet-stream";
-}
-
 void send_json(Response& response, int status, const Json& json) {
     response.status = status;
     response.set_header("Cache-Control", "no-store");
     response.set_content(json.dump(-1, ' ', false, Json::error_handler_t::replace), "application/json");
-}
-
-// Piece by piece: splats may be larger than what is left of memory. An open file stays whole when it is replaced.
-void send_file(const Request& request, Response& response, const fs::path& path, const char* policy) {
-    struct File {
-        int descriptor;
-        explicit File(const fs::path& path) : descriptor(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NOFOLLOW)) {}
-        ~File() {
-            if (descriptor >= 0) ::close(descriptor);
-        }
-        File(const File&) = delete;
-        File& operator=(const File&) = delete;
-    };
-    const auto file = std::make_shared<File>(path);
-    struct stat status {};
-    if (file->descriptor < 0 || ::fstat(file->descriptor, &status) != 0 || !S_ISREG(status.st_mode))
-        return send_json(response, 404, {{"error", "there is no such file"}});
-    const std::string tag = fmt::format("\"{:x}-{:x}-{:x}\"", status.st_mtim.tv_sec, status.st_mtim.tv_nsec,
-                                        status.st_size);
-    response.set_header("ETag", tag);
-    if (!response.has_header("Cache-Control")) response.set_header("Cache-Control", "no-cache");
-    response.set_header("Content-Security-Policy", policy);
-    if (request.get_header_value("If-None-Match") == tag) {
-        response.status = 304;
-        return;
-    }
-    if (status.st_size == 0) return response.set_content("", type_of(path));
-    response.set_content_provider(static_cast<std::size_t>(status.st_size), type_of(path),
-                                  [file](std::size_t offset, std::size_t length, httplib::DataSink& sink) {
-                                      std::vector<char> piece(std::min<std::size_t>(length, 1 << 18));
-                                      const ssize_t got = ::pread(file->descriptor, piece.data(), piece.size(),
-                                                                  static_cast<off_t>(offset));
-                                      return got > 0 && sink.write(piece.data(), static_cast<std::size_t>(got));
-                                  });
 }
 
 class WebServer {
@@ -143,14 +87,8 @@ class WebServer {
 
     void run(const std::function<void(const std::string&)>& ready) {
         httplib::Server& server = make_server();
-        server.new_task_queue = [] { return new httplib::ThreadPool(kConnections); };
-        server.set_tcp_nodelay(true);
+        limit_clients(server);
         server.set_payload_max_length(static_cast<std::size_t>(kMostUploadBytes));
-        // By default the library would let two servers share a port silently.
-        server.set_socket_options([](socket_t socket) {
-            const int yes = 1;
-            ::setsockopt(socket, SOL_SOCKET, SO_REUSEADDR, &yes, sizeof yes);
-        });
         server.Get("/.*", [this](const Request& q, Response& r) {
             if (allowed(q, r)) get(q, r);
         });
@@ -167,10 +105,7 @@ class WebServer {
             r.set_content(Json{{"error", text}}.dump(), "application/json");
         });
         server.set_post_routing_handler([](const Request&, Response& r) {
-            r.set_header("X-Content-Type-Options", "nosniff");
-            r.set_header("Referrer-Policy", "no-referrer");
-            r.set_header("Cross-Origin-Opener-Policy", "same-origin");
-            r.set_header("Cross-Origin-Resource-Policy", "same-origin");
+            set_safe_headers(r);
             if (!r.has_header("Content-Security-Policy")) r.set_header("Content-Security-Policy", kPagePolicy);
         });
         listen(server, ready);
@@ -230,7 +165,8 @@ class WebServer {
         }
         const auto why = why_refused(request);
         if (why) send_json(response, 403, {{"error", "refused: " + *why}});
-        return !why;
+        else if (has_too_many_ranges(request)) send_json(response, 416, {{"error", "too many ranges"}});
+        return !why && !has_too_many_ranges(request);
     }
 
     void get(const Request& request, Response& response) {

@@ -108,6 +108,24 @@ TEST_F(WebServer, FilesComeInPartsAndOnce) {
     EXPECT_EQ(get("/files/bedroom/viewer.html", {{"If-None-Match", whole->get_header_value("ETag")}}), 304);
 }
 
+// A thousand ranges of a large file would be a thousand copies of it.
+TEST_F(WebServer, AFewRangesAreEnough) {
+    start();
+    std::string many = "bytes=0-0";
+    for (int i = 0; i < 1000; ++i) many += ",0-";
+    EXPECT_EQ(get("/files/bedroom/viewer.html", {{"Range", "bytes=0-1,3-4"}}), 206);
+    EXPECT_EQ(get("/files/bedroom/viewer.html", {{"Range", many}}), 416);
+}
+
+TEST_F(WebServer, NoFileLiesBehindALink) {
+    start();
+    write_file(root_ / "secret", std::string_view("secret"));
+    fs::create_symlink(root_ / "secret", root_ / "scenes/bedroom/link");
+    fs::create_symlink(root_, root_ / "scenes/bedroom/folder");
+    EXPECT_EQ(get("/files/bedroom/link"), 404);
+    EXPECT_EQ(get("/files/bedroom/folder/secret"), 404);
+}
+
 TEST_F(WebServer, WithATokenNothingIsAnsweredWithoutIt) {
     start("0123456789abcdef");
     EXPECT_EQ(get("/"), 403);

@@ -6,6 +6,7 @@
 
 #include "fastscene/base/file.h"
 #include "fastscene/base/json.h"
+#include "fastscene/base/leading_number.h"
 #include "fastscene/base/random.h"
 #include "fastscene/image/color.h"
 #include "fastscene/io/image_io.h"
@@ -25,9 +26,9 @@ std::vector<double> numbers_in(const std::string& flag, const std::string& list)
     for (std::size_t begin = 0; begin <= list.size();) {
         const std::size_t end = std::min(list.find(',', begin), list.size());
         const std::string word = list.substr(begin, end - begin);
-        char* stop = nullptr;
-        const double value = std::strtod(word.c_str(), &stop);
-        if (word.empty() || *stop != 0 || !(value > 0 && value < 100))
+        std::string_view rest = word;
+        const double value = leading_number(rest).value_or(0);
+        if (!rest.empty() || !(value > 0 && value < 100))
             throw UsageError("{}: expected distances above 0 with commas between them, found \"{}\"", flag, list);
         out.push_back(value);
         begin = end + 1;
