@@ -12,6 +12,7 @@
 
 #include "fastscene/base/random.h"
 #include "fastscene/rooms/footprint.h"
+#include "fastscene/rooms/room_type.h"
 #include "fastscene/rooms/rooms.h"
 #include "fastscene/rooms/style.h"
 
@@ -88,6 +89,7 @@ struct Plan {
     bool recessed_lights = false;     // small lamps sunk into the ceiling
     bool coffers = false;             // a grid of beams in the color of the trim
     bool bay = false;                 // the recess of the far wall is all window
+    WallRelief relief = WallRelief::flat;
     bool panelling = false;           // walls are panelled to the height of a chair's back
     std::vector<Block> blocks;
     std::vector<PromptObject> asked_parts;  // what of is_shell the prompt asks for

@@ -114,7 +114,8 @@ class TypeReader {
         std::tie(t_.depth_low_m, t_.depth_high_m) = range_of(size, "depth_m");
         const TomlTable shape = table("shape", {"breast_probability", "corner_probability", "bay_probability",
                                                 "alcove_probability", "doorway_probability", "sloped_ceiling",
-                                                "high_ceiling", "coffers", "panelling", "accent_wall", "wall_tiles"});
+                                                "high_ceiling", "coffers", "panelling", "accent_wall", "wall_tiles",
+                                                "wall_relief", "middle_door"});
         t_.breast_probability = share(shape, "breast_probability");
         t_.corner_probability = share(shape, "corner_probability");
         t_.bay_probability = share(shape, "bay_probability");
@@ -126,6 +127,8 @@ class TypeReader {
         t_.panelling = shape.flag("panelling", t_.panelling);
         t_.accent_wall = shape.flag("accent_wall", t_.accent_wall);
         t_.wall_tiles = shape.flag("wall_tiles", t_.wall_tiles);
+        t_.middle_door = shape.flag("middle_door", t_.middle_door);
+        if (shape.has("wall_relief")) t_.wall_relief = file_fields::choice<WallRelief>(shape, "wall_relief");
     }
 
     void read_regular_windows(const TomlTable& t) {
@@ -141,6 +144,7 @@ class TypeReader {
         w.sill_m = static_cast<float>(t.number("sill_m", w.sill_m, 0.05, kLongest));
         w.head_m = static_cast<float>(t.number("head_m", w.head_m, 0.5, kLongest));
         w.arched = t.flag("arched", false);
+        w.round = t.flag("round", false);
     }
 
     void read_windows() {
@@ -148,7 +152,8 @@ class TypeReader {
         constexpr double kHighestSill = 2;
         const TomlTable t = table("windows", {"size", "count", "second_probability", "first_on_far_wall",
                                               "least_sill_m", "sill_beyond_doorway_m", "outlook", "outlook_probability",
-                                              "walls", "every_m", "width_m", "sill_m", "head_m", "arched"});
+                                              "walls", "every_m", "width_m", "sill_m", "head_m", "arched",
+                                              "round"});
         RoomWindows& w = t_.windows;
         read_regular_windows(t);
         if (t.has("size")) w.size = file_fields::choice<WindowSize>(t, "size");

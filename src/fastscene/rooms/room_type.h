@@ -29,9 +29,15 @@ struct RoomWindows {
     std::vector<int> walls;  // empty: there are none
     float every_m = 2.4f, width_m = 1.4f, sill_m = 0.9f, head_m = 2.3f;
     bool arched = false;
+    bool round = false;  // portholes, as high as they are wide
     std::optional<Sky::View> outlook;  // what they show; nothing: as the style has it
     float outlook_probability = 0;
 };
+
+// What walls are built of, where that is more than their material: logs that lie one on the other, rough rock.
+enum class WallRelief : unsigned char { flat, logs, rock };
+template <>
+inline constexpr std::array<std::string_view, 3> kNamesOf<WallRelief>{"flat", "logs", "rock"};
 
 // Whether a lamp stands on the floor: by day as often as not, and always after dark; after dark only; never.
 enum class FloorLamp : unsigned char { usual, after_dark, never };
@@ -70,6 +76,8 @@ struct RoomType {
     bool coffers = false;                   // its ceiling may be coffered
     bool panelling = true;                  // its walls may be panelled
     bool accent_wall = true;                // one wall may have a paint of its own
+    bool middle_door = false;               // the door is in the middle of its wall, not at an end
+    WallRelief wall_relief = WallRelief::flat;
     bool wall_tiles = false;                // tiles that a prompt names are on its walls
     RoomWindows windows;
 

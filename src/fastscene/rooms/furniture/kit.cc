@@ -129,6 +129,13 @@ void strut(Kit& k, int material, Vec3f a, Vec3f b, float wide, float thick) {
     k.add(std::move(m), material, (a + b) * 0.5f);
 }
 
+void slat(Kit& k, int material, Vec3f a, Vec3f b, float wide, float thick) {
+    const Vec3f d = b - a;
+    Mesh m = shapes::box({wide, std::hypot(d.x, d.y), thick}, 0.003f);
+    shapes::turn(m, {0, 0, 1}, std::atan2(-d.x, d.y) * 180.f / kPi);
+    k.add(std::move(m), material, (a + b) * 0.5f);
+}
+
 // The outline of a star with five points, one of them up.
 std::vector<Vec2f> star(float outer, float inner) {
     std::vector<Vec2f> outline;
