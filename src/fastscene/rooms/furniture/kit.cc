@@ -24,6 +24,11 @@ Material glow(std::string name, Vec3f radiance) {
     m.emission = radiance;
     return m;
 }
+Material lit(std::string name, Vec3f radiance) {
+    Material m = glow(std::move(name), radiance);
+    m.pattern = Pattern::screen;
+    return m;
+}
 Material flame(std::string name, Vec3f radiance) {
     Material m = glow(std::move(name), radiance);
     m.color_a = m.color_b = m.color_c = {0.3f, 0.1f, 0.02f};

@@ -85,7 +85,8 @@ struct Kit {
 
 Material plain(std::string name, Vec3f color, float roughness);
 Material glow(std::string name, Vec3f radiance);
-Material flame(std::string name, Vec3f radiance);  // glows at any hour
+Material lit(std::string name, Vec3f radiance);    // shines at any hour, as screens do
+Material flame(std::string name, Vec3f radiance);  // burns at any hour
 Material tinted(Material m, Vec3f color);          // recolored, keeping the ratio of its second color
 Material glass();
 Material porcelain();

@@ -44,12 +44,6 @@ void lay_around(Mesh& m, Vec3f s) {
     }
 }
 
-Material lit(const char* name, Vec3f radiance) {
-    Material m = glow(name, radiance);
-    m.pattern = Pattern::screen;
-    return m;
-}
-
 // Both slopes of a roof whose ridge runs along z, boards along it.
 void slopes(Kit& k, Vec3f s, int boards) {
     constexpr float kThick = 0.01f;

@@ -10,12 +10,6 @@
 namespace fastscene::furniture {
 namespace {
 
-Material lit(const char* name, Vec3f radiance) {
-    Material m = glow(name, radiance);
-    m.pattern = Pattern::screen;
-    return m;
-}
-
 // Fills a corner whose walls are at +x and -z: a quarter of a hollow cylinder, on which the two walls end smoothly.
 void hollow_corner(Kit& k, Vec3f s, int material, float rough, std::uint32_t seed) {
     const float r = std::min(s.x, s.z);

@@ -10,12 +10,6 @@
 namespace fastscene::furniture {
 namespace {
 
-int lit(Kit& k, const char* name, Vec3f radiance) {
-    Material m = glow(name, radiance);
-    m.pattern = Pattern::screen;
-    return k.material(std::move(m));
-}
-
 // A gauge on the plane z: rim, dial, needle.
 void gauge(Kit& k, int rim, int dial, int needle, Vec3f at, float r) {
     Mesh plate = shapes::prism(shapes::circle(r, 20), 0, 0.012f, 0.002f), ring = shapes::ring(r, 0.014f, 20);
