@@ -47,7 +47,7 @@ const std::vector<std::string>& keys_of_types() {
     static const std::vector<std::string> keys{
         "name",        "title",          "words",      "words_near",   "rank",       "wet",      "for_children",
         "deep_paints", "next_rooms",     "next_door",  "second_room",  "styles",     "look_at",  "surfaces",
-        "kind_of",     "guess_rank",     "main_thing", "as_thing",     "own_things", "table",    "table_when_near",
+        "kind_of",     "house",          "guess_rank",     "main_thing", "as_thing",     "own_things", "table",    "table_when_near",
         "cooks",       "upright_chairs", "per_person", "most_people",  "mess",       "meanings", "size",
         "shape",       "windows",        "touches",    "furnished_as", "recipe"};
     return keys;
@@ -70,6 +70,7 @@ class TypeReader {
         t_.next_door = top_.flag("next_door", t_.next_door);
         t_.second_room = top_.text("second_room");
         t_.kind_of = top_.text("kind_of");
+        t_.house = top_.flag("house", t_.house);
         t_.furnished_as = top_.text("furnished_as");
         t_.recipe = read_recipe(top_, "recipe");
         if (t_.furnished_as.empty() == t_.recipe.empty())

@@ -70,6 +70,7 @@ struct RoomType {
     std::string second_room;                // "a second room" of no named type is one of these
     std::vector<std::string> styles;        // that suit it; empty: any
     std::string look_at;                    // the thing that the first view looks at
+    bool house = false;                     // other rooms may be in it: "a bedroom in a log cabin"
     std::string kind_of;                    // "kids" is a kind of "bedroom": who names both means one room
     bool sloped_ceiling = false;            // lies below a roof
     bool high_ceiling = false;              // a hall: high, columns, large windows
