@@ -324,9 +324,8 @@ void place_corners(Placement& p, const RecipeStep& step, int) {
         const WallFace face = plan.wall(wall);
         const Piece piece = corner.piece();
         const Vec3f at = face.point(kOff + piece.size_m.x / 2, 0) + face.inward * (kOff + piece.size_m.z / 2);
-        const auto index = corner.place([&](const PromptObject& o) {
-            return p.layout().stand_at(piece, flat(at), yaw_of(face.inward), o, {});
-        });
+        const auto index = corner.place(
+            [&](const PromptObject& o) { return p.layout().stand_at(piece, flat(at), yaw_of(face.inward), o, {}); });
         if (index) follow_steps(step.then, p, *index);
     }
 }

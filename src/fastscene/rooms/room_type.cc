@@ -45,11 +45,12 @@ std::vector<std::string> things(const TomlTable& table, std::string_view key) {
 
 const std::vector<std::string>& keys_of_types() {
     static const std::vector<std::string> keys{
-        "name",        "title",          "words",      "words_near",   "rank",       "wet",      "for_children",
-        "deep_paints", "next_rooms",     "next_door",  "second_room",  "styles",     "look_at",  "surfaces",
-        "kind_of",     "house",          "guess_rank",     "main_thing", "as_thing",     "own_things", "table",    "table_when_near",
-        "cooks",       "upright_chairs", "per_person", "most_people",  "mess",       "meanings", "size",
-        "shape",       "windows",        "touches",    "furnished_as", "recipe"};
+        "name",         "title",       "words",        "words_near",      "rank",        "wet",
+        "for_children", "deep_paints", "next_rooms",   "next_door",       "second_room", "styles",
+        "look_at",      "surfaces",    "kind_of",      "house",           "guess_rank",  "main_thing",
+        "as_thing",     "own_things",  "table",        "table_when_near", "cooks",       "upright_chairs",
+        "per_person",   "most_people", "mess",         "meanings",        "size",        "shape",
+        "windows",      "touches",     "furnished_as", "recipe"};
     return keys;
 }
 
@@ -113,10 +114,10 @@ class TypeReader {
         if (size.has("height_m")) std::tie(t_.height_low_m, t_.height_high_m) = range_of(size, "height_m");
         std::tie(t_.width_low_m, t_.width_high_m) = range_of(size, "width_m");
         std::tie(t_.depth_low_m, t_.depth_high_m) = range_of(size, "depth_m");
-        const TomlTable shape = table("shape", {"breast_probability", "corner_probability", "bay_probability",
-                                                "alcove_probability", "doorway_probability", "sloped_ceiling",
-                                                "high_ceiling", "coffers", "panelling", "accent_wall", "wall_tiles",
-                                                "wall_relief", "middle_door"});
+        const TomlTable shape = table(
+            "shape", {"breast_probability", "corner_probability", "bay_probability", "alcove_probability",
+                      "doorway_probability", "sloped_ceiling", "high_ceiling", "coffers", "panelling", "accent_wall",
+                      "wall_tiles", "wall_relief", "middle_door"});
         t_.breast_probability = share(shape, "breast_probability");
         t_.corner_probability = share(shape, "corner_probability");
         t_.bay_probability = share(shape, "bay_probability");
@@ -153,8 +154,7 @@ class TypeReader {
         constexpr double kHighestSill = 2;
         const TomlTable t = table("windows", {"size", "count", "second_probability", "first_on_far_wall",
                                               "least_sill_m", "sill_beyond_doorway_m", "outlook", "outlook_probability",
-                                              "walls", "every_m", "width_m", "sill_m", "head_m", "arched",
-                                              "round"});
+                                              "walls", "every_m", "width_m", "sill_m", "head_m", "arched", "round"});
         RoomWindows& w = t_.windows;
         read_regular_windows(t);
         if (t.has("size")) w.size = file_fields::choice<WindowSize>(t, "size");

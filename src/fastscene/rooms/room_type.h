@@ -29,7 +29,7 @@ struct RoomWindows {
     std::vector<int> walls;  // empty: there are none
     float every_m = 2.4f, width_m = 1.4f, sill_m = 0.9f, head_m = 2.3f;
     bool arched = false;
-    bool round = false;  // portholes, as high as they are wide
+    bool round = false;                // portholes, as high as they are wide
     std::optional<Sky::View> outlook;  // what they show; nothing: as the style has it
     float outlook_probability = 0;
 };
@@ -79,7 +79,7 @@ struct RoomType {
     bool accent_wall = true;                // one wall may have a paint of its own
     bool middle_door = false;               // the door is in the middle of its wall, not at an end
     WallRelief wall_relief = WallRelief::flat;
-    bool wall_tiles = false;                // tiles that a prompt names are on its walls
+    bool wall_tiles = false;  // tiles that a prompt names are on its walls
     RoomWindows windows;
 
     // What its furniture says of it and it of its furniture.

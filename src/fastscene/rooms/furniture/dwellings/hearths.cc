@@ -18,12 +18,14 @@ Material bark(Vec3f a) {
 
 // Tongues of flame over a bed of embers of this radius.
 void fire(Kit& k, Vec3f at, float radius, float high) {
-    const int flames = k.material(flame("fire", {9, 2.6f, 0.3f})), core = k.material(flame("fire core", {19, 9.5f, 1.6f}));
+    const int flames = k.material(flame("fire", {9, 2.6f, 0.3f})),
+              core = k.material(flame("fire core", {19, 9.5f, 1.6f}));
     for (int i = 0; i < 9; ++i) {
-        const Vec3f out = around(kTau * static_cast<float>(i) / 9) * (i == 0 ? 0.f : k.rng.uniform(0.2f, 0.7f) * radius);
+        const Vec3f out = around(kTau * static_cast<float>(i) / 9) *
+                          (i == 0 ? 0.f : k.rng.uniform(0.2f, 0.7f) * radius);
         const float h = high * (i == 0 ? 1.f : k.rng.uniform(0.45f, 0.85f)), w = 0.3f * radius;
         for (const auto& [up, wide, material] : {std::tuple{h, w, flames}, {0.55f * h, 0.55f * w, core}}) {
-            const std::array<Vec2f, 6> p{Vec2f{0.001f, 0}, {0.7f * wide, 0.1f * up}, {wide, 0.28f * up},
+            const std::array<Vec2f, 6> p{Vec2f{0.001f, 0},          {0.7f * wide, 0.1f * up},   {wide, 0.28f * up},
                                          {0.6f * wide, 0.58f * up}, {0.22f * wide, 0.82f * up}, {0.001f, up}};
             Mesh m = shapes::lathe(shapes::curve(p, 2), 10, true);
             k.add(std::move(m), material, at + out);
@@ -53,7 +55,8 @@ Material pelt(Vec3f color) {
 void build_campfire(Kit& k) {
     Material granite = *material_named("stone");
     const int stone = k.main(granite), wood = k.material(bark({0.2f, 0.12f, 0.07f})),
-              ash = color(k, "ash", {0.06f, 0.055f, 0.05f}, 0.95f), ember = k.material(flame("embers", {5, 0.8f, 0.06f}));
+              ash = color(k, "ash", {0.06f, 0.055f, 0.05f}, 0.95f),
+              ember = k.material(flame("embers", {5, 0.8f, 0.06f}));
     constexpr int kStones = 13;
     for (int i = 0; i < kStones; ++i) {
         const Vec3f out = around(kTau * static_cast<float>(i) / kStones) * 0.5f;
@@ -90,7 +93,8 @@ void build_yurt_stove(Kit& k) {
     k.rod(brass, {0.12f, 0.46f, s.z / 2 + 0.01f}, {0.12f, 0.5f, s.z / 2 + 0.05f}, 0.012f, -1, 8);
     k.rod(dark, {0, 0.66f, -0.1f}, {0, s.y, -0.1f}, 0.06f, -1, 18);
     for (const float y : {0.7f, 1.3f, 1.9f}) k.rod(iron, {0, y, -0.1f}, {0, y + 0.03f, -0.1f}, 0.068f, -1, 18);
-    const std::array<Vec2f, 6> pot{Vec2f{0.1f, 0}, {0.12f, 0.05f}, {0.09f, 0.13f}, {0.03f, 0.15f}, {0.02f, 0.17f}, {0.001f, 0.18f}};
+    const std::array<Vec2f, 6> pot{Vec2f{0.1f, 0}, {0.12f, 0.05f}, {0.09f, 0.13f},
+                                   {0.03f, 0.15f}, {0.02f, 0.17f}, {0.001f, 0.18f}};
     k.add(shapes::lathe(pot, 18, true), kettle, {0.14f, 0.67f, 0.1f});
     k.piece.clearance_front_m = 0.6f;
 }
@@ -100,8 +104,8 @@ void build_snow_bed(Kit& k) {
     const Vec3f s = k.wanted({2.0f, 0.62f, 1.25f});
     Material snow = plain("snow", {0.78f, 0.81f, 0.85f}, 0.9f);
     snow.bump_m = 0.004f, snow.pattern = Pattern::plaster, snow.scale_m = 0.15f;
-    const int white = k.main(snow), brown = k.material(pelt({0.16f, 0.085f, 0.04f})), pale = k.material(pelt({0.5f, 0.42f, 0.32f})),
-              grey = k.material(pelt({0.24f, 0.22f, 0.2f}));
+    const int white = k.main(snow), brown = k.material(pelt({0.16f, 0.085f, 0.04f})),
+              pale = k.material(pelt({0.5f, 0.42f, 0.32f})), grey = k.material(pelt({0.24f, 0.22f, 0.2f}));
     k.soft(white, {0, 0, 0}, {s.x, s.y - 0.2f, s.z}, {0.09f, 0.02f, 0.008f, 20});
     fur(k, pale, {0, s.y - 0.22f, 0.02f}, s.x - 0.14f, s.z - 0.12f, 0.05f);
     fur(k, brown, {-0.15f, s.y - 0.18f, 0.1f}, 1.2f, s.z - 0.3f, 0.06f);
@@ -115,7 +119,8 @@ void build_fur_bed(Kit& k) {
     const Vec3f s = k.wanted({2.0f, 0.4f, 1.3f});
     const int wood = k.main(bark({0.22f, 0.13f, 0.07f})), brown = k.material(pelt({0.16f, 0.085f, 0.04f})),
               pale = k.material(pelt({0.44f, 0.34f, 0.22f})), red = k.material(pelt({0.3f, 0.12f, 0.04f}));
-    for (const float z : {-1.f, 1.f}) k.rod(wood, {-s.x / 2, 0.09f, z * (s.z / 2 - 0.07f)}, {s.x / 2, 0.09f, z * (s.z / 2 - 0.07f)}, 0.08f, -1, 12);
+    for (const float z : {-1.f, 1.f})
+        k.rod(wood, {-s.x / 2, 0.09f, z * (s.z / 2 - 0.07f)}, {s.x / 2, 0.09f, z * (s.z / 2 - 0.07f)}, 0.08f, -1, 12);
     for (int i = 0; i < 9; ++i) {
         const float x = s.x * ((static_cast<float>(i) + 0.5f) / 9 - 0.5f);
         k.rod(wood, {x, 0.17f, -s.z / 2}, {x, 0.17f, s.z / 2}, 0.04f, -1, 8);
@@ -145,7 +150,9 @@ void build_tree_trunk(Kit& k) {
                                          out * 0.64f + Vec3f{0, y + 0.5f, 0}, out * 0.66f + Vec3f{0, s.y - 0.02f, 0}};
         k.add(shapes::tube(bough, 0.075f, 10), wood);
         for (int j = 0; j < 12; ++j) {
-            const Vec3f at = out * k.rng.uniform(0.42f, 0.62f) + Vec3f{k.rng.uniform(-0.1f, 0.1f), y + k.rng.uniform(0.1f, 0.55f), k.rng.uniform(-0.1f, 0.1f)};
+            const Vec3f at = out * k.rng.uniform(0.42f, 0.62f) + Vec3f{k.rng.uniform(-0.1f, 0.1f),
+                                                                       y + k.rng.uniform(0.1f, 0.55f),
+                                                                       k.rng.uniform(-0.1f, 0.1f)};
             k.add(shapes::ball(at, {0.05f, 0.012f, 0.03f}, 8), leaf);
         }
     }
@@ -158,7 +165,8 @@ void build_log_stool(Kit& k) {
     const int side = k.main(bark({0.2f, 0.13f, 0.08f}));
     Material cut = plain("cut wood", {0.5f, 0.32f, 0.16f}, 0.8f);
     const int wood = k.material(cut), ring = color(k, "year ring", {0.36f, 0.21f, 0.1f}, 0.8f);
-    const std::array<Vec2f, 4> p{Vec2f{0.5f * s.x, 0}, {0.47f * s.x, 0.12f}, {0.46f * s.x, s.y - 0.02f}, {0.45f * s.x, s.y - 0.01f}};
+    const std::array<Vec2f, 4> p{
+        Vec2f{0.5f * s.x, 0}, {0.47f * s.x, 0.12f}, {0.46f * s.x, s.y - 0.02f}, {0.45f * s.x, s.y - 0.01f}};
     k.add(shapes::lathe(p, 22), side);
     k.add(shapes::prism(shapes::circle(0.43f * s.x, 22), s.y - 0.015f, s.y, 0.003f), wood);
     for (const float r : {0.32f, 0.2f, 0.09f}) k.add(shapes::ring(r * s.x, 0.004f, 20), ring, {0, s.y - 0.001f, 0});
@@ -171,7 +179,9 @@ void build_stalagmites(Kit& k) {
     const int rock = k.main(k.style.wall);
     for (int i = 0; i < 7; ++i) {
         const float h = i == 0 ? s.y : s.y * k.rng.uniform(0.2f, 0.7f), r = 0.06f + 0.1f * h / s.y;
-        const Vec3f at = i == 0 ? Vec3f{0, 0, 0} : Vec3f{k.rng.uniform(-0.5f, 0.5f) * (s.x - 0.3f), 0, k.rng.uniform(-0.5f, 0.5f) * (s.z - 0.3f)};
+        const Vec3f at = i == 0 ? Vec3f{0, 0, 0}
+                                : Vec3f{k.rng.uniform(-0.5f, 0.5f) * (s.x - 0.3f), 0,
+                                        k.rng.uniform(-0.5f, 0.5f) * (s.z - 0.3f)};
         std::vector<Vec2f> p;
         for (int j = 0; j <= 10; ++j) {
             const float t = static_cast<float>(j) / 10;
@@ -184,7 +194,8 @@ void build_stalagmites(Kit& k) {
 // Animals and hands in ochre and soot, painted on rock.
 void build_cave_painting(Kit& k) {
     const Vec3f s = k.wanted({1.7f, 1.0f, 0.012f});
-    const int ochre = k.main(plain("ochre", {0.36f, 0.11f, 0.03f}, 0.95f)), soot = color(k, "soot", {0.03f, 0.022f, 0.018f}, 0.95f);
+    const int ochre = k.main(plain("ochre", {0.36f, 0.11f, 0.03f}, 0.95f)),
+              soot = color(k, "soot", {0.03f, 0.022f, 0.018f}, 0.95f);
     const auto spot = [&](int material, Vec2f at, Vec2f half, float turn) {
         Mesh m = shapes::ball({0, 0, 0}, {half.x, half.y, 0.005f}, 14);
         shapes::turn(m, {0, 0, 1}, turn);
@@ -198,7 +209,8 @@ void build_cave_painting(Kit& k) {
         spot(material, at, {0.3f * size, 0.15f * size}, 4);
         spot(material, at + Vec2f{0.14f, 0.07f} * size, {0.17f * size, 0.14f * size}, 0);
         spot(material, at + Vec2f{0.34f, -0.02f} * size, {0.09f * size, 0.07f * size}, -30);
-        for (const float x : {-0.24f, -0.17f, 0.12f, 0.2f}) line(material, at + Vec2f{x, -0.08f} * size, at + Vec2f{x + 0.02f, -0.3f} * size, 0.02f * size);
+        for (const float x : {-0.24f, -0.17f, 0.12f, 0.2f})
+            line(material, at + Vec2f{x, -0.08f} * size, at + Vec2f{x + 0.02f, -0.3f} * size, 0.02f * size);
         line(soot, at + Vec2f{0.36f, 0.04f} * size, at + Vec2f{0.44f, 0.14f} * size, 0.012f * size);
         line(soot, at + Vec2f{0.33f, 0.04f} * size, at + Vec2f{0.34f, 0.15f} * size, 0.012f * size);
         line(material, at + Vec2f{-0.3f, 0.03f} * size, at + Vec2f{-0.38f, -0.1f} * size, 0.01f * size);
@@ -228,7 +240,8 @@ void build_torch(Kit& k) {
     k.board(iron, {0, 0.05f, 0.012f}, {0.09f, 0.26f, 0.024f}, 0.01f);
     Mesh ring = shapes::ring(0.045f, 0.016f, 18);
     k.add(std::move(ring), iron, {0, 0.22f, 0.11f});
-    k.rod(iron, {0, 0.22f, 0.02f}, {0, 0.22f, 0.07f}, 0.012f, -1, 8), k.rod(iron, {0, 0.08f, 0.02f}, {0, 0.08f, 0.09f}, 0.012f, -1, 8);
+    k.rod(iron, {0, 0.22f, 0.02f}, {0, 0.22f, 0.07f}, 0.012f, -1, 8),
+        k.rod(iron, {0, 0.08f, 0.02f}, {0, 0.08f, 0.09f}, 0.012f, -1, 8);
     k.rod(wood, {0, 0, 0.085f}, {0, 0.44f, 0.125f}, 0.018f, 0.026f, 10);
     k.rod(cloth, {0, 0.42f, 0.124f}, {0, 0.52f, 0.13f}, 0.04f, 0.045f, 12);
     fire(k, {0, 0.5f, 0.13f}, 0.06f, 0.22f);

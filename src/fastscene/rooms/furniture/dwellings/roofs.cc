@@ -148,8 +148,9 @@ void build_yurt_roof(Kit& k) {
     for (int i = 0; i < kPoles; ++i) {
         const float a = kTau * (static_cast<float>(i) + 0.5f) / kPoles;
         const Vec3f out = around(a);
-        const float reach = 1.f / std::pow(std::pow(std::fabs(out.x), kSquareness) + std::pow(std::fabs(out.z), kSquareness),
-                                           1.f / kSquareness);
+        const float reach = 1.f /
+                            std::pow(std::pow(std::fabs(out.x), kSquareness) + std::pow(std::fabs(out.z), kSquareness),
+                                     1.f / kSquareness);
         const Vec3f foot{out.x * reach * (s.x / 2 - 0.05f), -s.y + 0.005f, out.z * reach * (s.z / 2 - 0.05f)};
         k.rod(pole, foot, {out.x * kCrown, -0.1f, out.z * kCrown}, 0.02f, 0.016f, 6);
     }
@@ -183,8 +184,9 @@ void build_snow_dome(Kit& k) {
 void build_rock_vault(Kit& k) {
     const Vec3f s = k.wanted({5, 1.2f, 6});
     const int rock = k.main(k.style.wall);
-    k.add(round_roof(s, 72, [](float in) { return std::min(1.f, 1.15f * dome(std::min(1.f, 1.6f * in))); },
-                     0.42f * s.y, k.seed()),
+    k.add(round_roof(
+              s, 72, [](float in) { return std::min(1.f, 1.15f * dome(std::min(1.f, 1.6f * in))); }, 0.42f * s.y,
+              k.seed()),
           rock);
     const int spikes = static_cast<int>(1.1f * s.x * s.z);
     for (int i = 0; i < spikes; ++i) {
@@ -210,8 +212,9 @@ void build_tower_roof(Kit& k) {
     constexpr int kRafters = 12;
     for (int i = 0; i < kRafters; ++i) {
         const Vec3f out = around(kTau * static_cast<float>(i) / kRafters);
-        const float reach = 1.f / std::pow(std::pow(std::fabs(out.x), kSquareness) + std::pow(std::fabs(out.z), kSquareness),
-                                           1.f / kSquareness);
+        const float reach = 1.f /
+                            std::pow(std::pow(std::fabs(out.x), kSquareness) + std::pow(std::fabs(out.z), kSquareness),
+                                     1.f / kSquareness);
         k.rod(beam, {out.x * reach * (s.x / 2 - 0.1f), -s.y + 0.08f, out.z * reach * (s.z / 2 - 0.1f)},
               {out.x * 0.1f, -0.14f, out.z * 0.1f}, 0.065f, 0.05f, 8);
     }
@@ -219,7 +222,8 @@ void build_tower_roof(Kit& k) {
     k.rod(beam, {0, -0.5f, 0}, {0, -0.02f, 0}, 0.11f, -1, 10);
     for (int i = 0; i < 6; ++i) {
         const Vec3f out = around(kTau * static_cast<float>(i) / 6 + 0.3f) * (0.35f + 0.12f * static_cast<float>(i % 3));
-        const float y = -s.y + 0.12f + 0.14f * static_cast<float>(i % 4), r = 0.05f + 0.018f * static_cast<float>(i % 3);
+        const float y = -s.y + 0.12f + 0.14f * static_cast<float>(i % 4),
+                    r = 0.05f + 0.018f * static_cast<float>(i % 3);
         k.rod(gold, {out.x, y + r, out.z}, {0.3f * out.x, -0.35f, 0.3f * out.z}, 0.002f, -1, 4);
         k.add(shapes::ball({out.x, y + r, out.z}, {r, r, r}, 14),
               i % 2 == 0 ? gold : color(k, "planet", k.accent(), 0.4f));
@@ -248,8 +252,9 @@ void build_star_dome(Kit& k) {
     constexpr int kRim = 64;
     for (int i = 0; i <= kRim; ++i) {
         const Vec3f out = around(kTau * static_cast<float>(i) / kRim);
-        const float reach = 1.f / std::pow(std::pow(std::fabs(out.x), kSquareness) + std::pow(std::fabs(out.z), kSquareness),
-                                           1.f / kSquareness);
+        const float reach = 1.f /
+                            std::pow(std::pow(std::fabs(out.x), kSquareness) + std::pow(std::fabs(out.z), kSquareness),
+                                     1.f / kSquareness);
         rim.push_back({out.x * reach * (s.x / 2 - 0.06f), -s.y + 0.06f, out.z * reach * (s.z / 2 - 0.06f)});
     }
     k.add(shapes::tube(rim, 0.02f, 6), band);
@@ -261,9 +266,9 @@ void build_hull_vault(Kit& k) {
     const Vec3f s = k.wanted({3.2f, 0.7f, 8});
     const int steel_plate = k.main(plain("hull paint", {0.3f, 0.34f, 0.31f}, 0.45f)),
               frame = color(k, "hull frame", {0.2f, 0.235f, 0.215f}, 0.45f),
-              pipe = color(k, "pipe", {0.42f, 0.4f, 0.33f}, 0.4f), red = color(k, "red pipe", {0.45f, 0.05f, 0.03f}, 0.4f),
-              copper = k.material(*material_named("copper")), brass = k.material(*material_named("brass")),
-              lamp = k.material(glow("bulkhead lamp", {16, 14, 10}));
+              pipe = color(k, "pipe", {0.42f, 0.4f, 0.33f}, 0.4f),
+              red = color(k, "red pipe", {0.45f, 0.05f, 0.03f}, 0.4f), copper = k.material(*material_named("copper")),
+              brass = k.material(*material_named("brass")), lamp = k.material(glow("bulkhead lamp", {16, 14, 10}));
     const float hx = s.x / 2, high = s.y - 0.01f;
     const auto at = [&](float a, float inset) {  // a from -1 to 1 across
         return Vec3f{a * (hx - inset), -s.y + (high - inset) * std::sqrt(std::max(0.f, 1 - a * a)), 0};
@@ -289,9 +294,14 @@ void build_hull_vault(Kit& k) {
         }
     }
     int n = 0;
-    for (const auto& [a, r, material] : {std::tuple{-0.72f, 0.035f, pipe}, {-0.6f, 0.022f, copper}, {-0.5f, 0.022f, red},
-                                         {-0.42f, 0.014f, pipe}, {0.38f, 0.05f, pipe}, {0.55f, 0.022f, copper},
-                                         {0.66f, 0.03f, red}, {0.78f, 0.022f, pipe}}) {
+    for (const auto& [a, r, material] : {std::tuple{-0.72f, 0.035f, pipe},
+                                         {-0.6f, 0.022f, copper},
+                                         {-0.5f, 0.022f, red},
+                                         {-0.42f, 0.014f, pipe},
+                                         {0.38f, 0.05f, pipe},
+                                         {0.55f, 0.022f, copper},
+                                         {0.66f, 0.03f, red},
+                                         {0.78f, 0.022f, pipe}}) {
         const Vec3f p = at(a, 0.13f);
         k.rod(material, p + Vec3f{0, 0, -s.z / 2 + 0.02f}, p + Vec3f{0, 0, s.z / 2 - 0.02f}, r, -1, 10);
         for (float z = -s.z / 2 + 0.5f + 0.2f * static_cast<float>(n % 3); z < s.z / 2 - 0.1f; z += 1.4f)
@@ -306,7 +316,8 @@ void build_space_vault(Kit& k) {
     const Vec3f s = k.wanted({4, 0.6f, 6});
     const int panel = k.main(plain("hull panel", {0.5f, 0.52f, 0.54f}, 0.35f)),
               rib = color(k, "rib", {0.07f, 0.075f, 0.085f}, 0.4f),
-              strip = k.material(lit("light strip", {5.2f, 6.4f, 7.6f})), cool = k.material(lit("edge light", {0.3f, 1.1f, 3.2f}));
+              strip = k.material(lit("light strip", {5.2f, 6.4f, 7.6f})),
+              cool = k.material(lit("edge light", {0.3f, 1.1f, 3.2f}));
     const float hx = s.x / 2, flat = 0.5f * hx, top = -0.012f;
     for (const float side : {-1.f, 1.f})
         k.add(shapes::sheet(1, 1,
@@ -315,7 +326,11 @@ void build_space_vault(Kit& k) {
                                 return Vec3f{side * std::lerp(hx, flat, t), std::lerp(-s.y, top, t), s.z * (u - 0.5f)};
                             }),
               panel);
-    k.add(shapes::sheet(1, 1, [&](float u, float v) { return Vec3f{flat * (2 * u - 1), top, s.z * (0.5f - v)}; }), panel);
+    k.add(shapes::sheet(1, 1,
+                        [&](float u, float v) {
+                            return Vec3f{flat * (2 * u - 1), top, s.z * (0.5f - v)};
+                        }),
+          panel);
     const int ribs = std::max(2, static_cast<int>(std::lround(s.z / 1.1f)));
     for (int i = 0; i <= ribs; ++i) {
         const float z = (s.z - 0.12f) * (static_cast<float>(i) / static_cast<float>(ribs) - 0.5f);
@@ -324,7 +339,8 @@ void build_space_vault(Kit& k) {
             if (i == ribs) continue;
             // A panel of its own in each bay, with an access plate.
             const float mid = z + 0.5f * s.z / static_cast<float>(ribs);
-            slat(k, rib, {side * (0.78f * hx), -0.62f * s.y, mid}, {side * (0.7f * hx), -0.46f * s.y, mid}, 0.3f, 0.02f);
+            slat(k, rib, {side * (0.78f * hx), -0.62f * s.y, mid}, {side * (0.7f * hx), -0.46f * s.y, mid}, 0.3f,
+                 0.02f);
         }
         k.board(rib, {0, top - 0.06f, z}, {2 * flat, 0.05f, 0.1f}, 0.01f);
     }

@@ -32,7 +32,8 @@ void hollow_corner(Kit& k, Vec3f s, int material, float rough, std::uint32_t see
 
 // Stars and, with `planet`, a planet at its rim: within |x| < half.x, y from 0 to 2 half.y, at the depth z.
 void starfield(Kit& k, Vec2f half, float y0, float z, int stars, bool planet) {
-    const int sky = k.material(lit("space", {0.006f, 0.009f, 0.024f})), star = k.material(lit("star", {4.5f, 4.8f, 5.5f})),
+    const int sky = k.material(lit("space", {0.006f, 0.009f, 0.024f})),
+              star = k.material(lit("star", {4.5f, 4.8f, 5.5f})),
               mist = k.material(lit("nebula", {0.05f, 0.03f, 0.11f}));
     block(k, sky, {0, y0, z - 0.004f}, {2 * half.x, 2 * half.y, 0.008f});
     for (int i = 0; i < 5; ++i) {
@@ -43,7 +44,8 @@ void starfield(Kit& k, Vec2f half, float y0, float z, int stars, bool planet) {
     }
     for (int i = 0; i < stars; ++i) {
         const float r = k.rng.chance(0.1f) ? 0.011f : k.rng.uniform(0.003f, 0.006f);
-        block(k, star, {k.rng.uniform(-0.96f, 0.96f) * half.x, y0 + half.y * (1 + k.rng.uniform(-0.95f, 0.95f)), z + 0.002f},
+        block(k, star,
+              {k.rng.uniform(-0.96f, 0.96f) * half.x, y0 + half.y * (1 + k.rng.uniform(-0.95f, 0.95f)), z + 0.002f},
               {r, r, 0.003f});
     }
     if (!planet) return;
@@ -68,7 +70,8 @@ void starfield(Kit& k, Vec2f half, float y0, float z, int stars, bool planet) {
 // Laths that cross, of the wall of a yurt; felt is behind them.
 void build_lattice_wall(Kit& k) {
     const Vec3f s = k.wanted({1.6f, 1.6f, 0.05f});
-    const int lath = k.main(plain("lath", {0.44f, 0.13f, 0.04f}, 0.5f)), knot = color(k, "knot", {0.6f, 0.5f, 0.32f}, 0.8f);
+    const int lath = k.main(plain("lath", {0.44f, 0.13f, 0.04f}, 0.5f)),
+              knot = color(k, "knot", {0.6f, 0.5f, 0.32f}, 0.8f);
     constexpr float kEvery = 0.19f, kWide = 0.028f;
     const float hx = s.x / 2 - 0.02f;
     // Lines x + y = c and x - y = c, cut off at the panel's edges.
@@ -83,7 +86,8 @@ void build_lattice_wall(Kit& k) {
             slat(k, lath, {x(y0), y0, z}, {x(y1), y1, z}, kWide, 0.014f);
         }
     for (const float y : {0.012f, s.y - 0.012f}) k.rod(knot, {-hx, y, 0.03f}, {hx, y, 0.03f}, 0.012f, -1, 6);
-    k.board(knot, {-hx, 0, 0.004f}, {0.02f, s.y, 0.008f}, 0.001f), k.board(knot, {hx, 0, 0.004f}, {0.02f, s.y, 0.008f}, 0.001f);
+    k.board(knot, {-hx, 0, 0.004f}, {0.02f, s.y, 0.008f}, 0.001f),
+        k.board(knot, {hx, 0, 0.004f}, {0.02f, s.y, 0.008f}, 0.001f);
     k.piece.mount = Mount::wall, k.piece.hang_height_m = 0.04f;
 }
 
@@ -125,7 +129,8 @@ void build_porthole(Kit& k) {
     disc(0.76f * r, 0.05f, 0.054f, pane);
     for (int i = 0; i < 12; ++i) {
         const float a = kTau * static_cast<float>(i) / 12;
-        k.add(shapes::ball({0.9f * r * std::cos(a), r + 0.9f * r * std::sin(a), 0.075f}, {0.018f, 0.018f, 0.012f}, 8), bolt);
+        k.add(shapes::ball({0.9f * r * std::cos(a), r + 0.9f * r * std::sin(a), 0.075f}, {0.018f, 0.018f, 0.012f}, 8),
+              bolt);
     }
     k.piece.mount = Mount::wall, k.piece.hang_height_m = 1.15f;
 }
@@ -133,12 +138,14 @@ void build_porthole(Kit& k) {
 // A window onto the stars, with a frame that slants inward.
 void build_space_window(Kit& k) {
     const Vec3f s = k.wanted({1.5f, 0.9f, 0.12f});
-    const int frame = k.main(plain("window frame", {0.1f, 0.105f, 0.115f}, 0.35f)), edge = k.material(lit("edge light", {0.3f, 1.1f, 3.2f}));
+    const int frame = k.main(plain("window frame", {0.1f, 0.105f, 0.115f}, 0.35f)),
+              edge = k.material(lit("edge light", {0.3f, 1.1f, 3.2f}));
     constexpr float kRim = 0.09f;
     for (const float side : {-1.f, 1.f}) {
         k.board(frame, {side * (s.x / 2 - kRim / 2), 0, s.z / 2}, {kRim, s.y, s.z}, 0.025f);
         k.board(frame, {0, side > 0 ? s.y - kRim : 0, s.z / 2}, {s.x, kRim, s.z}, 0.025f);
-        k.board(edge, {0, side > 0 ? s.y - kRim - 0.012f : kRim, s.z - 0.03f}, {s.x - 2 * kRim, 0.012f, 0.012f}, 0.002f);
+        k.board(edge, {0, side > 0 ? s.y - kRim - 0.012f : kRim, s.z - 0.03f}, {s.x - 2 * kRim, 0.012f, 0.012f},
+                0.002f);
     }
     starfield(k, {s.x / 2 - kRim, s.y / 2 - kRim}, kRim, 0.012f, 160, k.rng.chance(0.5f));
     k.piece.mount = Mount::wall, k.piece.hang_height_m = 1.1f;
@@ -147,14 +154,16 @@ void build_space_window(Kit& k) {
 // The window at the front of a bridge: stars and a planet, across the whole wall.
 void build_view_screen(Kit& k) {
     const Vec3f s = k.wanted({4.4f, 1.75f, 0.16f});
-    const int frame = k.main(plain("screen frame", {0.07f, 0.075f, 0.085f}, 0.35f)), edge = k.material(lit("edge light", {0.3f, 1.1f, 3.2f}));
+    const int frame = k.main(plain("screen frame", {0.07f, 0.075f, 0.085f}, 0.35f)),
+              edge = k.material(lit("edge light", {0.3f, 1.1f, 3.2f}));
     constexpr float kRim = 0.11f;
     for (const float side : {-1.f, 1.f}) {
         k.board(frame, {side * (s.x / 2 - kRim / 2), 0, s.z / 2}, {kRim, s.y, s.z}, 0.03f);
         k.board(frame, {0, side > 0 ? s.y - kRim : 0, s.z / 2}, {s.x, kRim, s.z}, 0.03f);
         // Mullions, leaning as those of a cockpit do.
         slat(k, frame, {side * 0.27f * s.x, 0.05f, s.z / 2}, {side * 0.19f * s.x, s.y - 0.05f, s.z / 2}, 0.07f, 0.1f);
-        k.board(edge, {0, side > 0 ? s.y - kRim - 0.012f : kRim, s.z - 0.04f}, {s.x - 2 * kRim, 0.014f, 0.014f}, 0.002f);
+        k.board(edge, {0, side > 0 ? s.y - kRim - 0.012f : kRim, s.z - 0.04f}, {s.x - 2 * kRim, 0.014f, 0.014f},
+                0.002f);
     }
     starfield(k, {s.x / 2 - kRim, s.y / 2 - kRim}, kRim, 0.012f, 420, true);
     k.piece.mount = Mount::wall, k.piece.hang_height_m = 0.95f;
@@ -163,7 +172,8 @@ void build_view_screen(Kit& k) {
 // A hatch between compartments: rounded, with a wheel and dogs.
 void build_hatch_door(Kit& k) {
     const Vec3f s = k.wanted({0.95f, 1.75f, 0.14f});
-    const int door = k.main(plain("hatch paint", {0.34f, 0.37f, 0.33f}, 0.4f)), dark = color(k, "hatch rim", {0.16f, 0.18f, 0.165f}, 0.45f),
+    const int door = k.main(plain("hatch paint", {0.34f, 0.37f, 0.33f}, 0.4f)),
+              dark = color(k, "hatch rim", {0.16f, 0.18f, 0.165f}, 0.45f),
               wheel = color(k, "wheel", {0.5f, 0.05f, 0.03f}, 0.35f), metal = k.material(steel());
     const auto plate = [&](float w, float h, float z0, float z1, float r, int material) {
         Mesh m = shapes::prism(shapes::rounded_rectangle(w, h, r, 10), z0, z1, 0.006f);
@@ -183,7 +193,8 @@ void build_hatch_door(Kit& k) {
     k.rod(metal, {0, s.y / 2, 0.08f}, {0, s.y / 2, s.z - 0.01f}, 0.03f, -1, 12);
     for (const float side : {-1.f, 1.f})
         for (const float y : {0.3f, 0.5f, 0.7f})
-            slat(k, metal, {side * (s.x / 2 - 0.22f), y * s.y, 0.1f}, {side * (s.x / 2 - 0.05f), (y + 0.02f) * s.y, 0.08f}, 0.03f, 0.03f);
+            slat(k, metal, {side * (s.x / 2 - 0.22f), y * s.y, 0.1f},
+                 {side * (s.x / 2 - 0.05f), (y + 0.02f) * s.y, 0.08f}, 0.03f, 0.03f);
     k.piece.mount = Mount::wall, k.piece.hang_height_m = 0.1f;
 }
 
