@@ -387,7 +387,7 @@ Plan make_plan(PromptSpec& spec, Random& rng) {
     for (const PromptObject& o : spec.objects)
         if (!o.forbidden && o.relation == "above" && (o.relation_to == "door" || o.relation_to == "doorway"))
             plan.height = std::max(plan.height, 2.75f);
-    plan.beams = plan.style.beams || wish_for(spec, "beams");
+    plan.beams = (plan.style.beams && type.beams) || wish_for(spec, "beams");
     plan.accent = type.accent_wall && rng.chance(0.6f);
 
     // Children and cheerful people paint a wall in a color they love.

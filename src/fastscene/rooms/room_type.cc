@@ -117,7 +117,7 @@ class TypeReader {
         const TomlTable shape = table(
             "shape", {"breast_probability", "corner_probability", "bay_probability", "alcove_probability",
                       "doorway_probability", "sloped_ceiling", "high_ceiling", "coffers", "panelling", "accent_wall",
-                      "wall_tiles", "wall_relief", "middle_door"});
+                      "wall_tiles", "wall_relief", "middle_door", "beams"});
         t_.breast_probability = share(shape, "breast_probability");
         t_.corner_probability = share(shape, "corner_probability");
         t_.bay_probability = share(shape, "bay_probability");
@@ -125,6 +125,7 @@ class TypeReader {
         t_.doorway_probability = share(shape, "doorway_probability");
         t_.sloped_ceiling = shape.flag("sloped_ceiling", t_.sloped_ceiling);
         t_.high_ceiling = shape.flag("high_ceiling", t_.high_ceiling);
+        t_.beams = shape.flag("beams", t_.beams);
         t_.coffers = shape.flag("coffers", t_.coffers);
         t_.panelling = shape.flag("panelling", t_.panelling);
         t_.accent_wall = shape.flag("accent_wall", t_.accent_wall);

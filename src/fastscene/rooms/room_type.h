@@ -74,6 +74,7 @@ struct RoomType {
     std::string kind_of;                    // "kids" is a kind of "bedroom": who names both means one room
     bool sloped_ceiling = false;            // lies below a roof
     bool high_ceiling = false;              // a hall: high, columns, large windows
+    bool beams = true;                      // has beams where its style has them
     bool coffers = false;                   // its ceiling may be coffered
     bool panelling = true;                  // its walls may be panelled
     bool accent_wall = true;                // one wall may have a paint of its own
