@@ -93,7 +93,7 @@ void build_lattice_wall(Kit& k) {
 
 // The wall of the room goes round its corners.
 void build_round_corner(Kit& k) {
-    const Vec3f s = k.wanted({1.1f, 2.1f, 1.1f});
+    const Vec3f s = k.wanted({1.1f, 2.2f, 1.1f});
     hollow_corner(k, s, k.main(k.style.wall), 0, 0);
 }
 void build_rock_corner(Kit& k) {
@@ -153,7 +153,7 @@ void build_space_window(Kit& k) {
 
 // The window at the front of a bridge: stars and a planet, across the whole wall.
 void build_view_screen(Kit& k) {
-    const Vec3f s = k.wanted({4.4f, 1.75f, 0.16f});
+    const Vec3f s = k.wanted({4.4f, 1.5f, 0.16f});
     const int frame = k.main(plain("screen frame", {0.07f, 0.075f, 0.085f}, 0.35f)),
               edge = k.material(lit("edge light", {0.3f, 1.1f, 3.2f}));
     constexpr float kRim = 0.11f;
