@@ -69,7 +69,7 @@ void starfield(Kit& k, Vec2f half, float y0, float z, int stars, bool planet) {
 
 // Laths that cross, of the wall of a yurt; felt is behind them.
 void build_lattice_wall(Kit& k) {
-    const Vec3f s = k.wanted({1.6f, 1.6f, 0.05f});
+    const Vec3f s = k.wanted({1.4f, 1.6f, 0.03f});
     const int lath = k.main(plain("lath", {0.44f, 0.13f, 0.04f}, 0.5f)),
               knot = color(k, "knot", {0.6f, 0.5f, 0.32f}, 0.8f);
     constexpr float kEvery = 0.19f, kWide = 0.028f;
@@ -82,10 +82,10 @@ void build_lattice_wall(Kit& k) {
             const float at_left = s.y / 2 + way * (-hx - c), at_right = s.y / 2 + way * (hx - c);
             y0 = std::max(y0, std::min(at_left, at_right)), y1 = std::min(y1, std::max(at_left, at_right));
             if (y1 - y0 < 0.08f) continue;
-            const float z = way > 0 ? 0.034f : 0.018f;
-            slat(k, lath, {x(y0), y0, z}, {x(y1), y1, z}, kWide, 0.014f);
+            const float z = way > 0 ? 0.023f : 0.012f;
+            slat(k, lath, {x(y0), y0, z}, {x(y1), y1, z}, kWide, 0.01f);
         }
-    for (const float y : {0.012f, s.y - 0.012f}) k.rod(knot, {-hx, y, 0.03f}, {hx, y, 0.03f}, 0.012f, -1, 6);
+    for (const float y : {0.012f, s.y - 0.012f}) k.rod(knot, {-hx, y, 0.018f}, {hx, y, 0.018f}, 0.01f, -1, 6);
     k.board(knot, {-hx, 0, 0.004f}, {0.02f, s.y, 0.008f}, 0.001f),
         k.board(knot, {hx, 0, 0.004f}, {0.02f, s.y, 0.008f}, 0.001f);
     k.piece.mount = Mount::wall, k.piece.hang_height_m = 0.04f;
