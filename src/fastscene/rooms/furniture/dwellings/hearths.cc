@@ -18,8 +18,8 @@ Material bark(Vec3f a) {
 
 // Tongues of flame over a bed of embers of this radius.
 void fire(Kit& k, Vec3f at, float radius, float high) {
-    const int flames = k.material(flame("fire", {9, 2.6f, 0.3f})),
-              core = k.material(flame("fire core", {19, 9.5f, 1.6f}));
+    const int flames = k.material(flame("fire", {5.2f, 2.0f, 0.36f})),
+              core = k.material(flame("fire core", {10, 6.2f, 1.7f}));
     for (int i = 0; i < 9; ++i) {
         const Vec3f out = around(kTau * static_cast<float>(i) / 9) *
                           (i == 0 ? 0.f : k.rng.uniform(0.2f, 0.7f) * radius);
@@ -56,7 +56,7 @@ void build_campfire(Kit& k) {
     Material granite = *material_named("stone");
     const int stone = k.main(granite), wood = k.material(bark({0.2f, 0.12f, 0.07f})),
               ash = color(k, "ash", {0.06f, 0.055f, 0.05f}, 0.95f),
-              ember = k.material(flame("embers", {5, 0.8f, 0.06f}));
+              ember = k.material(flame("embers", {2.6f, 0.7f, 0.1f}));
     constexpr int kStones = 13;
     for (int i = 0; i < kStones; ++i) {
         const Vec3f out = around(kTau * static_cast<float>(i) / kStones) * 0.5f;
