@@ -163,6 +163,7 @@ void visit_fields(DocumentPlan& p, V&& v) {
     v("recessed_lights", p.recessed_lights, Rule{}, "Small lamps sunk into the ceiling.");
     v("coffers", p.coffers, Rule{}, "A grid of beams below the ceiling.");
     v("bay", p.bay, Rule{}, "The recess of the far wall is all window.");
+    v("wall_relief", p.wall_relief, Rule{}, "What walls are built of, beyond their material.");
     v("panelling", p.panelling, Rule{}, "Walls are panelled to the height of a chair's back.");
     v("asked", p.asked, Rule{}, "What was said of windows, doors and other parts of the shell.");
 }

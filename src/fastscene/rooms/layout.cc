@@ -146,7 +146,8 @@ bool hides(const Placed& floor, const Placed& hung) {
     const bool overhead = floor.piece.kind == "hanging_plant";
     const float before_m = overhead ? 0.4f : 0.15f;  // metres before it
     if (hung.piece.mount != Mount::wall || hung.sill >= 0 || (floor.piece.mount != Mount::floor && !overhead) ||
-        floor.flat || floor.on >= 0 || floor.piece.kind == "curtain")
+        floor.flat || floor.on >= 0 || floor.piece.kind == "curtain" ||
+        has_role(hung.piece.kind, Role::covers_wall))
         return false;
     Footprint before = footprint_of(hung);
     before.half.y += before_m / 2;

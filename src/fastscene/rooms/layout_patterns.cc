@@ -310,6 +310,26 @@ void place_end(Placement& p, const RecipeStep& step, int) {
     }
 }
 
+// ---- in the corners
+
+// One in each corner that is free, its back and its right side at the walls.
+void place_corners(Placement& p, const RecipeStep& step, int) {
+    const std::string thing = thing_of(step, p);
+    Pattern corner(p, thing, true);
+    if (!corner.open() || !is_due(p, step, thing)) return;
+    constexpr float kOff = 0.012f;
+    const Plan& plan = p.layout().plan();
+    for (int wall = 0; wall < 4; ++wall) {
+        if (!corner.open()) return;
+        const WallFace face = plan.wall(wall);
+        const Piece piece = corner.piece();
+        const Vec3f at = face.point(kOff + piece.size_m.x / 2, 0) + face.inward * (kOff + piece.size_m.z / 2);
+        const auto index = corner.place(
+            [&](const PromptObject& o) { return p.layout().stand_at(piece, flat(at), yaw_of(face.inward), o, {}); });
+        if (index) follow_steps(step.then, p, *index);
+    }
+}
+
 // ---- at the ceiling
 
 void place_lights(Placement& p, const RecipeStep& step, int) {
@@ -339,7 +359,7 @@ void place_lights(Placement& p, const RecipeStep& step, int) {
 }  // namespace
 
 std::span<const StepKind> pattern_kinds() {
-    static const std::array<StepKind, 7> all{{
+    static const std::array<StepKind, 8> all{{
         {"rows",
          {"thing", "first_asked", "other", "thing_share", "probability", "seat", "towards", "pitch_m", "gap_m",
           "aisle_m", "side_m", "front_m", "rear_m", "rows", "block", "alike", "then"},
@@ -365,6 +385,7 @@ std::span<const StepKind> pattern_kinds() {
          {},
          place_run},
         {"end", {"thing", "first_asked", "probability", "walls", "off_m", "length_m", "then"}, false, {}, place_end},
+        {"corners", {"thing", "first_asked", "probability", "then"}, false, {}, place_corners},
         {"lights", {"thing", "first_asked", "probability", "pitch_m", "fill"}, false, {}, place_lights},
     }};
     return all;

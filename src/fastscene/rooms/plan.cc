@@ -102,6 +102,10 @@ void add_regular_windows(const RoomWindows& like, Plan& plan) {
             window.y1 = std::min(plan.height - kLintelAbove, like.head_m);
             window.y0 = std::min(like.sill_m, window.y1 - 0.4f);
             if (like.arched) window.shape = Opening::Shape::arched;
+            if (like.round) {  // hung from its head
+                window.shape = Opening::Shape::round;
+                window.y0 = window.y1 - wide;
+            }
             plan.openings.push_back(window);
         }
     }
@@ -212,6 +216,7 @@ void add_door(PromptSpec& spec, Plan& plan, Random& rng) {
                              ? std::clamp((high - low - kDoorWidth) / 2, kDoorMargin, kCornerMargin)
                              : kDoorMargin;
     door.u0 = rng.chance(0.5f) || shared ? low + margin : high - margin - kDoorWidth;
+    if (room_type(spec.room).middle_door && !shared) door.u0 = (low + high - kDoorWidth) / 2;
     door.u1 = door.u0 + kDoorWidth;
     door.y1 = 2.06f;
     if (shape_of(wish) != Opening::Shape::square)
@@ -382,7 +387,7 @@ Plan make_plan(PromptSpec& spec, Random& rng) {
     for (const PromptObject& o : spec.objects)
         if (!o.forbidden && o.relation == "above" && (o.relation_to == "door" || o.relation_to == "doorway"))
             plan.height = std::max(plan.height, 2.75f);
-    plan.beams = plan.style.beams || wish_for(spec, "beams");
+    plan.beams = (plan.style.beams && type.beams) || wish_for(spec, "beams");
     plan.accent = type.accent_wall && rng.chance(0.6f);
 
     // Children and cheerful people paint a wall in a color they love.

@@ -1,6 +1,6 @@
-// Plan: the empty room. Room frame, right-handed: y UP, z towards the far wall, x to the left of who faces it, metres; the floor
-// is y = 0 and the plan's center is the origin. Walls are numbered 0 far (+z), 1 (+x), 2 near (-z), 3 (-x); 1 is called
-// right and 3 left, as seen from the far wall.
+// Plan: the empty room. Room frame, right-handed: y UP, z towards the far wall, x to the left of who faces it, metres;
+// the floor is y = 0 and the plan's center is the origin. Walls are numbered 0 far (+z), 1 (+x), 2 near (-z), 3 (-x); 1
+// is called right and 3 left, as seen from the far wall.
 #pragma once
 
 #include <algorithm>
@@ -12,6 +12,7 @@
 
 #include "fastscene/base/random.h"
 #include "fastscene/rooms/footprint.h"
+#include "fastscene/rooms/room_type.h"
 #include "fastscene/rooms/rooms.h"
 #include "fastscene/rooms/style.h"
 
@@ -88,7 +89,8 @@ struct Plan {
     bool recessed_lights = false;     // small lamps sunk into the ceiling
     bool coffers = false;             // a grid of beams in the color of the trim
     bool bay = false;                 // the recess of the far wall is all window
-    bool panelling = false;           // walls are panelled to the height of a chair's back
+    WallRelief relief = WallRelief::flat;
+    bool panelling = false;  // walls are panelled to the height of a chair's back
     std::vector<Block> blocks;
     std::vector<PromptObject> asked_parts;  // what of is_shell the prompt asks for
     // Sloped ceiling (attic): it begins at this height at walls 1 and 3 and reaches `height` after slope_run metres; 0

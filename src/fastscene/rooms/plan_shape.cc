@@ -222,6 +222,7 @@ void shape_plan(PromptSpec& spec, Plan& plan, Random& rng) {
         if (columns) report(spec, *columns, std::max(0, columns->count - 3), "a room has at most three");
     }
     if (!plan.beams && rich && !(plan.knee > 0)) plan.coffers = type.coffers && rng.chance(0.6f);
+    plan.relief = type.wall_relief;
     plan.panelling = decide(spec, "wainscoting", old && type.panelling ? 0.6f : 0.f, rng);
 }
 

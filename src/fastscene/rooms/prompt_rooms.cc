@@ -57,6 +57,30 @@ bool comes_with_another(const Matches& m) {
     return std::none_of(first, with, exact) && std::any_of(with, m.end(), exact);
 }
 
+// What a room that is in such a house has of it, or is like it: its style, unless one is named.
+Word style_of_house(const Matches& m, const RoomType& house) {
+    const bool named = std::any_of(m.begin(), m.end(), [](const Match& x) { return x.is(WordKind::style); });
+    if (named || house.styles.empty()) return Word{WordKind::nuance, "house", false};
+    return Word{WordKind::style, house.styles.front(), false};
+}
+
+// "a bedroom in a log cabin", "the kitchen of a houseboat": the house around the room.
+void leave_houses(Matches& m) {
+    const auto is_named = [](const Match& x) { return x.is(WordKind::room) && !x.negated && x.word->exact; };
+    for (auto x = m.begin(); x != m.end(); ++x) {
+        const RoomType* type = is_named(*x) ? find_room_type(x->word->meaning) : nullptr;
+        if (!type || !type->house || std::none_of(m.begin(), x, is_named)) continue;
+        for (auto before = x; before-- > m.begin();) {
+            if (before->is_function("the") || before->words == "a" || before->words == "an" || modifies(*before) ||
+                before->is(WordKind::mood))
+                continue;
+            if (is_one_of(before->words, {"in", "inside", "of", "on", "aboard", "within", "on board"}))
+                x->word = style_of_house(m, *type);
+            break;
+        }
+    }
+}
+
 // "a spa bathroom", "a gallery-like living room": the last of them is the room, the one before says what it is like.
 void qualify_rooms(Matches& m) {
     for (std::size_t i = 0; i + 1 < m.size(); ++i) {
@@ -66,7 +90,7 @@ void qualify_rooms(Matches& m) {
         const std::size_t next = likened ? i + 2 : i + 1;
         if (next >= m.size() || !m[next].is(WordKind::room) || m[next].negated || m[next].comma) continue;
         if (m[next].word->meaning == type->name || !m[next].word->exact) continue;
-        m[i].word = Word{WordKind::nuance, "feel", false};
+        m[i].word = type->house ? style_of_house(m, *type) : Word{WordKind::nuance, "feel", false};
     }
 }
 
@@ -247,6 +271,7 @@ void settle_rooms(Reading& r) {
     count_other_rooms(r.m);
     qualify_rooms(r.m);
     leave_outside(r.m);
+    leave_houses(r.m);
     take_as_things(r.m);
     choose_room(r.m, r.spec);
     furnish_parts(r.m);

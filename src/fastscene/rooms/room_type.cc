@@ -45,11 +45,12 @@ std::vector<std::string> things(const TomlTable& table, std::string_view key) {
 
 const std::vector<std::string>& keys_of_types() {
     static const std::vector<std::string> keys{
-        "name",        "title",          "words",      "words_near",   "rank",       "wet",      "for_children",
-        "deep_paints", "next_rooms",     "next_door",  "second_room",  "styles",     "look_at",  "surfaces",
-        "kind_of",     "guess_rank",     "main_thing", "as_thing",     "own_things", "table",    "table_when_near",
-        "cooks",       "upright_chairs", "per_person", "most_people",  "mess",       "meanings", "size",
-        "shape",       "windows",        "touches",    "furnished_as", "recipe"};
+        "name",         "title",       "words",        "words_near",      "rank",        "wet",
+        "for_children", "deep_paints", "next_rooms",   "next_door",       "second_room", "styles",
+        "look_at",      "surfaces",    "kind_of",      "house",           "guess_rank",  "main_thing",
+        "as_thing",     "own_things",  "table",        "table_when_near", "cooks",       "upright_chairs",
+        "per_person",   "most_people", "mess",         "meanings",        "size",        "shape",
+        "windows",      "touches",     "furnished_as", "recipe"};
     return keys;
 }
 
@@ -70,6 +71,7 @@ class TypeReader {
         t_.next_door = top_.flag("next_door", t_.next_door);
         t_.second_room = top_.text("second_room");
         t_.kind_of = top_.text("kind_of");
+        t_.house = top_.flag("house", t_.house);
         t_.furnished_as = top_.text("furnished_as");
         t_.recipe = read_recipe(top_, "recipe");
         if (t_.furnished_as.empty() == t_.recipe.empty())
@@ -112,9 +114,10 @@ class TypeReader {
         if (size.has("height_m")) std::tie(t_.height_low_m, t_.height_high_m) = range_of(size, "height_m");
         std::tie(t_.width_low_m, t_.width_high_m) = range_of(size, "width_m");
         std::tie(t_.depth_low_m, t_.depth_high_m) = range_of(size, "depth_m");
-        const TomlTable shape = table("shape", {"breast_probability", "corner_probability", "bay_probability",
-                                                "alcove_probability", "doorway_probability", "sloped_ceiling",
-                                                "high_ceiling", "coffers", "panelling", "accent_wall", "wall_tiles"});
+        const TomlTable shape = table(
+            "shape", {"breast_probability", "corner_probability", "bay_probability", "alcove_probability",
+                      "doorway_probability", "sloped_ceiling", "high_ceiling", "coffers", "panelling", "accent_wall",
+                      "wall_tiles", "wall_relief", "middle_door", "beams"});
         t_.breast_probability = share(shape, "breast_probability");
         t_.corner_probability = share(shape, "corner_probability");
         t_.bay_probability = share(shape, "bay_probability");
@@ -122,10 +125,13 @@ class TypeReader {
         t_.doorway_probability = share(shape, "doorway_probability");
         t_.sloped_ceiling = shape.flag("sloped_ceiling", t_.sloped_ceiling);
         t_.high_ceiling = shape.flag("high_ceiling", t_.high_ceiling);
+        t_.beams = shape.flag("beams", t_.beams);
         t_.coffers = shape.flag("coffers", t_.coffers);
         t_.panelling = shape.flag("panelling", t_.panelling);
         t_.accent_wall = shape.flag("accent_wall", t_.accent_wall);
         t_.wall_tiles = shape.flag("wall_tiles", t_.wall_tiles);
+        t_.middle_door = shape.flag("middle_door", t_.middle_door);
+        if (shape.has("wall_relief")) t_.wall_relief = file_fields::choice<WallRelief>(shape, "wall_relief");
     }
 
     void read_regular_windows(const TomlTable& t) {
@@ -141,6 +147,7 @@ class TypeReader {
         w.sill_m = static_cast<float>(t.number("sill_m", w.sill_m, 0.05, kLongest));
         w.head_m = static_cast<float>(t.number("head_m", w.head_m, 0.5, kLongest));
         w.arched = t.flag("arched", false);
+        w.round = t.flag("round", false);
     }
 
     void read_windows() {
@@ -148,7 +155,7 @@ class TypeReader {
         constexpr double kHighestSill = 2;
         const TomlTable t = table("windows", {"size", "count", "second_probability", "first_on_far_wall",
                                               "least_sill_m", "sill_beyond_doorway_m", "outlook", "outlook_probability",
-                                              "walls", "every_m", "width_m", "sill_m", "head_m", "arched"});
+                                              "walls", "every_m", "width_m", "sill_m", "head_m", "arched", "round"});
         RoomWindows& w = t_.windows;
         read_regular_windows(t);
         if (t.has("size")) w.size = file_fields::choice<WindowSize>(t, "size");

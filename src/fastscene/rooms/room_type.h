@@ -29,9 +29,15 @@ struct RoomWindows {
     std::vector<int> walls;  // empty: there are none
     float every_m = 2.4f, width_m = 1.4f, sill_m = 0.9f, head_m = 2.3f;
     bool arched = false;
+    bool round = false;                // portholes, as high as they are wide
     std::optional<Sky::View> outlook;  // what they show; nothing: as the style has it
     float outlook_probability = 0;
 };
+
+// What walls are built of, where that is more than their material: logs that lie one on the other, rough rock.
+enum class WallRelief : unsigned char { flat, logs, rock };
+template <>
+inline constexpr std::array<std::string_view, 3> kNamesOf<WallRelief>{"flat", "logs", "rock"};
 
 // Whether a lamp stands on the floor: by day as often as not, and always after dark; after dark only; never.
 enum class FloorLamp : unsigned char { usual, after_dark, never };
@@ -64,13 +70,17 @@ struct RoomType {
     std::string second_room;                // "a second room" of no named type is one of these
     std::vector<std::string> styles;        // that suit it; empty: any
     std::string look_at;                    // the thing that the first view looks at
+    bool house = false;                     // other rooms may be in it: "a bedroom in a log cabin"
     std::string kind_of;                    // "kids" is a kind of "bedroom": who names both means one room
     bool sloped_ceiling = false;            // lies below a roof
     bool high_ceiling = false;              // a hall: high, columns, large windows
+    bool beams = true;                      // has beams where its style has them
     bool coffers = false;                   // its ceiling may be coffered
     bool panelling = true;                  // its walls may be panelled
     bool accent_wall = true;                // one wall may have a paint of its own
-    bool wall_tiles = false;                // tiles that a prompt names are on its walls
+    bool middle_door = false;               // the door is in the middle of its wall, not at an end
+    WallRelief wall_relief = WallRelief::flat;
+    bool wall_tiles = false;  // tiles that a prompt names are on its walls
     RoomWindows windows;
 
     // What its furniture says of it and it of its furniture.

@@ -6,12 +6,14 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <map>
 #include <regex>
 #include <set>
 #include <string>
 
 #include "fastscene/base/error.h"
 #include "fastscene/rooms/layout.h"
+#include "fastscene/rooms/lexicon.h"
 #include "fastscene/rooms/test_prompts.h"
 
 namespace fastscene {
@@ -107,6 +109,31 @@ TEST(RoomTypeFiles, CodeNamesNoTypes) {
             EXPECT_EQ(find_room_type((*it)[1].str()), nullptr)
                 << name << ": put what the code says of \"" << (*it)[1] << "\" into room_types/" << (*it)[1] << ".toml";
     }
+}
+
+// What people call a room mostly has a kind of its own; the rest becomes the nearest one, and is told so.
+TEST(RoomTypeFiles, FewWordsForRoomsAreApproximated) {
+    int words = 0, approximated = 0;
+    std::string list;
+    for (const std::string& term : lexicon_terms()) {
+        const auto word = look_up(term);
+        if (!word || word->kind != WordKind::room) continue;
+        ++words;
+        if (!word->exact) ++approximated, list += "\n  " + term + ": " + word->meaning;
+    }
+    EXPECT_GE(words, 1500);
+    EXPECT_LE(approximated, 60) << list;
+}
+
+// A word means one kind.
+TEST(RoomTypeFiles, NoWordStandsTwice) {
+    std::map<std::string, std::string> owner;
+    for (const RoomType& type : all_room_types())
+        for (const auto* words : {&type.words, &type.words_near})
+            for (const std::string& word : *words) {
+                const auto [at, added] = owner.emplace(word, type.name);
+                EXPECT_TRUE(added) << word << ": " << at->second << " and " << type.name;
+            }
 }
 
 }  // namespace

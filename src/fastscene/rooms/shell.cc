@@ -3,6 +3,7 @@
 
 #include "fastscene/base/is_one_of.h"
 #include "fastscene/rooms/plan_parts.h"
+#include "fastscene/rooms/shapes.h"
 #include "fastscene/rooms/shell_kit.h"
 
 namespace fastscene {
@@ -24,6 +25,55 @@ void fill_corners(const WallBuilder& wall, const Opening& o, int material) {
     wall.band(inner, outer, -kWallThickness, 0, material);
 }
 
+// Walls of logs or rock: their crests are in the wall's face, all else lies behind it, so that what stands or hangs at
+// a wall needs to know nothing of it.
+constexpr float kLogGroove = 0.06f, kRockDepth = 0.16f;
+float relief_depth(const Plan& plan) {
+    return plan.relief == WallRelief::logs ? kLogGroove : plan.relief == WallRelief::rock ? kRockDepth : 0.f;
+}
+
+// Logs one on the other, their grain along them.
+void build_logs(const WallFace& face, float u0, float u1, float y0, float y1, int material, Room& room) {
+    constexpr float kLog = 0.24f, kEven = 6.f;  // usual height; between the grains of two logs
+    constexpr int kAcross = 10;
+    const int rows = std::max(1, static_cast<int>(std::lround((y1 - y0) / kLog)));
+    const float high = (y1 - y0) / static_cast<float>(rows);
+    for (int row = 0; row < rows; ++row) {
+        const float low = y0 + high * static_cast<float>(row);
+        Mesh log = shapes::sheet(1, kAcross, [&](float u, float v) {
+            const float across = -std::cos(kPi * v);
+            return face.point(std::lerp(u1, u0, u), low + high * (0.5f + 0.5f * across)) -
+                   face.inward * (kLogGroove * (1.f - std::sqrt(std::max(0.f, 1.f - across * across))));
+        });
+        for (std::size_t i = 0; i < log.positions.size(); ++i) {
+            const Vec3f p = log.positions[i] - face.origin;
+            log.coords[i] = {p.y, dot(p, face.along) + kEven * static_cast<float>(row), dot(p, face.inward)};
+        }
+        log.material = material;
+        room.meshes.push_back(std::move(log));
+    }
+}
+
+// Rock that juts out here and there, and ends evenly where it meets other walls and openings.
+void build_rock(const WallFace& face, float u0, float u1, float y0, float y1, int material, Room& room) {
+    constexpr float kCell = 0.09f, kEven = 0.35f;
+    const auto steps = [](float length) { return std::max(1, static_cast<int>(std::lround(length / kCell))); };
+    Mesh rock = shapes::sheet(steps(u1 - u0), steps(y1 - y0), [&](float u, float v) {
+        const float at = std::lerp(u1, u0, u), y = std::lerp(y0, y1, v);
+        const Vec3f p = face.point(at, y);
+        const float rough = 0.62f * shapes::wobble(p * 1.3f, 11) + 0.26f * shapes::wobble(p * 3.4f, 12) +
+                            0.12f * shapes::wobble(p * 8.f, 13),
+                    even = std::clamp(std::min(at - u0, u1 - at) / kEven, 0.f, 1.f);
+        return p - face.inward * (kRockDepth * even * std::clamp(0.5f + 0.75f * rough, 0.f, 1.f));
+    });
+    for (std::size_t i = 0; i < rock.positions.size(); ++i) {
+        const Vec3f p = rock.positions[i] - face.origin;
+        rock.coords[i] = {dot(p, face.along), p.y, dot(p, face.inward)};
+    }
+    rock.material = material;
+    room.meshes.push_back(std::move(rock));
+}
+
 // The wall around its openings: columns between openings, and what is below and above each.
 void build_wall(const Plan& plan, int index, Room& room, int material) {
     const WallFace face = plan.wall(index);
@@ -36,15 +86,31 @@ void build_wall(const Plan& plan, int index, Room& room, int material) {
     std::sort(holes.begin(), holes.end(), [](const Opening& a, const Opening& b) { return a.u0 < b.u0; });
     // A side wall below a slope ends with it.
     const float top = plan.knee > 0 && index % 2 == 1 ? plan.knee + 0.02f : plan.height;
+    const float behind = relief_depth(plan);
+    const auto solid = [&](float u0, float u1, float y0, float y1) {
+        wall.box(u0, u1, y0, y1, -kWallThickness, -behind, material);
+        if (!(behind > 0 && y1 > y0)) return;
+        const float from = std::max(u0, 0.f), to = std::min(u1, face.length);
+        if (!(to > from)) return;
+        if (plan.relief == WallRelief::logs) build_logs(face, from, to, y0, y1, material, room);
+        else build_rock(face, from, to, y0, y1, material, room);
+    };
     float u = -over;
     for (const Opening& hole : holes) {
-        wall.box(u, hole.u0, 0, top, -kWallThickness, 0, material);
-        wall.box(hole.u0, hole.u1, 0, hole.y0, -kWallThickness, 0, material);
-        wall.box(hole.u0, hole.u1, hole.y1, top, -kWallThickness, 0, material);
+        solid(u, hole.u0, 0, top);
+        solid(hole.u0, hole.u1, 0, hole.y0);
+        solid(hole.u0, hole.u1, hole.y1, top);
+        if (behind > 0) {  // what the frame is set into
+            constexpr float kJamb = 0.03f;
+            for (const auto& [from, to] : {std::pair{hole.u0 - kJamb, hole.u0}, {hole.u1, hole.u1 + kJamb}})
+                wall.box(from, to, hole.y0, hole.y1, -behind, 0, material);
+            for (const auto& [from, to] : {std::pair{hole.y0 - kJamb, hole.y0}, {hole.y1, hole.y1 + kJamb}})
+                wall.box(hole.u0 - kJamb, hole.u1 + kJamb, std::max(from, 0.f), to, -behind, 0, material);
+        }
         fill_corners(wall, hole, material);
         u = hole.u1;
     }
-    wall.box(u, face.length + over, 0, top, -kWallThickness, 0, material);
+    solid(u, face.length + over, 0, top);
 }
 
 void build_blocks(const Plan& plan, const Materials& m, Room& room) {

@@ -66,9 +66,9 @@ void build_shaped_window(const Plan& plan, const Opening& o, const WallBuilder& 
                      object);
         }
         const bool porthole = o.u1 - o.u0 <= kPorthole;
-        const int rim = porthole && !plan.asked("window")->color.size() && !plan.asked("window")->material.size()
-                            ? add_material(room, *material_named("brass"))
-                            : frame;
+        const PromptObject* asked = plan.asked("window");
+        const bool said = asked && (!asked->color.empty() || !asked->material.empty());
+        const int rim = porthole && !said ? add_material(room, *material_named("brass")) : frame;
         ring(wall, o, -0.012f, porthole ? 0.07f : 0.06f, 0, 0.03f, rim, object);
         for (int i = 0; porthole && i < 8; ++i) {  // bolts
             const float a = (static_cast<float>(i) + 0.5f) * kPi / 4, r = (o.u1 - o.u0) / 2 + 0.04f;

@@ -8,6 +8,7 @@
 #include <numbers>
 #include <set>
 
+#include "fastscene/geometry/sphere.h"
 #include "fastscene/image/color.h"
 #include "fastscene/scene/synthetic.h"
 #include "fastscene/views/points.h"

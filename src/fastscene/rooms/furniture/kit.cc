@@ -24,6 +24,11 @@ Material glow(std::string name, Vec3f radiance) {
     m.emission = radiance;
     return m;
 }
+Material lit(std::string name, Vec3f radiance) {
+    Material m = glow(std::move(name), radiance);
+    m.pattern = Pattern::screen;
+    return m;
+}
 Material flame(std::string name, Vec3f radiance) {
     Material m = glow(std::move(name), radiance);
     m.color_a = m.color_b = m.color_c = {0.3f, 0.1f, 0.02f};
@@ -126,6 +131,13 @@ void strut(Kit& k, int material, Vec3f a, Vec3f b, float wide, float thick) {
     const Vec3f d = b - a;
     Mesh m = shapes::box({wide, length(d), thick}, 0.003f);
     shapes::turn(m, {1, 0, 0}, std::atan2(d.z, d.y) * 180.f / kPi);
+    k.add(std::move(m), material, (a + b) * 0.5f);
+}
+
+void slat(Kit& k, int material, Vec3f a, Vec3f b, float wide, float thick) {
+    const Vec3f d = b - a;
+    Mesh m = shapes::box({wide, std::hypot(d.x, d.y), thick}, 0.003f);
+    shapes::turn(m, {0, 0, 1}, std::atan2(-d.x, d.y) * 180.f / kPi);
     k.add(std::move(m), material, (a + b) * 0.5f);
 }
 

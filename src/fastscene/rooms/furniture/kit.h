@@ -85,7 +85,8 @@ struct Kit {
 
 Material plain(std::string name, Vec3f color, float roughness);
 Material glow(std::string name, Vec3f radiance);
-Material flame(std::string name, Vec3f radiance);  // glows at any hour
+Material lit(std::string name, Vec3f radiance);    // shines at any hour, as screens do
+Material flame(std::string name, Vec3f radiance);  // burns at any hour
 Material tinted(Material m, Vec3f color);          // recolored, keeping the ratio of its second color
 Material glass();
 Material porcelain();
@@ -97,6 +98,8 @@ Vec3f around(float angle);
 inline void on_surface(Kit& k) { k.piece.mount = Mount::surface; }
 // A flat bar from a to b in a plane of constant x: `wide` along x, `thick` across.
 void strut(Kit& k, int material, Vec3f a, Vec3f b, float wide, float thick);
+// The same in a plane of constant z: `wide` in it, `thick` along z.
+void slat(Kit& k, int material, Vec3f a, Vec3f b, float wide, float thick);
 // The outline of a star with five points, one of them up.
 std::vector<Vec2f> star(float outer, float inner);
 

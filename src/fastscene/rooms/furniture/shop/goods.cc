@@ -112,6 +112,8 @@ float step_of(Goods goods) {
 
 }  // namespace
 
+int lit(Kit& k, const char* name, Vec3f radiance) { return k.material(lit(name, radiance)); }
+
 int color(Kit& k, const char* name, Vec3f albedo, float roughness) {
     return k.material(plain(name, albedo, roughness));
 }

@@ -13,6 +13,8 @@ void block(Kit& k, int material, Vec3f base_center, Vec3f size);
 void bottle(Kit& k, int glass, int cap, Vec3f at, float height, float radius);
 // Goods side by side along +x on one shelf, their fronts at z_front, as high as there is room.
 void stock(Kit& k, Goods goods, float x0, float x1, float y, float room_y, float z_front, float depth);
+// One that shines at any hour.
+int lit(Kit& k, const char* name, Vec3f radiance);
 // A material of one color.
 int color(Kit& k, const char* name, Vec3f albedo, float roughness = 0.5f);
 

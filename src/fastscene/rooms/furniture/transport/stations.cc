@@ -10,13 +10,6 @@
 namespace fastscene::furniture {
 namespace {
 
-// Lit at any hour, as signs of public places are.
-int lit(Kit& k, const char* name, Vec3f radiance) {
-    Material m = glow(name, radiance);
-    m.pattern = Pattern::screen;
-    return k.material(std::move(m));
-}
-
 // Words as one sees them from afar: blocks of the height of letters, from x0 until about x1.
 void lettering(Kit& k, int ink, float x0, float x1, float y, float z, float height, int words) {
     float x = x0;

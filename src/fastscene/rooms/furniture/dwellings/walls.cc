@@ -1,0 +1,201 @@
+// What makes walls of a box those of another building: rounded corners, lattice, windows onto water and stars.
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+#include "fastscene/rooms/furniture/shop/goods.h"
+
+namespace fastscene::furniture {
+namespace {
+
+// Fills a corner whose walls are at +x and -z: a quarter of a hollow cylinder, on which the two walls end smoothly.
+void hollow_corner(Kit& k, Vec3f s, int material, float rough, std::uint32_t seed) {
+    const float r = std::min(s.x, s.z);
+    const int across = rough > 0 ? 26 : 14, up = rough > 0 ? 28 : 1;
+    Mesh m = shapes::sheet(across, up, [&](float u, float v) {
+        const float a = 0.5f * kPi * u, even = std::min(1.f, 5.f * std::min(u, 1 - u));
+        const Vec3f p{-s.x / 2 + r * std::cos(a), s.y * (1 - v), s.z / 2 - r * std::sin(a)};
+        const float out = rough * even * std::clamp(0.5f + 0.8f * shapes::wobble(p * 1.6f, seed), 0.f, 1.f);
+        return p + Vec3f{std::cos(a), 0, -std::sin(a)} * out * 0.7f;
+    });
+    for (std::size_t i = 0; i < m.coords.size(); ++i) {
+        const Vec3f p = m.positions[i];
+        m.coords[i] = {std::atan2(s.z / 2 - p.z, p.x + s.x / 2) * r, p.y, 0};
+    }
+    k.add(std::move(m), material);
+    // Its outline on the floor, behind the face.
+    k.board(material, {s.x / 2 - 0.005f, 0, 0}, {0.01f, s.y, s.z}, 0.001f);
+    k.board(material, {0, 0, -s.z / 2 + 0.005f}, {s.x, s.y, 0.01f}, 0.001f);
+}
+
+// Stars and, with `planet`, a planet at its rim: within |x| < half.x, y from 0 to 2 half.y, at the depth z.
+void starfield(Kit& k, Vec2f half, float y0, float z, int stars, bool planet) {
+    const int sky = k.material(lit("space", {0.006f, 0.009f, 0.024f})),
+              star = k.material(lit("star", {4.5f, 4.8f, 5.5f})),
+              mist = k.material(lit("nebula", {0.05f, 0.03f, 0.11f}));
+    block(k, sky, {0, y0, z - 0.004f}, {2 * half.x, 2 * half.y, 0.008f});
+    for (int i = 0; i < 5; ++i) {
+        const float rx = k.rng.uniform(0.12f, 0.3f) * half.x, ry = k.rng.uniform(0.08f, 0.2f) * half.y;
+        Mesh cloud = shapes::ball({0, 0, 0}, {rx, ry, 0.002f}, 16);
+        k.add(std::move(cloud), mist,
+              {k.rng.uniform(-0.6f, 0.6f) * half.x, y0 + half.y * (1 + k.rng.uniform(-0.5f, 0.5f)), z + 0.001f});
+    }
+    for (int i = 0; i < stars; ++i) {
+        const float r = k.rng.chance(0.1f) ? 0.011f : k.rng.uniform(0.003f, 0.006f);
+        block(k, star,
+              {k.rng.uniform(-0.96f, 0.96f) * half.x, y0 + half.y * (1 + k.rng.uniform(-0.95f, 0.95f)), z + 0.002f},
+              {r, r, 0.003f});
+    }
+    if (!planet) return;
+    // Lit from one side: bands from light to dark across the disc.
+    const float r = 0.52f * half.y;
+    const Vec3f center{0.42f * half.x, y0 + 1.05f * half.y, z + 0.004f};
+    constexpr int kBands = 14;
+    for (int i = 0; i < kBands; ++i) {
+        // From the rim to the dark side; not quite to the ends, where the disc has no height.
+        const float x0 = 0.998f - 1.996f * static_cast<float>(i) / kBands, x1 = x0 - 1.996f / kBands;
+        const float bright = std::max(0.02f, 1.f - 1.25f * static_cast<float>(i) / kBands);
+        Mesh slice = shapes::sheet(6, 1, [&](float u, float v) {
+            const float x = std::lerp(x1, x0, u);
+            return Vec3f{r * x, r * std::sqrt(1 - x * x) * (2 * v - 1), 0};
+        });
+        k.add(std::move(slice), k.material(lit("planet", Vec3f{0.25f, 0.62f, 1.3f} * bright)), center);
+    }
+}
+
+}  // namespace
+
+// Laths that cross, of the wall of a yurt; felt is behind them.
+void build_lattice_wall(Kit& k) {
+    const Vec3f s = k.wanted({1.4f, 1.6f, 0.03f});
+    const int lath = k.main(plain("lath", {0.44f, 0.13f, 0.04f}, 0.5f)),
+              knot = color(k, "knot", {0.6f, 0.5f, 0.32f}, 0.8f);
+    constexpr float kEvery = 0.19f, kWide = 0.028f;
+    const float hx = s.x / 2 - 0.02f;
+    // Lines x + y = c and x - y = c, cut off at the panel's edges.
+    for (const float way : {-1.f, 1.f})
+        for (float c = -hx - s.y; c < hx + s.y; c += kEvery) {
+            float y0 = 0.02f, y1 = s.y - 0.02f;
+            const auto x = [&](float y) { return c + way * (y - s.y / 2); };
+            const float at_left = s.y / 2 + way * (-hx - c), at_right = s.y / 2 + way * (hx - c);
+            y0 = std::max(y0, std::min(at_left, at_right)), y1 = std::min(y1, std::max(at_left, at_right));
+            if (y1 - y0 < 0.08f) continue;
+            const float z = way > 0 ? 0.023f : 0.012f;
+            slat(k, lath, {x(y0), y0, z}, {x(y1), y1, z}, kWide, 0.01f);
+        }
+    for (const float y : {0.012f, s.y - 0.012f}) k.rod(knot, {-hx, y, 0.018f}, {hx, y, 0.018f}, 0.01f, -1, 6);
+    k.board(knot, {-hx, 0, 0.004f}, {0.02f, s.y, 0.008f}, 0.001f),
+        k.board(knot, {hx, 0, 0.004f}, {0.02f, s.y, 0.008f}, 0.001f);
+    k.piece.mount = Mount::wall, k.piece.hang_height_m = 0.04f;
+}
+
+// The wall of the room goes round its corners.
+void build_round_corner(Kit& k) {
+    const Vec3f s = k.wanted({1.1f, 2.2f, 1.1f});
+    hollow_corner(k, s, k.main(k.style.wall), 0, 0);
+}
+void build_rock_corner(Kit& k) {
+    const Vec3f s = k.wanted({1.2f, 2.2f, 1.2f});
+    hollow_corner(k, s, k.main(k.style.wall), 0.22f, k.seed());
+}
+
+// A round window of a submarine, the green of the sea behind thick glass, fish before it.
+void build_porthole(Kit& k) {
+    const Vec3f s = k.wanted({0.62f, 0.62f, 0.09f});
+    const float r = 0.5f * std::min(s.x, s.y);
+    const int rim = k.main(*material_named("brass")), bolt = k.material(steel()), pane = k.material(glass());
+    const auto disc = [&](float radius, float z0, float z1, int material, Vec2f at = {}) {
+        Mesh m = shapes::prism(shapes::circle(radius, 36), z0, z1, 0.002f);
+        shapes::turn(m, {1, 0, 0}, 90);
+        k.add(std::move(m), material, {at.x, r + at.y, 0});
+    };
+    disc(r, 0, 0.02f, rim);
+    for (int i = 0; i < 5; ++i)  // lighter towards the middle
+        disc((0.78f - 0.13f * static_cast<float>(i)) * r, 0.02f + 0.002f * static_cast<float>(i),
+             0.022f + 0.002f * static_cast<float>(i),
+             k.material(lit("sea", Vec3f{0.02f, 0.3f, 0.34f} * (0.45f + 0.3f * static_cast<float>(i)))),
+             {0, 0.02f * static_cast<float>(i)});
+    const int fish = color(k, "fish", {0.02f, 0.05f, 0.06f}, 0.6f);
+    for (int i = 0; i < 3; ++i) {
+        const Vec3f at{k.rng.uniform(-0.3f, 0.3f) * r, r * (1 + k.rng.uniform(-0.35f, 0.3f)), 0.036f};
+        k.add(shapes::ball(at, {0.16f * r, 0.06f * r, 0.004f}, 10), fish);
+        k.add(shapes::ball(at + Vec3f{-0.17f * r, 0, 0}, {0.05f * r, 0.07f * r, 0.003f}, 8), fish);
+    }
+    Mesh ring = shapes::ring(0.86f * r, 0.13f * r, 40), inner = shapes::ring(0.76f * r, 0.06f * r, 40);
+    for (Mesh* m : {&ring, &inner}) shapes::turn(*m, {1, 0, 0}, 90);
+    k.add(std::move(ring), rim, {0, r, 0.04f}), k.add(std::move(inner), rim, {0, r, 0.07f});
+    disc(0.76f * r, 0.05f, 0.054f, pane);
+    for (int i = 0; i < 12; ++i) {
+        const float a = kTau * static_cast<float>(i) / 12;
+        k.add(shapes::ball({0.9f * r * std::cos(a), r + 0.9f * r * std::sin(a), 0.075f}, {0.018f, 0.018f, 0.012f}, 8),
+              bolt);
+    }
+    k.piece.mount = Mount::wall, k.piece.hang_height_m = 1.15f;
+}
+
+// A window onto the stars, with a frame that slants inward.
+void build_space_window(Kit& k) {
+    const Vec3f s = k.wanted({1.5f, 0.9f, 0.12f});
+    const int frame = k.main(plain("window frame", {0.1f, 0.105f, 0.115f}, 0.35f)),
+              edge = k.material(lit("edge light", {0.3f, 1.1f, 3.2f}));
+    constexpr float kRim = 0.09f;
+    for (const float side : {-1.f, 1.f}) {
+        k.board(frame, {side * (s.x / 2 - kRim / 2), 0, s.z / 2}, {kRim, s.y, s.z}, 0.025f);
+        k.board(frame, {0, side > 0 ? s.y - kRim : 0, s.z / 2}, {s.x, kRim, s.z}, 0.025f);
+        k.board(edge, {0, side > 0 ? s.y - kRim - 0.012f : kRim, s.z - 0.03f}, {s.x - 2 * kRim, 0.012f, 0.012f},
+                0.002f);
+    }
+    starfield(k, {s.x / 2 - kRim, s.y / 2 - kRim}, kRim, 0.012f, 160, k.rng.chance(0.5f));
+    k.piece.mount = Mount::wall, k.piece.hang_height_m = 1.1f;
+}
+
+// The window at the front of a bridge: stars and a planet, across the whole wall.
+void build_view_screen(Kit& k) {
+    const Vec3f s = k.wanted({4.4f, 1.5f, 0.16f});
+    const int frame = k.main(plain("screen frame", {0.07f, 0.075f, 0.085f}, 0.35f)),
+              edge = k.material(lit("edge light", {0.3f, 1.1f, 3.2f}));
+    constexpr float kRim = 0.11f;
+    for (const float side : {-1.f, 1.f}) {
+        k.board(frame, {side * (s.x / 2 - kRim / 2), 0, s.z / 2}, {kRim, s.y, s.z}, 0.03f);
+        k.board(frame, {0, side > 0 ? s.y - kRim : 0, s.z / 2}, {s.x, kRim, s.z}, 0.03f);
+        // Mullions, leaning as those of a cockpit do.
+        slat(k, frame, {side * 0.27f * s.x, 0.05f, s.z / 2}, {side * 0.19f * s.x, s.y - 0.05f, s.z / 2}, 0.07f, 0.1f);
+        k.board(edge, {0, side > 0 ? s.y - kRim - 0.012f : kRim, s.z - 0.04f}, {s.x - 2 * kRim, 0.014f, 0.014f},
+                0.002f);
+    }
+    starfield(k, {s.x / 2 - kRim, s.y / 2 - kRim}, kRim, 0.012f, 420, true);
+    k.piece.mount = Mount::wall, k.piece.hang_height_m = 0.95f;
+}
+
+// A hatch between compartments: rounded, with a wheel and dogs.
+void build_hatch_door(Kit& k) {
+    const Vec3f s = k.wanted({0.95f, 1.75f, 0.14f});
+    const int door = k.main(plain("hatch paint", {0.34f, 0.37f, 0.33f}, 0.4f)),
+              dark = color(k, "hatch rim", {0.16f, 0.18f, 0.165f}, 0.45f),
+              wheel = color(k, "wheel", {0.5f, 0.05f, 0.03f}, 0.35f), metal = k.material(steel());
+    const auto plate = [&](float w, float h, float z0, float z1, float r, int material) {
+        Mesh m = shapes::prism(shapes::rounded_rectangle(w, h, r, 10), z0, z1, 0.006f);
+        shapes::turn(m, {1, 0, 0}, 90);
+        k.add(std::move(m), material, {0, s.y / 2, 0});
+    };
+    plate(s.x, s.y, 0, 0.05f, 0.36f, dark);
+    plate(s.x - 0.2f, s.y - 0.2f, 0.05f, 0.085f, 0.3f, door);
+    Mesh ring = shapes::ring(0.16f, 0.03f, 28);
+    shapes::turn(ring, {1, 0, 0}, 90);
+    k.add(std::move(ring), wheel, {0, s.y / 2, s.z - 0.02f});
+    for (int i = 0; i < 3; ++i) {
+        const float a = kPi * static_cast<float>(i) / 3;
+        const Vec3f out{0.16f * std::cos(a), 0.16f * std::sin(a), 0}, mid{0, s.y / 2, s.z - 0.02f};
+        k.rod(wheel, mid - out, mid + out, 0.011f, -1, 8);
+    }
+    k.rod(metal, {0, s.y / 2, 0.08f}, {0, s.y / 2, s.z - 0.01f}, 0.03f, -1, 12);
+    for (const float side : {-1.f, 1.f})
+        for (const float y : {0.3f, 0.5f, 0.7f})
+            slat(k, metal, {side * (s.x / 2 - 0.22f), y * s.y, 0.1f},
+                 {side * (s.x / 2 - 0.05f), (y + 0.02f) * s.y, 0.08f}, 0.03f, 0.03f);
+    k.piece.mount = Mount::wall, k.piece.hang_height_m = 0.1f;
+}
+
+}  // namespace fastscene::furniture
