@@ -9,7 +9,7 @@ namespace fastscene {
 // orientation, linear radiance.
 struct Outside {
     ImageColor color;
-    ImageMask seen;  // nonzero: visible from somewhere in the room
+    ImageMask seen;  // nonzero: visible from somewhere in the room; 255: from everywhere
 };
 
 }  // namespace fastscene

@@ -56,8 +56,9 @@ float gradient_at(const ImageColor& color, int x, int y) {
 // Pixels that may become points, with their weights.
 struct Candidate {
     std::uint32_t panorama, pixel;
-    float angle, area, edge;  // steradians; square metres; edge strength times solid angle
-    bool outside;             // no range: distance and area are assumed
+    // Steradians; square metres (of the known outside: weighted steradians); edge strength times solid angle.
+    float angle, area, edge;
+    bool outside;  // no range: distance and area are assumed
     // > 0: a surface pixel, but the point belongs to the outside behind it; the density of such points
     float hidden = 0;
 };
@@ -237,7 +238,8 @@ void collect_hidden(const Panorama& panorama, std::vector<Candidate>& out) {
 
 constexpr std::uint32_t kOutside = 0xffffffff;  // marks points of Outside, in place of a panorama's index
 
-// Includes a margin: at the border of the visible directions, discs overlap on one side only.
+// Includes a margin: at the border of the visible directions, discs overlap on one side only. What few places of the
+// room show gets fewer points: beside the window one sees half of the sphere, from the bed a part of the sky.
 void collect_outside(const Outside& outside, std::vector<Candidate>& out) {
     constexpr float kMargin = 3.f * kPi / 180.f;
     const EquirectSize size{outside.color.width, outside.color.height};
@@ -245,9 +247,12 @@ void collect_outside(const Outside& outside, std::vector<Candidate>& out) {
     for (int y = 0; y < size.height; ++y)
         for (int x = 0; x < size.width; ++x) {
             if (away.at(x, y) > kMargin) continue;
-            const float angle = static_cast<float>(pixel_solid_angle(y, size));
-            out.push_back({kOutside, static_cast<std::uint32_t>(y * size.width + x), angle, angle,
-                           angle * (0.01f + gradient_at(outside.color, x, y)), true});
+            constexpr float kOften = 0.3f, kLeast = 0.25f;  // share of places with full density; smallest weight
+            const float share = static_cast<float>(outside.seen.at(x, y)) / 255,
+                        weight = std::clamp(std::sqrt(share / kOften), kLeast, 1.f),
+                        angle = static_cast<float>(pixel_solid_angle(y, size));
+            out.push_back({kOutside, static_cast<std::uint32_t>(y * size.width + x), angle, weight * angle,
+                           weight * angle * (0.01f + gradient_at(outside.color, x, y)), true});
         }
 }
 
@@ -269,7 +274,8 @@ std::vector<float> areas_of_outside(const std::vector<Candidate>& candidates) {
     constexpr float kHidden = 0.25f;  // rarely seen, and without detail
     std::vector<float> areas;
     areas.reserve(candidates.size());
-    for (const Candidate& c : candidates) areas.push_back(c.hidden > 0 ? kHidden * c.hidden * c.angle : c.angle);
+    for (const Candidate& c : candidates)
+        areas.push_back(c.hidden > 0 ? kHidden * c.hidden * c.angle : c.panorama == kOutside ? c.area : c.angle);
     return areas;
 }
 

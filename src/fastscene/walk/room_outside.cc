@@ -26,7 +26,7 @@ std::vector<Vec3f> viewpoints_over(const StandableFloor& floor, const Run& run) 
     return viewpoints;
 }
 
-// Directions in which any viewpoint sees the outside, dilated by one.
+// The share of viewpoints that see the outside, in 255ths, by direction; at least 1 where any does. Dilated by one.
 ImageMask directions_out(const TracedRoom& room, const std::vector<Vec3f>& viewpoints, const Mat3f& pano,
                          const Run& run) {
     const int w = kDirections.width, h = kDirections.height;
@@ -36,17 +36,19 @@ ImageMask directions_out(const TracedRoom& room, const std::vector<Vec3f>& viewp
         for (auto y = static_cast<int>(begin); y < end; ++y)
             for (int x = 0; x < w; ++x) {
                 const Vec3f d = pano * direction_of_pixel(x, y, kDirections);
-                const bool seen = std::any_of(viewpoints.begin(), viewpoints.end(), [&](Vec3f viewpoint) {
+                const auto see = std::count_if(viewpoints.begin(), viewpoints.end(), [&](Vec3f viewpoint) {
                     return !std::isfinite(room.surface(viewpoint, d).distance);
                 });
-                out.at(x, y) = seen ? 255 : 0;
+                const auto all = static_cast<std::int64_t>(viewpoints.size());
+                out.at(x, y) = static_cast<std::uint8_t>(all ? (255 * see + all - 1) / all : 0);
             }
     });
     ImageMask wide = out;
     for (int y = 0; y < h; ++y)
         for (int x = 0; x < w; ++x)
             for (int k = 0; k < 9; ++k)
-                if (out.at(wrap_column(x + k % 3 - 1, w), std::clamp(y + k / 3 - 1, 0, h - 1))) wide.at(x, y) = 255;
+                wide.at(x, y) = std::max(wide.at(x, y),
+                                         out.at(wrap_column(x + k % 3 - 1, w), std::clamp(y + k / 3 - 1, 0, h - 1)));
     return wide;
 }
 
