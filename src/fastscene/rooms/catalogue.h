@@ -69,7 +69,6 @@ enum class Role : std::uint8_t {
     rug_before,          // a rug for it lies before it
     shades_windows,      // too tall to stand near a window
     spread_out,          // lies flat where others work
-    always_built,        // of the shell: no room is without
     covers_wall,         // a part of the wall: what stands before it does not hide it
     count_               // not a role
 };
