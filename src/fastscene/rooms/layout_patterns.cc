@@ -129,9 +129,17 @@ void place_rows(Placement& p, const RecipeStep& step, int) {
     const Vec2f ahead = direction(yaw), right = flat(right_of(yaw));
     const Vec3f size = row.piece().size_m;
     const float deep = extent_of(plan, ahead), pitch = std::max(step.pitch_m, size.z + 0.02f);
-    const std::vector<float> columns = along_row(step, extent_of(plan, right), size.x);
+    std::vector<float> columns = along_row(step, extent_of(plan, right), size.x);
+    // In a room too small for one row of them, what is left free shrinks until there is one.
+    constexpr float kLeastFree = 0.1f;
+    float front = step.front_m, rear = step.rear_m;
+    if (deep - front - rear <= size.z) {
+        rear = std::min(rear, kLeastClear);
+        front = std::max(kLeastFree, deep - rear - size.z - kLeastFree);
+    }
+    if (columns.empty() && extent_of(plan, right) > size.x + 2 * kLeastFree) columns = {0.f};
     int rows = 0;
-    for (float at = deep / 2 - step.front_m - size.z / 2; at - size.z / 2 > step.rear_m - deep / 2; at -= pitch) {
+    for (float at = deep / 2 - front - size.z / 2; at - size.z / 2 > rear - deep / 2; at -= pitch) {
         if (step.rows > 0 && rows++ >= step.rows) return;
         for (const float column : columns) {
             if (!row.open()) return;

@@ -1,6 +1,7 @@
 #include <algorithm>
 
 #include "fastscene/base/error.h"
+#include "fastscene/base/is_one_of.h"
 #include "fastscene/rooms/catalogue.h"
 #include "fastscene/rooms/furniture.h"
 #include "fastscene/rooms/prompt_parts.h"
@@ -44,7 +45,10 @@ void tell_nouns(Reading& r) {
         if (!has_object(r.m[i]) || r.m[i].listed) continue;
         const PromptObject& object = r.object_of(i);
         const std::string meaning = (object.forbidden ? "without: " : "object: ") + described(object);
-        if (r.m[i].word->exact) r.tell(i, meaning, object.id);
+        // Of a church without a roof the roof is the ceiling: every room is built with one.
+        const bool always = object.forbidden && is_one_of(object.kind, {"ceiling", "floor", "wall"});
+        if (always) r.tell_near(i, meaning + ": every room is built with one", object.id);
+        else if (r.m[i].word->exact) r.tell(i, meaning, object.id);
         else r.tell_near(i, meaning, object.id);
     }
 }

@@ -70,6 +70,11 @@ void leave_houses(Matches& m) {
     for (auto x = m.begin(); x != m.end(); ++x) {
         const RoomType* type = is_named(*x) ? find_room_type(x->word->meaning) : nullptr;
         if (!type || !type->house || std::none_of(m.begin(), x, is_named)) continue;
+        // "a kids room with a spaceship poster": what a thing of the room is like.
+        if (x + 1 != m.end() && (x + 1)->is(WordKind::object)) {
+            x->word = Word{WordKind::nuance, "feel", false};
+            continue;
+        }
         for (auto before = x; before-- > m.begin();) {
             if (before->is_function("the") || before->words == "a" || before->words == "an" || modifies(*before) ||
                 before->is(WordKind::mood))
@@ -270,8 +275,8 @@ void fill_next_room(Reading& r) {
 void settle_rooms(Reading& r) {
     count_other_rooms(r.m);
     qualify_rooms(r.m);
-    leave_outside(r.m);
     leave_houses(r.m);
+    leave_outside(r.m);
     take_as_things(r.m);
     choose_room(r.m, r.spec);
     furnish_parts(r.m);

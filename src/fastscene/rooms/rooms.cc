@@ -363,6 +363,26 @@ void furnish_next(PromptSpec& spec, const Run& run, const AnnealParams& annealin
     }
 }
 
+namespace {
+
+// "A staircase in a room 1.9 m high" is the hall of a staircase, and has none: what the room is named after does not
+// fit where sizes were said.
+void tell_missing(const FurnishedRoom& room, PromptSpec& spec) {
+    const RoomType& type = room_type(spec.room);
+    const bool measured = spec.area_m2 > 0 || spec.size_m != Vec3f{};
+    const std::string& thing = type.as_thing.empty() ? type.look_at : type.as_thing;
+    if (!measured || thing.empty() ||
+        std::any_of(room.placed.begin(), room.placed.end(), [&](const Placed& p) { return p.piece.kind == thing; }))
+        return;
+    std::string name = thing;
+    std::replace(name.begin(), name.end(), '_', ' ');
+    for (PromptWord& word : spec.words)
+        if (word.fate == PromptWord::Fate::understood && word.meaning.starts_with("room: "))
+            word.fate = PromptWord::Fate::approximated, word.meaning += ", too small for its " + name;
+}
+
+}  // namespace
+
 FurnishedRoom furnish_room(PromptSpec& spec, const Run& run, const AnnealParams& annealing) {
     // Now and then the plan itself leaves no way between its corners and what was asked for, or no place where it was
     // asked to stand, or something that was asked for stands behind something else: then another one is drawn, and the
@@ -384,6 +404,7 @@ FurnishedRoom furnish_room(PromptSpec& spec, const Run& run, const AnnealParams&
         if (!faults.first && best->hidden_wishes == 0 && elsewhere == 0 && !lacks_a_bed(*best, best_read)) break;
     }
     spec = std::move(best_read);
+    tell_missing(*best, spec);
     return *std::move(best);
 }
 

@@ -32,6 +32,12 @@ void hollow_corner(Kit& k, Vec3f s, int material, float rough, std::uint32_t see
 
 // Stars and, with `planet`, a planet at its rim: within |x| < half.x, y from 0 to 2 half.y, at the depth z.
 void starfield(Kit& k, Vec2f half, float y0, float z, int stars, bool planet) {
+    // Nothing of the room's own light shows on it.
+    const auto lit = [](const char* name, Vec3f radiance) {
+        Material m = furniture::lit(name, radiance);
+        m.color_a = m.color_b = m.color_c = {}, m.specular = 0, m.roughness = 1;
+        return m;
+    };
     const int sky = k.material(lit("space", {0.006f, 0.009f, 0.024f})),
               star = k.material(lit("star", {4.5f, 4.8f, 5.5f})),
               mist = k.material(lit("nebula", {0.05f, 0.03f, 0.11f}));
