@@ -14,7 +14,7 @@ import urllib.parse
 from campaign import Campaign, Failure, fresh
 
 campaign = Campaign(__doc__, [(["--connections"], {"type": int, "default": 300, "help": "open at once"}),
-                              (["--slow"], {"type": int, "default": 40, "help": "clients that send a byte at a time"})])
+                              (["--slow"], {"type": int, "default": 100, "help": "clients that send a byte at a time"})])
 MOST_GROWTH_MIB = 150
 PATIENT_S = 15  # an honest client is answered within, while others do their worst
 
