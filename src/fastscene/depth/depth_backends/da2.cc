@@ -71,7 +71,7 @@ std::unique_ptr<DepthEstimator> make_da2(const DepthParams& params) {
 
 DepthBackend da2() {
     return {.name = "da2",
-            .about = "Depth Anything in Any Direction, the most accurate; needs 1.4 GB of weights",
+            .about = "Depth Anything in Any Direction, the most accurate (1.4 GB of weights)",
             .model = "da2",
             .auto_rank = 3,
             .ready = [](const DepthParams& params) { return !params.weights.empty() && Da2::is_in(params.weights); },
