@@ -28,7 +28,7 @@ class Da2Backend : public testing::Test {
     const fastscene::Run run_;
 };
 
-ImageColor some_picture(EquirectSize size) {
+ImageColor small_picture(EquirectSize size) {
     ImageColor color(size.width, size.height);
     for (int y = 0; y < size.height; ++y)
         for (int x = 0; x < size.width; ++x) {
@@ -56,7 +56,7 @@ TEST_F(Da2Backend, WithoutWeightsSaysWhereToGetThem) {
 }
 
 TEST_F(Da2Backend, GivesMetresOfThePicturesSize) {
-    const ImageColor picture = some_picture({192, 96});
+    const ImageColor picture = small_picture({192, 96});
     for (const auto& [resize, tta] : {std::pair{"evaluation", 0}, std::pair{"inference", 1}}) {
         params_.da2_resize = resize;
         params_.tta = tta;
@@ -68,7 +68,9 @@ TEST_F(Da2Backend, GivesMetresOfThePicturesSize) {
         EXPECT_EQ(found.assumptions.at("backend"), "da2");
         EXPECT_EQ(found.assumptions.at("resize"), resize);
         EXPECT_EQ(found.assumptions.at("tta"), tta == 0 ? 2 : 1);
-        if (tta == 1) EXPECT_EQ(estimator->estimate(picture, run_).range, found.range);
+        if (tta == 1) {
+            EXPECT_EQ(estimator->estimate(picture, run_).range, found.range);
+        }
     }
 }
 
