@@ -129,29 +129,30 @@ void place_rows(Placement& p, const RecipeStep& step, int) {
     const Vec2f ahead = direction(yaw), right = flat(right_of(yaw));
     const Vec3f size = row.piece().size_m;
     const float deep = extent_of(plan, ahead), pitch = std::max(step.pitch_m, size.z + 0.02f);
-    std::vector<float> columns = along_row(step, extent_of(plan, right), size.x);
-    // In a room too small for one row of them, what is left free shrinks until there is one.
-    constexpr float kLeastFree = 0.1f;
-    float front = step.front_m, rear = step.rear_m;
-    if (deep - front - rear <= size.z) {
-        rear = std::min(rear, kLeastClear);
-        front = std::max(kLeastFree, deep - rear - size.z - kLeastFree);
-    }
-    if (columns.empty() && extent_of(plan, right) > size.x + 2 * kLeastFree) columns = {0.f};
-    int rows = 0;
-    for (float at = deep / 2 - front - size.z / 2; at - size.z / 2 > rear - deep / 2; at -= pitch) {
-        if (step.rows > 0 && rows++ >= step.rows) return;
-        for (const float column : columns) {
-            if (!row.open()) return;
-            const Piece piece = row.piece();
-            const auto index = row.place([&](const PromptObject& o) {
-                return p.layout().stand_at(piece, ahead * at + right * column, stands, o, {});
-            });
-            if (!index) continue;
-            if (!step.seat.empty()) seat_before(p, seats, *index, kDrawnUp, 0);
-            follow_steps(step.then, p, *index);
+    const auto fill = [&](const std::vector<float>& columns, float front, float rear, int most) {
+        int rows = 0;
+        for (float at = deep / 2 - front - size.z / 2; at - size.z / 2 > rear - deep / 2; at -= pitch) {
+            if (most > 0 && rows++ >= most) return;
+            for (const float column : columns) {
+                if (!row.open()) return;
+                const Piece piece = row.piece();
+                const auto index = row.place([&](const PromptObject& o) {
+                    return p.layout().stand_at(piece, ahead * at + right * column, stands, o, {});
+                });
+                if (!index) continue;
+                if (!step.seat.empty()) seat_before(p, seats, *index, kDrawnUp, 0);
+                follow_steps(step.then, p, *index);
+            }
         }
-    }
+    };
+    fill(along_row(step, extent_of(plan, right), size.x), step.front_m, step.rear_m, step.rows);
+    // In a room too small for them as they usually are, one row stands where there is a place, without an aisle.
+    constexpr float kLeastFree = 0.15f, kShift = 0.2f;
+    RecipeStep tight = step;
+    tight.aisle_m = 0, tight.side_m = std::min(step.side_m, 2 * kLeastFree);
+    const std::vector<float> columns = along_row(tight, extent_of(plan, right), size.x);
+    for (float front = std::min(step.front_m, deep / 2); front > kLeastFree && row.first() < 0; front -= kShift)
+        fill(columns, front, kLeastFree, 1);
 }
 
 // ---- tables on a grid

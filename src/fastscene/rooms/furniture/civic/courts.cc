@@ -102,8 +102,8 @@ void build_jury_box(Kit& k) {
             const float x = (s.x - 0.2f) * ((static_cast<float>(i) + 0.5f) / static_cast<float>(seats) - 0.5f),
                         y = row == 0 ? 0.f : 0.3f, z = row == 0 ? 0.3f : -0.55f;
             k.rod(wood, {x, y, z}, {x, y + 0.4f, z}, 0.04f, -1, 10),
-                k.soft(hide, {x, y + 0.38f, z}, {0.46f, 0.1f, 0.44f}, {0.04f, 0.02f, 0.002f, 8}),
-                k.soft(hide, {x, y + 0.48f, z - 0.24f}, {0.46f, 0.6f, 0.08f}, {0.03f, 0.02f, 0.002f, 8});
+                k.soft(hide, {x, y + 0.38f, z}, {0.46f, 0.1f, 0.44f}, {0.04f, 0.02f, 0.002f, 5}),
+                k.soft(hide, {x, y + 0.48f, z - 0.24f}, {0.46f, 0.6f, 0.08f}, {0.03f, 0.02f, 0.002f, 5});
         }
     k.piece.clearance_front_m = 0.6f;
 }

@@ -16,14 +16,14 @@ int straw_of(Kit& k, bool main) {
     return main ? k.main(m, false) : k.material(m);
 }
 
-void bale(Kit& k, int hay, int stalk, int twine, Vec3f base, Vec3f size) {
-    Mesh m = shapes::soft_box(size, {0.03f, 0.015f, 0.012f, 12, k.seed()});
+void bale(Kit& k, int hay, int stalk, int twine, Vec3f base, Vec3f size, int steps = 12, int stalks = 26) {
+    Mesh m = shapes::soft_box(size, {0.03f, 0.015f, 0.012f, steps, k.seed()});
     k.add(std::move(m), hay, base + Vec3f{0, size.y / 2, 0});
     for (const float x : {-0.25f, 0.25f}) {
         block(k, twine, base + Vec3f{x * size.x, -0.002f + size.y, 0}, {0.012f, 0.008f, size.z});
         block(k, twine, base + Vec3f{x * size.x, 0, size.z / 2}, {0.012f, size.y, 0.008f});
     }
-    for (int i = 0; i < 26; ++i) {
+    for (int i = 0; i < stalks; ++i) {
         const Vec3f at = base + Vec3f{k.rng.uniform(-0.48f, 0.48f) * size.x, k.rng.uniform(0.05f, 0.98f) * size.y,
                                       0.5f * size.z};
         k.rod(stalk, at, at + Vec3f{k.rng.uniform(-0.07f, 0.07f), k.rng.uniform(-0.05f, 0.06f), 0.025f}, 0.0025f, -1,
@@ -52,7 +52,7 @@ void build_hay_stack(Kit& k) {
                 const float x = 1.0f * (static_cast<float>(i) - 0.5f * static_cast<float>(2 - row / 2)) +
                                 0.12f * static_cast<float>(row % 2);
                 bale(k, hay, stalk, twine,
-                     {x, 0.44f * static_cast<float>(row), -0.28f + 0.55f * static_cast<float>(deep)}, one);
+                     {x, 0.44f * static_cast<float>(row), -0.28f + 0.55f * static_cast<float>(deep)}, one, 6, 8);
             }
     for (int i = 0; i < 60; ++i) {
         const Vec3f at{k.rng.uniform(-1.4f, 1.4f), 0.01f, k.rng.uniform(0.5f, 0.78f)};

@@ -33,7 +33,7 @@ void build_ice_cream_counter(Kit& k) {
             k.board(metal, {x, y, z}, {0.27f, 0.05f, 0.28f}, 0.008f);
             const int ice = color(k, "ice cream", kFlavours[static_cast<std::size_t>((i + 4 * j + k.rng.index(2)) % 8)],
                                   0.75f);
-            Mesh heap = shapes::soft_box({0.25f, 0.12f, 0.26f}, {0.05f, 0.03f, 0.02f, 14, k.seed()});
+            Mesh heap = shapes::soft_box({0.25f, 0.12f, 0.26f}, {0.05f, 0.03f, 0.02f, 7, k.seed()});
             for (Vec3f& p : heap.positions)
                 if (p.y > 0) p.y += 0.025f * std::sin(24 * p.x + 3 * p.z) + 0.02f * shapes::wobble(p * 14.f, 7);
             shapes::smooth_normals(heap);
@@ -98,7 +98,7 @@ void build_glasses_wall(Kit& k) {
         color(k, "frame", {0.4f, 0.03f, 0.04f}, 0.25f), color(k, "frame", {0.03f, 0.09f, 0.25f}, 0.25f)};
     k.board(body, {0, 0, -s.z / 2 + 0.03f}, {s.x, s.y, 0.06f}, 0.006f),
         k.board(body, {0, 0, 0}, {s.x, 0.55f, s.z}, 0.01f);
-    for (int level = 0; level < 7; ++level) {
+    for (int level = 0; level < 6; ++level) {
         const float y = 0.66f + 0.2f * static_cast<float>(level);
         k.board(body, {0, y, -s.z / 2 + 0.13f}, {s.x - 0.06f, 0.015f, 0.16f}, 0.003f),
             k.board(light, {0, y - 0.012f, -s.z / 2 + 0.09f}, {s.x - 0.1f, 0.008f, 0.02f}, 0.002f);
@@ -108,11 +108,11 @@ void build_glasses_wall(Kit& k) {
                         z = -s.z / 2 + 0.2f;
             const int f = frame[static_cast<std::size_t>(k.rng.index(4))];
             for (const float side : {-1.f, 1.f}) {
-                Mesh rim = shapes::ring(0.028f, 0.009f, 14);
+                Mesh rim = shapes::ring(0.028f, 0.009f, 8);
                 shapes::turn(rim, {1, 0, 0}, 90);
                 k.add(std::move(rim), f, {x + side * 0.036f, y + 0.05f, z}),
-                    k.add(shapes::ball({x + side * 0.036f, y + 0.05f, z}, {0.025f, 0.025f, 0.003f}, 8), lens);
-                k.rod(f, {x + side * 0.066f, y + 0.06f, z}, {x + side * 0.066f, y + 0.05f, z - 0.1f}, 0.0035f, -1, 5);
+                    k.add(shapes::ball({x + side * 0.036f, y + 0.05f, z}, {0.025f, 0.025f, 0.003f}, 6), lens);
+                k.rod(f, {x + side * 0.066f, y + 0.06f, z}, {x + side * 0.066f, y + 0.05f, z - 0.1f}, 0.0035f, -1, 4);
             }
         }
     }
