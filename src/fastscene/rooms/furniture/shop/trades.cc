@@ -33,9 +33,9 @@ void build_ice_cream_counter(Kit& k) {
             k.board(metal, {x, y, z}, {0.27f, 0.05f, 0.28f}, 0.008f);
             const int ice = color(k, "ice cream", kFlavours[static_cast<std::size_t>((i + 4 * j + k.rng.index(2)) % 8)],
                                   0.75f);
-            Mesh heap = shapes::soft_box({0.25f, 0.12f, 0.26f}, {0.05f, 0.03f, 0.02f, 7, k.seed()});
+            Mesh heap = shapes::soft_box({0.25f, 0.12f, 0.26f}, {0.05f, 0.03f, 0.004f, 6, k.seed()});
             for (Vec3f& p : heap.positions)
-                if (p.y > 0) p.y += 0.025f * std::sin(24 * p.x + 3 * p.z) + 0.02f * shapes::wobble(p * 14.f, 7);
+                if (p.y > 0) p.y += 0.012f * shapes::wobble(p * 9.f, 7);
             shapes::smooth_normals(heap);
             k.add(std::move(heap), ice, {x, y + 0.07f, z});
             block(k, metal, {x + 0.06f, y + 0.14f, z - 0.02f}, {0.02f, 0.09f, 0.01f});
