@@ -199,7 +199,7 @@ const std::map<std::string, int> kStillNamed{
     {"prompt_relate.cc", 20},
     {"prompt_rooms.cc", 2},
     {"prompt_themes.cc", 38},
-    {"room_type.h", 2},
+    {"room_type.h", 3},
     {"rooms.cc", 22},
     {"validate.cc", 3},
 };

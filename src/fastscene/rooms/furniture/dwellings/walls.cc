@@ -108,7 +108,7 @@ void build_rock_corner(Kit& k) {
 }
 
 // A round window of a submarine, the green of the sea behind thick glass, fish before it.
-void build_porthole(Kit& k) {
+void build_ship_porthole(Kit& k) {
     const Vec3f s = k.wanted({0.62f, 0.62f, 0.09f});
     const float r = 0.5f * std::min(s.x, s.y);
     const int rim = k.main(*material_named("brass")), bolt = k.material(steel()), pane = k.material(glass());
