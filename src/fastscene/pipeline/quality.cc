@@ -37,7 +37,7 @@ void fill_draft(SceneParams& p) {
     p.walk.room_viewpoints = 12;
     p.walk.pixel_samples = 2;
     p.views.size = 320;
-    p.views.points = 200'000;
+    p.views.points = 250'000;
     p.views.outside_density = 3;
     p.views.outside_points = 50'000;
     p.splat.count = 250'000;
@@ -51,7 +51,7 @@ void fill_standard(SceneParams& p) {
     p.walk.room_viewpoints = 20;
     p.walk.pixel_samples = 2;
     p.views.size = 640;
-    p.views.points = 550'000;
+    p.views.points = 600'000;
     p.views.outside_density = 12;
     p.views.outside_points = 200'000;
     p.splat.count = 600'000;
