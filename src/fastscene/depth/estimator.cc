@@ -3,8 +3,11 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "fastscene/base/check.h"
+#include "fastscene/depth/align.h"
+#include "fastscene/depth/walls.h"
 
 namespace fastscene {
 namespace {
@@ -24,6 +27,25 @@ std::vector<const DepthBackend*> by_rank() {
 }
 
 }  // namespace
+
+EstimatedRange in_metres(const ImageF& relative, const ImageColor& color, float camera_height_m, UnknownOfRange unknown,
+                         Json about, const Run& run) {
+    run.check_stop();
+    const MetricFit fit = fit_metres(relative, camera_height_m, unknown);
+    if (!fit.sure)
+        run.warn(fmt::format(
+            "depth: expected a level floor {} m below the camera, found too little of it: the scale is a guess",
+            camera_height_m));
+    const ImageF range = metric_range(relative, fit);
+    about.update({{"camera_height_m", fit.camera_height_m},
+                  {"ceiling_above_camera_m", fit.ceiling_m},
+                  {"scale", fit.scale},
+                  {"floor_share", fit.floor_share},
+                  {"floor_found", fit.sure},
+                  {"walls", json_of_walls(range, color, fit.camera_height_m, fit.ceiling_m)}});
+    if (unknown == UnknownOfRange::scale_and_shift) about["shift"] = fit.shift;
+    return {aligned_to_picture(range, color), std::move(about)};
+}
 
 std::vector<std::string> depth_choices() {
     std::vector<std::string> names{kAutoDepth, kExactDepth, kMapDepth};

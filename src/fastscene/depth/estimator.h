@@ -11,6 +11,7 @@
 #include "fastscene/base/registry.h"
 #include "fastscene/base/run.h"
 #include "fastscene/depth/depth.h"
+#include "fastscene/depth/metric_range.h"
 #include "fastscene/image/image.h"
 #include "fastscene/nn/egformer.h"
 
@@ -20,6 +21,11 @@ struct EstimatedRange {
     ImageF range;      // metres along each pixel's ray, of the picture's size
     Json assumptions;  // assumptions and findings, for stage.json
 };
+
+// A network's output, of any size and increasing with distance, in metres and aligned to the picture. `about` gets the
+// fit and the walls that were found. Warns if the floor does not fix the scale.
+EstimatedRange in_metres(const ImageF& relative, const ImageColor& color, float camera_height_m, UnknownOfRange unknown,
+                         Json about, const Run& run);
 
 class DepthEstimator {
   public:

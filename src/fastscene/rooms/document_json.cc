@@ -345,6 +345,8 @@ RoomDocument read_document(std::string_view text, const std::string& file) {
     } catch (const Json::parse_error& e) {
         const std::string_view before = text.substr(0, std::min(text.size(), e.byte));
         throw Error("{}:{}: expected JSON: {}", file, 1 + std::count(before.begin(), before.end(), '\n'), e.what());
+    } catch (const Json::out_of_range&) {
+        throw Error("{}: expected numbers that a computer can hold, found one far too large (1e400)", file);
     }
     const Source source{text, file};
     Read read(source, json, "");

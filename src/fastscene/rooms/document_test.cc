@@ -159,6 +159,7 @@ TEST(RoomDocument, ErrorsNameThePlaceAndTheNearestWord) {
         {"{\"format\": \"fastscene-room\", \"version\": 2, \"room\": \"bedroom\"}", "a newer fastscene wrote it"},
         {"{\"version\": 1}", "expected \"format\""},
         {"[1, 2", "room.json:1: expected JSON"},
+        {"22E422", "room.json: expected numbers that a computer can hold"},
         {with("\"styel\": \"modern\""), "room.json:3: /styel: unknown key \"styel\"; did you mean \"style\"?"},
         {with("\"style\": 3"), "room.json:3: /style: expected a text, found 3"},
         {with("\"style\": \"modrn\""), "/style: unknown \"modrn\"; did you mean \"modern\"?"},

@@ -3,10 +3,7 @@
 #include <filesystem>
 #include <utility>
 
-#include "fastscene/depth/align.h"
 #include "fastscene/depth/estimator.h"
-#include "fastscene/depth/metric_range.h"
-#include "fastscene/depth/walls.h"
 
 namespace fastscene::depth_backends {
 namespace {
@@ -26,24 +23,10 @@ class Da2Estimator : public DepthEstimator {
         run.check_stop();
         const ImageF relative = network_.relative_range(
             color, resize_ == "inference" ? Da2Resize::inference : Da2Resize::evaluation, turns_, run);
-        const MetricFit fit = fit_metres(relative, camera_height_m_, UnknownOfRange::scale);
-        if (!fit.sure)
-            run.warn(fmt::format(
-                "depth: expected a level floor {} m below the camera, found too little of it: the scale is a guess",
-                camera_height_m_));
-        const ImageF range = metric_range(relative, fit);
-        return {aligned_to_picture(range, color),
-                {{"backend", "da2"},
-                 {"weights", name_},
-                 {"resize", resize_},
-                 {"precision", precision_},
-                 {"tta", turns_},
-                 {"camera_height_m", fit.camera_height_m},
-                 {"ceiling_above_camera_m", fit.ceiling_m},
-                 {"scale", fit.scale},
-                 {"floor_share", fit.floor_share},
-                 {"floor_found", fit.sure},
-                 {"walls", json_of_walls(range, color, fit.camera_height_m, fit.ceiling_m)}}};
+        return in_metres(
+            relative, color, camera_height_m_, UnknownOfRange::scale,
+            {{"backend", "da2"}, {"weights", name_}, {"resize", resize_}, {"precision", precision_}, {"tta", turns_}},
+            run);
     }
 
   private:

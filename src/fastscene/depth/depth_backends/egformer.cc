@@ -9,8 +9,6 @@
 
 #include "fastscene/depth/align.h"
 #include "fastscene/depth/estimator.h"
-#include "fastscene/depth/metric_range.h"
-#include "fastscene/depth/walls.h"
 #include "fastscene/geometry/reproject.h"
 #include "fastscene/nn/shipped.h"
 
@@ -47,23 +45,8 @@ class EgformerEstimator : public DepthEstimator {
     EstimatedRange estimate(const ImageColor& color, const Run& run) const override {
         const ImageF relative = mean_depth(networks_, color, augmentations_, run);
         run.check_stop();
-        const MetricFit fit = fit_metres(relative, camera_height_m_);
-        if (!fit.sure)
-            run.warn(fmt::format(
-                "depth: expected a level floor {} m below the camera, found too little of it: the scale is a guess",
-                camera_height_m_));
-        const ImageF range = metric_range(relative, fit);
-        return {aligned_to_picture(range, color),
-                {{"backend", "egformer"},
-                 {"weights", name_},
-                 {"tta", augmentations_},
-                 {"camera_height_m", fit.camera_height_m},
-                 {"ceiling_above_camera_m", fit.ceiling_m},
-                 {"scale", fit.scale},
-                 {"shift", fit.shift},
-                 {"floor_share", fit.floor_share},
-                 {"floor_found", fit.sure},
-                 {"walls", json_of_walls(range, color, fit.camera_height_m, fit.ceiling_m)}}};
+        return in_metres(relative, color, camera_height_m_, UnknownOfRange::scale_and_shift,
+                         {{"backend", "egformer"}, {"weights", name_}, {"tta", augmentations_}}, run);
     }
 
   private:

@@ -6,7 +6,6 @@
 
 #include "fastscene/depth/align.h"
 #include "fastscene/depth/estimator.h"
-#include "fastscene/depth/metric_range.h"
 #include "fastscene/geometry/reproject.h"
 #include "fastscene/image/color.h"
 #include "fastscene/nn/scripted.h"
@@ -79,16 +78,7 @@ class TorchscriptEstimator final : public DepthEstimator {
                    {"output", wishes_.output},
                    {"width", wishes_.width}};
         if (wishes_.output == "metres") return {aligned_to_picture(found, color), about};
-        const MetricFit fit = fit_metres(found, camera_height_m_);
-        if (!fit.sure)
-            run.warn(fmt::format(
-                "depth: expected a level floor {} m below the camera, found too little of it: the scale is a guess",
-                camera_height_m_));
-        about.update({{"camera_height_m", fit.camera_height_m},
-                      {"scale", fit.scale},
-                      {"shift", fit.shift},
-                      {"floor_found", fit.sure}});
-        return {aligned_to_picture(metric_range(found, fit), color), about};
+        return in_metres(found, color, camera_height_m_, UnknownOfRange::scale_and_shift, std::move(about), run);
     }
 
   private:

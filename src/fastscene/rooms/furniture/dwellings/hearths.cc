@@ -16,20 +16,20 @@ Material bark(Vec3f a) {
     return m;
 }
 
-// Tongues of flame over a bed of embers of this radius.
+// Tongues of flame over a bed of embers of this radius, hotter below. No light is hidden within another: paths drawn
+// towards it would be lost.
 void fire(Kit& k, Vec3f at, float radius, float high) {
-    const int flames = k.material(flame("fire", {5.2f, 2.0f, 0.36f})),
-              core = k.material(flame("fire core", {10, 6.2f, 1.7f}));
+    const int tip = k.material(flame("flame", {5.2f, 2.0f, 0.36f})),
+              root = k.material(flame("flame's root", {8.4f, 4.4f, 1.0f}));
     for (int i = 0; i < 9; ++i) {
         const Vec3f out = around(kTau * static_cast<float>(i) / 9) *
                           (i == 0 ? 0.f : k.rng.uniform(0.2f, 0.7f) * radius);
         const float h = high * (i == 0 ? 1.f : k.rng.uniform(0.45f, 0.85f)), w = 0.3f * radius;
-        for (const auto& [up, wide, material] : {std::tuple{h, w, flames}, {0.55f * h, 0.55f * w, core}}) {
-            const std::array<Vec2f, 6> p{Vec2f{0.001f, 0},          {0.7f * wide, 0.1f * up},   {wide, 0.28f * up},
-                                         {0.6f * wide, 0.58f * up}, {0.22f * wide, 0.82f * up}, {0.001f, up}};
-            Mesh m = shapes::lathe(shapes::curve(p, 2), 10, true);
-            k.add(std::move(m), material, at + out);
-        }
+        const std::array<Vec2f, 3> below{Vec2f{0.001f, 0}, {0.7f * w, 0.1f * h}, {w, 0.28f * h}};
+        const std::array<Vec2f, 4> above{
+            Vec2f{w, 0.28f * h}, {0.6f * w, 0.58f * h}, {0.22f * w, 0.82f * h}, {0.001f, h}};
+        k.add(shapes::lathe(shapes::curve(below, 2), 10, true), root, at + out);
+        k.add(shapes::lathe(shapes::curve(above, 2), 10, true), tip, at + out);
     }
 }
 
@@ -132,7 +132,7 @@ void build_fur_bed(Kit& k) {
     k.piece.against_wall = true, k.piece.clearance_front_m = 0.6f;
 }
 
-// A living trunk that goes through floor and roof, with stubs of boughs.
+// A living tree that grows through floor and roof, with its lowest boughs in the room.
 void build_tree_trunk(Kit& k) {
     const Vec3f s = k.wanted({1.5f, 2.66f, 1.5f});
     const int wood = k.main(bark({0.19f, 0.12f, 0.075f})), leaf = color(k, "leaf", {0.08f, 0.2f, 0.03f}, 0.6f);

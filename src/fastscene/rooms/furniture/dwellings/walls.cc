@@ -141,18 +141,22 @@ void build_ship_porthole(Kit& k) {
     k.piece.mount = Mount::wall, k.piece.hang_height_m = 1.15f;
 }
 
-// A window onto the stars, with a frame that slants inward.
+// A frame of boards around a window, `rim` wide, with a line of light along its upper and lower edge.
+int window_frame(Kit& k, Vec3f s, const char* name, Vec3f color, float rim) {
+    const int frame = k.main(plain(name, color, 0.35f)), edge = k.material(lit("edge light", {0.3f, 1.1f, 3.2f}));
+    for (const float side : {-1.f, 1.f}) {
+        k.board(frame, {side * (s.x / 2 - rim / 2), 0, s.z / 2}, {rim, s.y, s.z}, 0.027f);
+        k.board(frame, {0, side > 0 ? s.y - rim : 0, s.z / 2}, {s.x, rim, s.z}, 0.027f);
+        k.board(edge, {0, side > 0 ? s.y - rim - 0.012f : rim, s.z - 0.035f}, {s.x - 2 * rim, 0.013f, 0.013f}, 0.002f);
+    }
+    return frame;
+}
+
+// A window onto the stars.
 void build_space_window(Kit& k) {
     const Vec3f s = k.wanted({1.5f, 0.9f, 0.12f});
-    const int frame = k.main(plain("window frame", {0.1f, 0.105f, 0.115f}, 0.35f)),
-              edge = k.material(lit("edge light", {0.3f, 1.1f, 3.2f}));
     constexpr float kRim = 0.09f;
-    for (const float side : {-1.f, 1.f}) {
-        k.board(frame, {side * (s.x / 2 - kRim / 2), 0, s.z / 2}, {kRim, s.y, s.z}, 0.025f);
-        k.board(frame, {0, side > 0 ? s.y - kRim : 0, s.z / 2}, {s.x, kRim, s.z}, 0.025f);
-        k.board(edge, {0, side > 0 ? s.y - kRim - 0.012f : kRim, s.z - 0.03f}, {s.x - 2 * kRim, 0.012f, 0.012f},
-                0.002f);
-    }
+    window_frame(k, s, "window frame", {0.1f, 0.105f, 0.115f}, kRim);
     starfield(k, {s.x / 2 - kRim, s.y / 2 - kRim}, kRim, 0.012f, 160, k.rng.chance(0.5f));
     k.piece.mount = Mount::wall, k.piece.hang_height_m = 1.1f;
 }
@@ -160,17 +164,10 @@ void build_space_window(Kit& k) {
 // The window at the front of a bridge: stars and a planet, across the whole wall.
 void build_view_screen(Kit& k) {
     const Vec3f s = k.wanted({4.4f, 1.5f, 0.16f});
-    const int frame = k.main(plain("screen frame", {0.07f, 0.075f, 0.085f}, 0.35f)),
-              edge = k.material(lit("edge light", {0.3f, 1.1f, 3.2f}));
     constexpr float kRim = 0.11f;
-    for (const float side : {-1.f, 1.f}) {
-        k.board(frame, {side * (s.x / 2 - kRim / 2), 0, s.z / 2}, {kRim, s.y, s.z}, 0.03f);
-        k.board(frame, {0, side > 0 ? s.y - kRim : 0, s.z / 2}, {s.x, kRim, s.z}, 0.03f);
-        // Mullions, leaning as those of a cockpit do.
+    const int frame = window_frame(k, s, "screen frame", {0.07f, 0.075f, 0.085f}, kRim);
+    for (const float side : {-1.f, 1.f})  // mullions, leaning as those of a cockpit do
         slat(k, frame, {side * 0.27f * s.x, 0.05f, s.z / 2}, {side * 0.19f * s.x, s.y - 0.05f, s.z / 2}, 0.07f, 0.1f);
-        k.board(edge, {0, side > 0 ? s.y - kRim - 0.012f : kRim, s.z - 0.04f}, {s.x - 2 * kRim, 0.014f, 0.014f},
-                0.002f);
-    }
     starfield(k, {s.x / 2 - kRim, s.y / 2 - kRim}, kRim, 0.012f, 420, true);
     k.piece.mount = Mount::wall, k.piece.hang_height_m = 0.95f;
 }

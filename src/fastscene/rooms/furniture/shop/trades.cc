@@ -91,7 +91,7 @@ void build_spice_sacks(Kit& k) {
 void build_glasses_wall(Kit& k) {
     const Vec3f s = k.wanted({1.8f, 2.1f, 0.32f});
     const int body = k.main(plain("display", {0.66f, 0.66f, 0.65f}, 0.4f)),
-              lens = color(k, "lens", {0.08f, 0.1f, 0.12f}, 0.05f), mirror = k.material(steel());
+              lens = color(k, "lens", {0.08f, 0.1f, 0.12f}, 0.05f);
     const int light = lit(k, "shelf light", {3.2f, 3.1f, 2.9f});
     const std::array<int, 4> frame{
         color(k, "frame", {0.02f, 0.02f, 0.02f}, 0.25f), color(k, "frame", {0.22f, 0.08f, 0.02f}, 0.25f),
@@ -116,7 +116,6 @@ void build_glasses_wall(Kit& k) {
             }
         }
     }
-    (void)mirror;
     k.piece.against_wall = true, k.piece.clearance_front_m = 0.6f;
 }
 
