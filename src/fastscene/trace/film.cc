@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "fastscene/geometry/sphere.h"
+#include "fastscene/trace/noise.h"
 
 namespace fastscene {
 namespace {
@@ -89,7 +90,11 @@ Look automatic_look(const Look& wish, const Sky& sky, const ImageColor& panorama
     // Night and dusk stay darker than day. Like an incident light meter, exposure follows the light that falls on
     // things more than the light they reflect.
     const bool night = sky.time == Sky::Time::night, dusk = sky.time == Sky::Time::dusk;
-    const float key = night ? 0.19f : dusk ? 0.26f : 0.36f;
+    // So do rooms that only a fire lights: bright as day, they look like an overexposed photograph. The light of flames
+    // has 8 times as much red as blue; that of lamps at most 4 times.
+    constexpr float kLamps = 2.f, kFire = 3.f;  // log2 of red over blue
+    const float fire = smooth_step(kLamps, kFire, std::log2(std::max(kLeast, hue.x) / std::max(kLeast, hue.z)));
+    const float key = night ? 0.19f : dusk ? 0.26f : std::lerp(0.36f, 0.22f, fire);
     float ev = std::log2(key) - middle_mean(seen);
     constexpr float kUsualAlbedo = 0.46f, kByLight = 0.65f;
     if (!arriving.empty()) ev = std::lerp(ev, std::log2(key / kUsualAlbedo) - middle_mean(arriving), kByLight);

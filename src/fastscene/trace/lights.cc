@@ -34,8 +34,25 @@ std::array<Vec3f, 3> corners(const Room& room, int mesh, int triangle) {
     return {m.positions[m.triangles[t]], m.positions[m.triangles[t + 1]], m.positions[m.triangles[t + 2]]};
 }
 float area_of(const std::array<Vec3f, 3>& t) { return 0.5f * length(cross(t[1] - t[0], t[2] - t[0])); }
-Vec3f emission_of(const Room& room, int mesh) {
-    return room.materials[static_cast<std::size_t>(room.meshes[static_cast<std::size_t>(mesh)].material)].emission;
+const Material& material_of(const Room& room, int mesh) {
+    return room.materials[static_cast<std::size_t>(room.meshes[static_cast<std::size_t>(mesh)].material)];
+}
+Vec3f emission_of(const Room& room, int mesh) { return material_of(room, mesh).emission; }
+// Share of an emissive triangle's light that gets away from it. It only weights samples, so a few rays will do.
+float openness(const SceneBvh& bvh, const std::array<Vec3f, 3>& abc, Vec3f normal, bool two_sided) {
+    constexpr std::uint32_t kRays = 16;
+    constexpr float kAway_m = 0.3f;   // what is caught within this distance lights nothing but the lamp itself
+    constexpr float kLeast = 0.1f;    // rays may have missed a gap, and light through it is rare but bright
+    std::uint32_t open = 0;
+    for (std::uint32_t i = 0; i < kRays; ++i) {
+        const Vec2f on = irradiance::r2_point(i, {0.25f, 0.75f});
+        const float r = std::sqrt(on.x);
+        const Vec3f at = abc[0] * (1 - r) + abc[1] * (r * (1 - on.y)) + abc[2] * (r * on.y),
+                    side = two_sided && i % 2 == 1 ? -normal : normal,
+                    way = cosine_direction(side, irradiance::r2_point(i, {0.5f, 0.5f}));
+        open += !bvh.blocked(offset_from(at, side), way, 0.f, kAway_m);
+    }
+    return std::max(kLeast, static_cast<float>(open) / kRays);
 }
 LightTree::Emitter box_of(std::initializer_list<Vec3f> points) {
     LightTree::Emitter e{*points.begin(), *points.begin(), {}, {}};
@@ -48,7 +65,7 @@ LightTree::Emitter box_of(std::initializer_list<Vec3f> points) {
 
 }  // namespace
 
-Lights::Lights(const Room& room, float outside_detail)
+Lights::Lights(const Room& room, float outside_detail, const SceneBvh* bvh)
     : outdoors_(room, outside_detail), first_of_mesh_(room.meshes.size(), -1), large_(room.meshes.size(), false) {
     for (const Mesh& mesh : room.meshes) closed_.push_back(is_closed(mesh));
     std::vector<LightTree::Emitter> tree;
@@ -69,7 +86,7 @@ Lights::Lights(const Room& room, float outside_detail)
         if (!(bright > 0)) continue;
         float whole = 0;
         for (int t = 0; t < count; ++t) whole += area_of(corners(room, static_cast<int>(m), t));
-        if (whole > kLargeArea) {
+        if (whole > kLargeArea && !is_flame(material_of(room, static_cast<int>(m)))) {
             large_[m] = true;
             continue;
         }
@@ -80,7 +97,8 @@ Lights::Lights(const Room& room, float outside_detail)
             tree.push_back(box_of({abc[0], abc[1], abc[2]}));
             tree.back().normal = normalize(cross(abc[1] - abc[0], abc[2] - abc[0]));
             tree.back().two_sided = !closed_[m];  // a thin shade emits on both sides, a solid on the outside
-            tree.back().power = area_of(abc) * bright;
+            tree.back().power = area_of(abc) * bright *
+                                (bvh ? openness(*bvh, abc, tree.back().normal, tree.back().two_sided) : 1.f);
         }
     }
     tree_.emplace(tree);
@@ -132,6 +150,7 @@ Lights::LightSample Lights::draw(const Room& room, Vec3f position, Vec3f normal,
     if (!(there > 1e-5f)) return out;
     out.far = far * 0.999f - kSurfaceOffset;  // up to just before the lamp's own surface
     out.radiance = emission_of(room, emitter.mesh);
+    out.alone = is_flame(material_of(room, emitter.mesh));
     out.pdf = drawn.probability * far * far / (there * area_of({a, b, c}));
     return out;
 }

@@ -7,6 +7,7 @@
 
 #include "fastscene/scene/room.h"
 #include "fastscene/trace/light_tree.h"
+#include "fastscene/trace/sampler.h"
 #include "fastscene/trace/scene_bvh.h"
 #include "fastscene/trace/outdoors.h"
 
@@ -19,15 +20,21 @@ struct DirectedLight {
 
 class Lights {
   public:
-    // `outside_detail`: pixels per degree of the view through windows (Outdoors); illumination does not need it.
-    explicit Lights(const Room& room, float outside_detail = 0);
+    // `outside_detail`: pixels per degree of the view through windows (Outdoors); illumination does not need it. `bvh`:
+    // of the room; with it, emitters whose light is caught close by (embers under logs, the inside of a flame) are
+    // sampled less.
+    explicit Lights(const Room& room, float outside_detail = 0, const SceneBvh* bvh = nullptr);
 
     // A sampled direction to a lamp or window, and the radiance that arrives if nothing is in between.
     struct LightSample {
         Vec3f direction;
         float far = 0;  // length of the shadow ray
         Vec3f radiance;
-        float pdf = 0;  // per solid angle; 0: no sample
+        float pdf = 0;       // per solid angle; 0: no sample
+        bool alone = false;  // no ray can hit it (a flame): the sample's MIS weight is 1
+
+        // MIS weight of the sample, where the BSDF has the pdf `other` in its direction.
+        float weight(float other) const { return alone ? 1.f : power_heuristic(pdf, other); }
     };
     // Samples a light for a surface point: `which` selects an emitter (light_tree.h), `uv` a point on it; both uniform
     // in [0, 1), preferably stratified.

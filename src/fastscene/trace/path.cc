@@ -65,7 +65,7 @@ Vec3f sample_lights(const PathScene& scene, const Local& local, bool behind, boo
         const Vec3f value = scatter.value * light.radiance;
         if (luminance(value) > 0 &&
             !scene.bvh.blocked(offset_from(s.position, normal), light.direction, 0.f, light.far))
-            sum += value * (power_heuristic(light.pdf, scatter.pdf) / light.pdf);
+            sum += value * (light.weight(scatter.pdf) / light.pdf);
     }
     // No MIS for the sun: rays cannot hit it, its disc is not in the sky.
     const Vec2f disc = sampler.next2();

@@ -66,6 +66,7 @@ bool is_clear(const Material& m) {
 }
 
 bool is_flame(const Material& m) { return m.burns && max_component(m.emission) > 0; }
+bool lets_light_pass(const Material& m) { return is_clear(m) || is_flame(m); }
 
 Vec3f flame_as_seen(const Look& look, const SurfacePointInfo& s, Vec3f direction) {
     // In a round flame the way inside is the cosine at its surface; half of it is counted at each side. The light falls

@@ -19,7 +19,9 @@ Response response_of(const SurfacePointInfo& surface, Vec3f direction);
 bool is_clear(const Material& material);
 // Burning gas: cameras see through it, and it glows the more, the longer their ray passes through it.
 bool is_flame(const Material& material);
-// What it adds where a ray enters or leaves it.
+// Neither stops light: for the rays of illumination they do not exist.
+bool lets_light_pass(const Material& material);
+// What a flame adds where a ray enters or leaves it.
 Vec3f flame_as_seen(const Look& look, const SurfacePointInfo& surface, Vec3f direction);
 // What a camera sees at clear glass: what is behind it times `through`; the share `mirrored` of what it reflects; and
 // the share `veil` of what frosted glass would show, as dust and scratches, without which a pane would be invisible.

@@ -66,8 +66,8 @@ const char* embree_settings() {
 struct SceneBvh::Impl {
     RTCDevice device = nullptr;
     // Two trees over the same triangles: rays are twice as fast in a tree that need not be watertight, but one aimed at
-    // an edge may then slip through. A third tree omits clear glass, if there is any: that is what light interacts
-    // with.
+    // an edge may then slip through. A third tree omits clear glass and flames, if there are any: that is what light
+    // interacts with.
     RTCScene scene = nullptr, watertight = nullptr, lit = nullptr;
     std::vector<Corners> meshes;
     std::vector<bool> clear;  // by mesh
@@ -90,7 +90,7 @@ SceneBvh::SceneBvh(const Room& room) : impl_(std::make_unique<Impl>()) {
     impl_->watertight = rtcNewScene(impl_->device);
     rtcSetSceneFlags(impl_->watertight, RTC_SCENE_FLAG_ROBUST);
     for (const Mesh& mesh : room.meshes)
-        impl_->clear.push_back(is_clear(room.materials[static_cast<std::size_t>(mesh.material)]));
+        impl_->clear.push_back(lets_light_pass(room.materials[static_cast<std::size_t>(mesh.material)]));
     if (std::find(impl_->clear.begin(), impl_->clear.end(), true) != impl_->clear.end()) {
         impl_->lit = rtcNewScene(impl_->device);
     } else {
@@ -141,7 +141,7 @@ RayHit SceneBvh::Impl::first(RTCScene among, Vec3f origin, Vec3f direction, floa
     const auto none = [&] { return ray.hit.geomID == RTC_INVALID_GEOMETRY_ID; };
     if (none()) {
         rtcIntersect1(watertight, &context, &ray);
-        // The watertight tree contains clear glass, so hits on it are skipped.
+        // The watertight tree contains what lets light pass, so hits on it are skipped.
         while (among == lit && among != scene && !none() && clear[ray.hit.geomID]) {
             ray.ray.tnear = ray.ray.tfar + kBeyondGlass_m;
             ray.ray.tfar = far_m;

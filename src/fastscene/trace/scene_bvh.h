@@ -38,9 +38,9 @@ class SceneBvh {
 
     // The first hit between near_m and far_m. `direction`: unit length.
     RayHit first_hit(Vec3f origin, Vec3f direction, float near_m = 0.f, float far_m = kFar) const;
-    // The same as light sees it: clear glass (is_clear) does not exist.
+    // The same as light sees it: clear glass and flames (lets_light_pass) do not exist.
     RayHit first_lit(Vec3f origin, Vec3f direction) const;
-    // Whether an occluder lies in between; clear glass is none.
+    // Whether an occluder lies in between; clear glass and flames are none.
     bool blocked(Vec3f origin, Vec3f direction, float near_m, float far_m) const;
     // Distance in metres to the nearest triangle, at most limit_m.
     float nearest(Vec3f point, float limit_m) const;

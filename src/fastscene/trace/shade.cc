@@ -71,7 +71,7 @@ Vec3f glossy_radiance(const ShadeScene& scene, const SurfacePointInfo& s, const 
     if (light.pdf > 0 && dot(light.direction, s.normal) > 0.01f) {
         const float cone = ggx_pdf(s.bumped, r.alpha, direction, light.direction);
         if (cone > 0 && !scene.bvh.blocked(origin, light.direction, 0.f, light.far))
-            asked = light.radiance * (cone * power_heuristic(light.pdf, cone) / light.pdf);
+            asked = light.radiance * (cone * light.weight(cone) / light.pdf);
     }
     if (max_component(seen.light) > 0) {
         const float pdf = scene.lights.pdf(scene.room, s.position, s.normal, out, seen.hit);

@@ -54,7 +54,7 @@ struct TracedRoom::Impl {
 
     // Built on first use: geometry alone needs no light, and the outside takes seconds.
     const Lights& lights() const {
-        std::call_once(lights_once_, [&] { lights_.emplace(room, params.outside_detail); });
+        std::call_once(lights_once_, [&] { lights_.emplace(room, params.outside_detail, &bvh); });
         return *lights_;
     }
     mutable std::once_flag lights_once_;

@@ -16,8 +16,7 @@ Material bark(Vec3f a) {
     return m;
 }
 
-// Tongues of flame over a bed of embers of this radius, hotter below. No light is hidden within another: paths drawn
-// towards it would be lost.
+// Tongues of flame over a bed of embers of this radius, hotter below.
 void fire(Kit& k, Vec3f at, float radius, float high) {
     const int tip = k.material(flame("flame", {5.2f, 2.0f, 0.36f})),
               root = k.material(flame("flame's root", {8.4f, 4.4f, 1.0f}));
@@ -28,8 +27,12 @@ void fire(Kit& k, Vec3f at, float radius, float high) {
         const std::array<Vec2f, 3> below{Vec2f{0.001f, 0}, {0.7f * w, 0.1f * h}, {w, 0.28f * h}};
         const std::array<Vec2f, 4> above{
             Vec2f{w, 0.28f * h}, {0.6f * w, 0.58f * h}, {0.22f * w, 0.82f * h}, {0.001f, h}};
-        k.add(shapes::lathe(shapes::curve(below, 2), 10, true), root, at + out);
-        k.add(shapes::lathe(shapes::curve(above, 2), 10, true), tip, at + out);
+        // Closed where they meet, since sheets would shine inwards, too.
+        std::vector<Vec2f> lower = shapes::curve(below, 2), upper = shapes::curve(above, 2);
+        lower.push_back({0.001f, 0.28f * h});
+        upper.insert(upper.begin(), {0.001f, 0.28f * h});
+        k.add(shapes::lathe(lower, 10, true), root, at + out);
+        k.add(shapes::lathe(upper, 10, true), tip, at + out);
     }
 }
 
