@@ -11,6 +11,7 @@
 #include "fastscene/image/color.h"
 #include "fastscene/io/image_io.h"
 #include "fastscene/io/splat_io.h"
+#include "fastscene/metrics/metrics.h"
 #include "fastscene/panorama/panorama.h"
 #include "fastscene/pipeline/quality.h"
 #include "fastscene/splat/splat.h"
@@ -45,11 +46,27 @@ std::vector<Panorama> walk(const RoomPanorama& made, const StandableFloor& floor
     return all;
 }
 
+// As `fastscene metrics --truth --where room` measures: at poses anywhere on the floor, against the room itself, lit with
+// more paths.
+Json truth_of(const std::string& prompt, PanoramaParams panorama, const Panorama& first, const Splats& splats,
+              const TruthParams& asked, const std::filesystem::path& dir, const Run& run) {
+    panorama.trace.cell_samples = std::max(panorama.trace.cell_samples, asked.samples);
+    const auto lit = make_traced_room(RoomOrigin{prompt, {}}, panorama, run);
+    TruthInputs inputs;
+    inputs.truth = make_truth_set(*lit, asked, {99, nullptr, {}});
+    inputs.first = first;
+    inputs.first.range = inputs.first.seen_range();
+    inputs.splats = splats;
+    Json truth = measure_truth(inputs, asked, dir, run);
+    truth.erase("views");
+    return truth;
+}
+
 }  // namespace
 
 int main(int argc, char** argv) try {
     std::string prompt, quality = "standard", device, out;
-    int threads = 0;
+    int threads = 0, truth = 0;
     std::uint64_t seed = 0;
     CLI::App app{"Cost of a scene, part by part"};
     app.add_option("prompt", prompt)->required();
@@ -57,6 +74,7 @@ int main(int argc, char** argv) try {
     app.add_option("--device", device, "Train the splats on this graphics card instead of the processor");
     app.add_option("--threads", threads, "Worker threads; 0: all cores");
     app.add_option("--seed", seed, "Of the room");
+    app.add_option("--truth", truth, "Also compare the splats with the room at this many poses");
     app.add_option("-o,--out", out, "Folder for panorama.png and scene.ply");
     CLI11_PARSE(app, argc, argv);
 
@@ -68,7 +86,7 @@ int main(int argc, char** argv) try {
     Json parts, json;
     const auto start = std::chrono::steady_clock::now();
     const RoomPanorama made = timed(parts, "panorama",
-                                    [&] { return panorama_from_prompt(prompt, params.panorama, run); });
+                                    [&] { return panorama_of_room({prompt, {}}, params.panorama, run); });
     const StandableFloor floor = passable_floor(*made.room);
     std::vector<Panorama> panoramas = timed(parts, "walk", [&] { return walk(made, floor, params, run); });
     const Outside outside = timed(parts, "outside", [&] {
@@ -82,6 +100,16 @@ int main(int argc, char** argv) try {
     json["parts"] = parts, json["device"] = fitted.device, json["threads"] = thread_count();
     json["views"] = views.views.size(), json["splats"] = fitted.splats.size();
     json["psnr_train"] = fitted.curve.empty() ? 0.f : fitted.curve.back().psnr;
+    if (truth > 0) {
+        TruthParams asked;
+        asked.views = truth;
+        const auto dir = out.empty() ? std::filesystem::temp_directory_path() / "bench_scene"
+                                     : std::filesystem::path(out);
+        json["truth"] = timed(parts, "truth", [&] {
+            return truth_of(prompt, params.panorama, made.panorama, fitted.splats, asked, dir, run);
+        });
+        json["parts"] = parts;
+    }
     if (!out.empty()) {
         save_png(out + "/panorama.png", srgb8_from_linear(made.panorama.color));
         save_splat_ply(out + "/scene.ply", fitted.splats);

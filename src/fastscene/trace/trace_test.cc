@@ -164,6 +164,77 @@ TEST(Trace, LightOfASquareLampIsItsFormFactor) {
     EXPECT_NEAR(cache.at({0, 1.5f, 0}, {0, -1, 0}).x / expected, 1.f, 0.06f);
 }
 
+// Mean of the light samples at a point of the floor below.
+float sampled_light(const Room& room) {
+    const SceneBvh bvh(room);
+    const Lights lights(room, 0, &bvh);
+    constexpr std::uint32_t kSamples = 20000;
+    float sum = 0;
+    Random random(7);
+    for (std::uint32_t i = 0; i < kSamples; ++i) {
+        const float which = (static_cast<float>(i) + random.uniform()) / kSamples;
+        sum += lights.sample(room, bvh, {0.4f, 1.5f, 0.2f}, {0, -1, 0}, which, {random.uniform(), random.uniform()})
+                   .irradiance.x;
+    }
+    return sum / kSamples;
+}
+
+TEST(Trace, AFlameAroundAnotherAddsItsLight) {
+    const auto light_of = [](bool inner, bool outer) {
+        Room room = empty_room(diffuse({0, 0, 0}));
+        Material flame = diffuse({0, 0, 0}, {10, 10, 10});
+        flame.burns = true;
+        room.materials.push_back(flame);
+        if (inner) room.meshes.push_back(box({-0.1f, 0.2f, -0.1f}, {0.1f, 0.4f, 0.1f}, false, 1));
+        if (outer) room.meshes.push_back(box({-0.2f, 0.1f, -0.2f}, {0.2f, 0.5f, 0.2f}, false, 1));
+        return sampled_light(room);
+    };
+    const float both = light_of(true, true), sum = light_of(true, false) + light_of(false, true);
+    EXPECT_NEAR(both / sum, 1.f, 0.02f);
+}
+
+TEST(Trace, PathsAndTheCacheAgreeByTheLightOfAFlame) {
+    Room room = empty_room(diffuse({0.5f, 0.5f, 0.5f}));
+    Material flame = diffuse({0, 0, 0}, {20, 20, 20});
+    flame.burns = true;
+    room.materials.push_back(flame);
+    room.meshes.push_back(box({-0.1f, 0.9f, -0.1f}, {0.1f, 1.2f, 0.1f}, false, 1));
+    room.meshes.push_back(box({-0.05f, 0.95f, -0.05f}, {0.05f, 1.15f, 0.05f}, false, 1));
+    TracedRoom traced(room);
+    traced.gather_light(quick(), {});
+    ShotParts parts{.pixel_samples = 64, .radiance = true};
+    const auto mean_of = [&](const ShotParts& p) {
+        const ImageColor picture = traced.panorama({}, {64, 32}, p, {}).color;
+        double sum = 0;
+        int n = 0;
+        for (int y = 0; y < 16; ++y)  // above the horizon, where no flame is seen
+            for (int x = 0; x < 64; ++x) sum += static_cast<double>(luminance(picture.at(x, y))), ++n;
+        return sum / n;
+    };
+    const double cached = mean_of(parts);
+    parts.paths = true;
+    EXPECT_NEAR(cached / mean_of(parts), 1., 0.05);
+}
+
+TEST(Lights, AHiddenLampIsSampledLess) {
+    Room room = empty_room(diffuse({0, 0, 0}));
+    room.materials.push_back(diffuse({0, 0, 0}, {10, 10, 10}));
+    room.meshes.push_back(box({-0.6f, 0.2f, -0.1f}, {-0.4f, 0.4f, 0.1f}, false, 1));
+    room.meshes.push_back(box({0.4f, 0.2f, -0.1f}, {0.6f, 0.4f, 0.1f}, false, 1));
+    room.meshes.push_back(box({0.35f, 0.15f, -0.15f}, {0.65f, 0.45f, 0.15f}, false, 0));  // its box
+    const SceneBvh bvh(room);
+    const Lights lights(room, 0, &bvh);
+    int hidden = 0;
+    constexpr int kDraws = 1000;
+    for (int i = 0; i < kDraws; ++i) {
+        const float u = (static_cast<float>(i) + 0.5f) / kDraws;
+        const Lights::LightSample light = lights.draw(room, {0, 1.5f, 0}, {0, -1, 0}, u, {0.5f, 0.5f});
+        hidden += light.pdf > 0 && light.direction.x > 0;
+    }
+    EXPECT_LT(hidden, kDraws / 5);
+    EXPECT_GT(hidden, 0) << "it may still be seen through a gap";
+}
+
 // A sky of radiance 1 through a window: the wall opposite receives pi times the window's form factor.
 TEST(Trace, WindowLetsTheSkyIn) {
     Room room = empty_room(diffuse({0, 0, 0}));
