@@ -1,7 +1,9 @@
 // The prompts of tests/data/prompts.txt, written as by users: parsed, furnished and rendered.
+#include <fmt/ranges.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
@@ -9,6 +11,7 @@
 #include <optional>
 #include <set>
 
+#include "fastscene/base/parallel.h"
 #include "fastscene/rooms/layout.h"
 #include "fastscene/rooms/pack.h"
 #include "fastscene/rooms/prompt_text.h"
@@ -90,9 +93,11 @@ TEST(Prompts, HardlyAnyWordIsLost) {
 
 TEST(Prompts, WhatIsUnderstoodStandsInTheRoomAndIsSeen) {
     constexpr std::int64_t kSeen = 8;  // pixels of 512 x 256: a mug on a table four metres away
-    std::size_t asked = 0, hidden = 0;
-    std::string list;
-    for (const std::string& text : prompts()) {
+    std::atomic<std::size_t> asked = 0, hidden = 0;
+    const std::vector<std::string> texts = prompts();
+    std::vector<std::string> lists(texts.size());
+    parallel_for(static_cast<std::int64_t>(texts.size()), 1, [&](std::int64_t begin, std::int64_t) {
+        const std::string& text = texts[static_cast<std::size_t>(begin)];
         SCOPED_TRACE(text);
         PromptSpec spec = understand_prompt(text, false, pack(Assets::cc0));
         fastscene::Run run;
@@ -117,12 +122,12 @@ TEST(Prompts, WhatIsUnderstoodStandsInTheRoomAndIsSeen) {
             if (!object["requested"].get<bool>()) continue;
             ++asked;
             if (object["visible_pixels"].get<std::int64_t>() < kSeen)
-                ++hidden, list += "\n  " + object["name"].get<std::string>() + ": " + text;
+                ++hidden, lists[static_cast<std::size_t>(begin)] += object["name"].get<std::string>() + ": " + text;
         }
-    }
+    });
     EXPECT_GE(asked, 350u);
     // None with Debian's furniture pack; without it replacements are used, and one may be hidden.
-    EXPECT_LE(hidden, pack(Assets::cc0) ? 0u : 2u) << list;
+    EXPECT_LE(hidden, pack(Assets::cc0) ? 0u : 2u) << fmt::format("{}", fmt::join(lists, "\n"));
 }
 
 // Mean bearing of the pixels of a class, as an angle growing to the right of the picture; none if hardly visible.

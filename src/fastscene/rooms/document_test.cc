@@ -6,6 +6,7 @@
 #include <cstring>
 
 #include "fastscene/base/file.h"
+#include "fastscene/base/parallel.h"
 #include "fastscene/rooms/lexicon.h"
 #include "fastscene/rooms/pack.h"
 
@@ -78,8 +79,10 @@ std::string thing(const std::string& id, const std::string& kind, const std::str
 
 TEST(RoomDocument, BuildsTheSameTrianglesForEveryRoomType) {
     const std::vector<std::string> rooms = room_types(), all = styles();
-    for (std::size_t i = 0; i < rooms.size(); ++i)
-        expect_same_room("a " + all[i % all.size()] + " " + room_title(rooms[i]));
+    parallel_for(static_cast<std::int64_t>(rooms.size()), 1, [&](std::int64_t begin, std::int64_t end) {
+        for (auto i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(end); ++i)
+            expect_same_room("a " + all[i % all.size()] + " " + room_title(rooms[i]));
+    });
 }
 
 TEST(RoomDocument, BuildsTheSameTrianglesOfWhatPromptsAskFor) {

@@ -1,3 +1,4 @@
+#include "fastscene/base/parallel.h"
 #include "fastscene/rooms/layout.h"
 
 #include <gtest/gtest.h>
@@ -427,7 +428,9 @@ TEST(Layout, AKidsRoomIsFilledForChildren) {
 }
 
 TEST(Layout, NothingHangsBeforeAWindow) {
-    for (const std::string& room : room_types())
+    const std::vector<std::string> rooms = room_types();
+    parallel_for(static_cast<std::int64_t>(rooms.size()), 1, [&](std::int64_t begin, std::int64_t) {
+        const std::string& room = rooms[static_cast<std::size_t>(begin)];
         for (const std::uint64_t seed : {1u, 2u, 3u}) {
             const LaidOut f = laid_out("a " + room_title(room) + " with a mirror and two pictures", seed);
             for (const Placed& p : f.placed) {
@@ -443,6 +446,7 @@ TEST(Layout, NothingHangsBeforeAWindow) {
                 }
             }
         }
+    });
 }
 
 TEST(Layout, CurtainsHangBeforeTheirWindow) {

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "fastscene/base/parallel.h"
 #include "fastscene/base/random.h"
 #include "fastscene/rooms/layout.h"
 #include "fastscene/rooms/lexicon.h"
@@ -137,7 +138,9 @@ void check_room(const Room& room, const std::vector<Vec3f>& rays) {
 
 TEST(Room, EveryKindInEveryStyleIsSound) {
     const std::vector<Vec3f> rays = directions(2000);
-    for (const std::string& room : room_types()) {
+    const std::vector<std::string> rooms = room_types();
+    parallel_for(static_cast<std::int64_t>(rooms.size()), 1, [&](std::int64_t begin, std::int64_t) {
+        const std::string& room = rooms[static_cast<std::size_t>(begin)];
         // Types that name the styles that suit them come in those, and once: they are many.
         const std::vector<std::string>& own = room_type(room).styles;
         const std::vector<std::string> all = own.empty() ? styles() : own;
@@ -147,7 +150,7 @@ TEST(Room, EveryKindInEveryStyleIsSound) {
                 SCOPED_TRACE(all[i] + " " + room + ", seed " + std::to_string(seed));
                 check_room(room_of("a " + all[i] + " " + room_title(room), seed), rays);
             }
-    }
+    });
 }
 
 const char* const kWishes[] = {
