@@ -44,8 +44,9 @@ try {
     // Left, right, ahead, above, below; clear of the edges between walls and of the viewer's panels.
     const parts = [[0.01, 0.25, 0.09, 0.38], [0.91, 0.25, 0.99, 0.38], [0.4, 0.4, 0.6, 0.6], [0.4, 0.02, 0.6, 0.12], [0.4, 0.815, 0.6, 0.845]];
     let colors = [];
-    const seen = () => colors.length > 0 && colors[2][2] > 80;
-    for (let i = 0; i < 20 && !seen(); ++i) {
+    // Until the splats are there, the page is white. A busy machine takes its time.
+    const seen = () => colors.length > 0 && colors[2][2] > 80 && colors[2][2] > 1.8 * colors[2][0];
+    for (let i = 0; i < 80 && !seen(); ++i) {
         await page.waitForTimeout(1500);
         colors = await means(parts);
     }
