@@ -10,7 +10,7 @@ namespace {
 
 using at::Tensor;
 
-constexpr std::int64_t kHeadWidth = 64;
+constexpr std::int64_t kCrossHeadWidth = 64;
 constexpr double kSlope = 0.01;  // of the leaky ReLUs
 
 // x [1, N, C] attends once to the embedding of the viewing angles.
@@ -19,7 +19,7 @@ Tensor look_around(const Scope& s, const Tensor& x, const Tensor& embedding) {
     const Tensor q = linear(s / "q", layer_norm(s / "norm_attnx", x), c, false);
     const std::vector<Tensor> kv = linear(s / "kv", layer_norm(s / "norm_attnctx", embedding), 2 * c, false)
                                        .chunk(2, -1);
-    const Tensor seen = x + linear(s / "out", attention(q, kv[0], kv[1], c / kHeadWidth), c, false);
+    const Tensor seen = x + linear(s / "out", attention(q, kv[0], kv[1], c / kCrossHeadWidth), c, false);
     const Scope mlp = s / "mlp";
     return seen +
            mlp.out(linear(mlp / "proj2", exact_gelu(linear(mlp / "proj1", layer_norm(mlp / "norm", seen), 4 * c)), c));
