@@ -12,10 +12,10 @@ class Sampler {
     // Paths of one pixel share `key` and differ in `index`.
     Sampler(std::uint64_t key, std::uint32_t index) : state_{key, index, 0} {}
     Vec2f next2() { return kernel::next2(state_); }
-    float next() { return next2().x; }
+    float next() { return kernel::next(state_); }
 
   private:
-    kernel::SamplerState state_;
+    kernel::Sampler state_;
 };
 
 }  // namespace fastscene

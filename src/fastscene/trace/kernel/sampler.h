@@ -6,33 +6,15 @@
 #ifndef FASTSCENE_TRACE_KERNEL_SAMPLER_H
 #define FASTSCENE_TRACE_KERNEL_SAMPLER_H
 
-#include "fastscene/trace/kernel/language.h"
-
-#ifdef __cplusplus
-#include "fastscene/base/random.h"
-#else
-#extension GL_EXT_shader_explicit_arithmetic_types_int64 : require
-#define uint64 uint64_t
-// As in base/random.h.
-uint64 mix64(uint64 x) {
-    x += 0x9e3779b97f4a7c15ul;
-    x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9ul;
-    x = (x ^ (x >> 27)) * 0x94d049bb133111ebul;
-    return x ^ (x >> 31);
-}
-#endif
+#include "fastscene/trace/kernel/random.h"
 
 KERNEL_BEGIN
-
-#ifdef __cplusplus
-using uint64 = std::uint64_t;
-#endif
 
 // Veach's power heuristic for one sample of each strategy: the weight of the sample with the pdf `mine`.
 inline float power_heuristic(float mine, float other) { return mine * mine / max(1e-20f, mine * mine + other * other); }
 
 // Paths of one pixel share `key` and differ in `index`; `dimension` starts at 0.
-struct SamplerState {
+struct Sampler {
     uint64 key;
     uint index, dimension;
 };
@@ -62,14 +44,15 @@ inline uint sobol_second(uint n) {
 }
 inline float unit_of_bits(uint x) { return float(x >> 8) * 5.9604644775390625e-8f; }
 
-inline Vec2f next2(INOUT(SamplerState) s) {
+inline Vec2f next2(INOUT(Sampler) s) {
     s.dimension += 1;
-    const uint64 h = mix64(s.key + 0x632be59bd9b4e019ul * s.dimension);
-    const uint i = scrambled(reversed_bits(s.index), uint(h));
+    const uint64 h = mix64(add64(s.key, mul64(word64(0x632be59bu, 0xd9b4e019u), word64(0, s.dimension))));
+    const uint i = scrambled(reversed_bits(s.index), low_half(h));
     const uint n = reversed_bits(i);
-    return vec2(unit_of_bits(scrambled_value(reversed_bits(n), uint(h >> 32))),
-                unit_of_bits(scrambled_value(sobol_second(n), uint(mix64(h)))));
+    return vec2(unit_of_bits(scrambled_value(reversed_bits(n), high_half(h))),
+                unit_of_bits(scrambled_value(sobol_second(n), low_half(mix64(h)))));
 }
+inline float next(INOUT(Sampler) s) { return next2(s).x; }
 
 KERNEL_END
 
