@@ -111,8 +111,8 @@ Look automatic_look(const Look& wish, const Sky& sky, const ImageColor& panorama
     // hues and edges.
     if (sky.sun_limit > 0) {
         constexpr float kSunDoubling = 0.12f;
-        look.sun_seen = kernel::restrained(luminance(sky.sun_irradiance) * std::exp2(look.exposure_ev) / (kPi * sky.sun_limit),
-                                   kSunDoubling);
+        look.sun_seen = kernel::restrained(
+            luminance(sky.sun_irradiance) * std::exp2(look.exposure_ev) / (kPi * sky.sun_limit), kSunDoubling);
     }
     // A bright room gets a short exposure, which would leave the sunny garden outside as dark as dusk: the outside is
     // lifted as a whole.
@@ -137,9 +137,7 @@ Vec3f outside_as_seen(const Sky& sky, const Look& look, Vec3f radiance) {
     return kernel::outside_as_seen(sky.seen, look.outside_seen, radiance);
 }
 
-Vec3f lamp_as_seen(const Look& look, Vec3f emission) {
-    return kernel::lamp_as_seen(look.exposure_ev, emission);
-}
+Vec3f lamp_as_seen(const Look& look, Vec3f emission) { return kernel::lamp_as_seen(look.exposure_ev, emission); }
 
 Vec3f develop(const Look& look, Vec3f radiance) {
     const float gain = std::exp2(look.exposure_ev);

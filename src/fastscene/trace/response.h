@@ -28,9 +28,9 @@ Vec3f cosine_direction(Vec3f n, Vec2f u);
 
 }  // namespace kernel
 
-using kernel::Response, kernel::Pane, kernel::Coat, kernel::kSharpestSun, kernel::kWideSun;
 using kernel::is_clear, kernel::is_flame, kernel::coat_of, kernel::mean_reflectance, kernel::ggx_half, kernel::ggx_pdf,
     kernel::cosine_direction;
+using kernel::Response, kernel::Pane, kernel::Coat, kernel::kSharpestSun, kernel::kWideSun;
 
 Response response_of(const SurfacePointInfo& surface, Vec3f direction);
 // What a flame adds where a ray enters or leaves it.

@@ -7,9 +7,7 @@
 KERNEL_BEGIN
 
 // Compresses light that is `times` as bright as the limit: logarithmic above it, so that order is preserved.
-inline float restrained(float times, float doubling) {
-    return times > 1 ? (1 + doubling * log2(times)) / times : 1.f;
-}
+inline float restrained(float times, float doubling) { return times > 1 ? (1 + doubling * log2(times)) / times : 1.f; }
 
 // The radiance of a lamp or flame that the camera sees directly, compressed so that its shape and hue do not clip to
 // white. Its illumination of the room is unaffected. `exposure_ev`: Look's.
@@ -19,7 +17,9 @@ inline Vec3f lamp_as_seen(float exposure_ev, Vec3f emission) {
 }
 
 // Radiance of the outside as the camera sees it; `seen` is Sky's, `outside_seen` Look's.
-inline Vec3f outside_as_seen(float seen, float outside_seen, Vec3f radiance) { return radiance * (seen * outside_seen); }
+inline Vec3f outside_as_seen(float seen, float outside_seen, Vec3f radiance) {
+    return radiance * (seen * outside_seen);
+}
 
 KERNEL_END
 

@@ -8,8 +8,7 @@ KERNEL_BEGIN
 
 // A well-mixed 32-bit hash of a lattice point.
 inline uint lattice_hash(int x, int y, int z, uint seed) {
-    uint h = uint(x) * 0x8da6b343u ^ uint(y) * 0xd8163841u ^
-                      uint(z) * 0xcb1ab31fu ^ seed * 0x9e3779b9u;
+    uint h = uint(x) * 0x8da6b343u ^ uint(y) * 0xd8163841u ^ uint(z) * 0xcb1ab31fu ^ seed * 0x9e3779b9u;
     h ^= h >> 15;
     h *= 0x2c1b3c6du;
     h ^= h >> 12;
@@ -123,11 +122,10 @@ inline Voronoi voronoi2(Vec2f p, uint seed) {
     v.nearest = v.second = 1e9f;
     v.id = 0;
     v.offset = vec2(0, 0);
-    KEEP_LOOP for (int j = y - 1; j <= y + 1; ++j)
+    KEEP_LOOP for (int j = y - 1; j <= y + 1; ++j) {
         KEEP_LOOP for (int i = x - 1; i <= x + 1; ++i) {
             const uint h = lattice_hash(i, j, 7, seed);
-            const Vec2f q = vec2(float(i) + float(h & 0xffff) / 65536.f,
-                          float(j) + float(h >> 16) / 65536.f);
+            const Vec2f q = vec2(float(i) + float(h & 0xffff) / 65536.f, float(j) + float(h >> 16) / 65536.f);
             const float d = length(p - q);
             if (d < v.nearest) {
                 v.second = v.nearest;
@@ -138,6 +136,7 @@ inline Voronoi voronoi2(Vec2f p, uint seed) {
                 v.second = d;
             }
         }
+    }
     return v;
 }
 
