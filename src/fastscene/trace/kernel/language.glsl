@@ -8,6 +8,7 @@
 #define KERNEL_END
 #define IN(Type) in Type
 #define INOUT(Type) inout Type
+#define REF(Type) Type
 #define inline
 #define static
 #define Vec2f vec2

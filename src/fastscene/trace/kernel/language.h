@@ -2,11 +2,11 @@
 // processors and graphics cards. This file gives C++ the names that GLSL has, and language.glsl the other way round.
 //
 // What both understand is plain functions of plain structures: no references (IN and INOUT say how an argument is
-// passed), default arguments, members, lambdas or recursion. Functions are `inline`, or `static` if only one file uses
-// them; files whose functions are neither are compiled in one .cc each, beside which C++ callers find declarations.
-// GLSL reserves `in`, `half`, `flat`, `sample`, `patch` and `input`, leaves `%` of negative numbers (use wrapped()) and
-// powers of negative numbers undefined, and takes vec2(…), not braces. Each variable is given its value where it is
-// declared or right after.
+// passed, REF how a field is held), default arguments, members, lambdas or recursion. Functions are `inline`, or
+// `static` if only one file uses them; files whose functions are neither are compiled in one .cc each, beside which C++
+// callers find declarations. GLSL reserves `in`, `half`, `flat`, `sample`, `patch` and `input`, leaves `%` of negative
+// numbers (use wrapped()) and powers of negative numbers undefined, and takes vec2(…), not braces. Each variable is
+// given its value where it is declared or right after.
 #ifndef FASTSCENE_TRACE_KERNEL_LANGUAGE_H
 #define FASTSCENE_TRACE_KERNEL_LANGUAGE_H
 
@@ -21,6 +21,7 @@
 #define KERNEL_END }
 #define IN(Type) const Type&
 #define INOUT(Type) Type&
+#define REF(Type) const Type&
 #define KEEP_LOOP
 
 namespace fastscene::kernel {
