@@ -1,9 +1,14 @@
 # fastscene_shaders(target NAMESPACE folder): compiles folder/*.comp to SPIR-V, and generates a source in which each is
-# `extern const std::span<const std::uint32_t> NAME` of the namespace. Files *.glsl are what they include.
+# `extern const std::span<const std::uint32_t> NAME` of the namespace. Files *.glsl are what they include, as may be
+# files of further folders, by their names from src/.
 function(fastscene_shaders target namespace folder)
   find_program(FASTSCENE_GLSLC glslc REQUIRED)
   file(GLOB kernels CONFIGURE_DEPENDS ${folder}/*.comp)
   file(GLOB included CONFIGURE_DEPENDS ${folder}/*.glsl)
+  foreach(other ${ARGN})
+    file(GLOB more CONFIGURE_DEPENDS ${other}/*.glsl ${other}/*.h)
+    list(APPEND included ${more})
+  endforeach()
   list(SORT kernels)
   get_filename_component(name ${folder} NAME)
   set(relative shaders/${target}_${name})  # in the generated text too, which is hashed
@@ -15,7 +20,7 @@ function(fastscene_shaders target namespace folder)
     get_filename_component(stem ${kernel} NAME_WE)
     set(out ${words}/${stem}.inc)
     add_custom_command(OUTPUT ${out}
-      COMMAND ${FASTSCENE_GLSLC} -O -Werror --target-env=vulkan1.2 -mfmt=num ${kernel} -o ${out}
+      COMMAND ${FASTSCENE_GLSLC} -O -Werror --target-env=vulkan1.2 -mfmt=num -I ${PROJECT_SOURCE_DIR}/src ${kernel} -o ${out}
       DEPENDS ${kernel} ${included} COMMENT "Compiling ${stem}.comp" VERBATIM)
     list(APPEND compiled ${out})
     string(APPEND text "static const std::uint32_t ${stem}_words[] = {\n#include \"${relative}/${stem}.inc\"\n};\n"

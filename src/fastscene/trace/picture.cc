@@ -8,6 +8,7 @@
 
 #include "fastscene/base/parallel.h"
 #include "fastscene/base/random.h"
+#include "fastscene/geometry/eyes.h"
 #include "fastscene/geometry/grown.h"
 #include "fastscene/geometry/sphere.h"
 #include "fastscene/image/color.h"
@@ -308,17 +309,22 @@ bool needs_more(const PixelSum& pixel, const ShotParts& parts, int samples) {
 
 }  // namespace
 
-RayCamera panorama_camera(const Rigid& world_from_pano, EquirectSize size) {
-    return {world_from_pano,
-            size.width,
-            size.height,
-            [size](Vec2f p) { return direction_at(p, size); },
-            kPi / static_cast<float>(size.height),
-            true};
+RayCamera panorama_camera(const Rigid& world_from_pano, EquirectSize size, float eye_m) {
+    RayCamera camera{world_from_pano,
+                     size.width,
+                     size.height,
+                     [size](Vec2f p) { return direction_at(p, size); },
+                     kPi / static_cast<float>(size.height),
+                     true};
+    camera.eye_m = eye_m;
+    if (eye_m != 0) camera.offset = [size, eye_m](Vec2f pixel) { return eye_offset(pixel, size, eye_m); };
+    return camera;
 }
 RayCamera perspective_camera(const Rigid& world_from_camera, const Pinhole& camera) {
-    return {world_from_camera, camera.width, camera.height, [camera](Vec2f p) { return camera.direction_at(p); },
-            1.f / camera.fx};
+    RayCamera out{world_from_camera, camera.width, camera.height, [camera](Vec2f p) { return camera.direction_at(p); },
+                  1.f / camera.fx};
+    out.pinhole = camera;
+    return out;
 }
 Vec3f world_direction(const RayCamera& camera, Vec2f pixel) {
     return normalize(camera.world_from_camera.rotation * camera.direction(pixel));

@@ -20,8 +20,11 @@ struct RayCamera {
     float pixel_angle = 0;
     bool panorama = false;                    // equirectangular: columns wrap, and crowd towards the poles
     std::function<Vec3f(Vec2f)> offset = {};  // of a ray's start, by pixel position; camera frame; empty: none
+    // The same as plain data.
+    Pinhole pinhole = {};  // of a perspective picture
+    float eye_m = 0;       // of a panorama: offset to the right (TracedRoom::eye_panorama)
 };
-RayCamera panorama_camera(const Rigid& world_from_pano, EquirectSize size);
+RayCamera panorama_camera(const Rigid& world_from_pano, EquirectSize size, float eye_m = 0);
 RayCamera perspective_camera(const Rigid& world_from_camera, const Pinhole& camera);
 Vec3f world_direction(const RayCamera& camera, Vec2f pixel);
 // Where the ray through a pixel position starts.

@@ -9,7 +9,6 @@
 #include "fastscene/base/check.h"
 #include "fastscene/base/parallel.h"
 #include "fastscene/base/random.h"
-#include "fastscene/geometry/eyes.h"
 #include "fastscene/trace/film.h"
 #include "fastscene/trace/irradiance.h"
 #include "fastscene/trace/lights.h"
@@ -151,9 +150,7 @@ Shot TracedRoom::panorama(const Rigid& world_from_pano, EquirectSize size, const
 
 Shot TracedRoom::eye_panorama(const Rigid& world_from_pano, EquirectSize size, float eye_m, const ShotParts& parts,
                               const Run& run) const {
-    RayCamera camera = panorama_camera(world_from_pano, size);
-    camera.offset = [size, eye_m](Vec2f pixel) { return eye_offset(pixel, size, eye_m); };
-    return impl_->shoot(camera, parts, run);
+    return impl_->shoot(panorama_camera(world_from_pano, size, eye_m), parts, run);
 }
 
 Shot TracedRoom::perspective(const Rigid& world_from_camera, const Pinhole& camera, const ShotParts& parts,

@@ -1,0 +1,45 @@
+// A room on a graphics card: all that kernels read of it (tables.glsl).
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "fastscene/gpu/device.h"
+#include "fastscene/scene/room.h"
+#include "fastscene/trace/lights.h"
+#include "fastscene/trace/vulkan/tables.h"
+
+namespace fastscene::vulkan {
+
+class CardScene {
+  public:
+    // Geometry, materials and lights. Throws Error if the card has too little memory.
+    CardScene(gpu::Device& device, const Room& room, const Lights& lights);
+
+    // The look may change when the light is known.
+    void set_look(const Look& look, const Sky& sky);
+    // Replaces a table of the irradiance cache (irradiance_tables.h).
+    std::uint64_t world() const { return world_buffer_.address(); }
+    World& tables() { return world_; }
+    // Copies tables() to the card.
+    void write();
+    // Keeps a copy of `bytes` bytes on the card; returns its address. 16 bytes at least.
+    std::uint64_t keep(const void* from, std::int64_t bytes, const char* purpose);
+    template <class T>
+    std::uint64_t keep(const std::vector<T>& from, const char* purpose) {
+        return keep(from.data(), static_cast<std::int64_t>(from.size() * sizeof(T)), purpose);
+    }
+
+  private:
+    void add_geometry(const Room& room, const Lights& lights);
+    void add_lights(const Room& room, const Lights& lights);
+    void add_outside(const Room& room, const Outdoors& outdoors);
+
+    gpu::Device& device_;
+    std::vector<gpu::Buffer> buffers_;
+    World world_{};
+    gpu::Buffer world_buffer_;
+};
+
+}  // namespace fastscene::vulkan

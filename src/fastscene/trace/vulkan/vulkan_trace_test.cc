@@ -1,0 +1,147 @@
+// Path tracing on graphics cards against Embree's, sample by sample: both draw the same random numbers. Without a card
+// it runs on Mesa's lavapipe. The validation layer watches all of it.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdlib>
+
+#include "fastscene/trace/path.h"
+#include "fastscene/trace/vulkan/bvh.h"
+#include "fastscene/trace/vulkan/test_rooms.h"
+#include "fastscene/trace/vulkan/tracer.h"
+
+namespace fastscene::vulkan {
+namespace {
+
+std::string device_name() {
+    setenv("FASTSCENE_VULKAN_VALIDATION", "1", 0);
+    return gpu::has_card() ? "auto" : "llvmpipe";
+}
+
+// Everything that one room needs on both sides.
+struct Both {
+    explicit Both(Room r) : room(std::move(r)), bvh(room), lights(room, 2), card(device_name(), "--device", room, lights) {}
+    ~Both() { EXPECT_EQ(card.device().validation_messages(), std::vector<std::string>{}); }
+    Room room;
+    SceneBvh bvh;
+    Lights lights;
+    Tracer card;
+};
+class VulkanTrace : public ::testing::Test {
+  protected:
+    static void SetUpTestSuite() { everything_ = new Both(everything_room()); }
+    static void TearDownTestSuite() { delete everything_; }
+    static Both& everything() { return *everything_; }
+
+  private:
+    static inline Both* everything_ = nullptr;
+};
+
+// PSNR of linear pictures, of peak 1.
+double psnr(const ImageColor& a, const ImageColor& b) {
+    double squares = 0;
+    for (std::size_t i = 0; i < a.size(); ++i) {
+        const Vec3f d = a.pixels[i] - b.pixels[i];
+        squares += static_cast<double>(dot(d, d));
+    }
+    return -10 * std::log10(std::max(1e-12, squares / (3 * static_cast<double>(a.size()))));
+}
+Vec3d mean_of(const ImageColor& a) {
+    Vec3d sum{};
+    for (const Vec3f c : a.pixels) sum += Vec3d{c.x, c.y, c.z};
+    return sum / static_cast<double>(a.size());
+}
+
+TEST_F(VulkanTrace, RaysMeetWhatEmbreesMeet) {
+    Both& both = everything();
+    std::vector<std::uint32_t> first_triangle;
+    std::uint32_t count = 0;
+    for (const Mesh& m : both.room.meshes)
+        first_triangle.push_back(count), count += static_cast<std::uint32_t>(m.triangles.size() / 3);
+    std::vector<Tracer::Query> rays;
+    Random random(4, "test.rays");
+    for (int i = 0; i < 40000; ++i) {
+        Tracer::Query q;
+        q.origin = {random.uniform(-1.9f, 1.9f), random.uniform(-1.f, 1.4f), random.uniform(-2.3f, 2.3f)};
+        q.direction = normalize(Vec3f{random.normal(), random.normal(), random.normal()});
+        if (i % 8 == 0) q.direction = {0, i % 16 ? 1.f : -1.f, 0};  // along an axis
+        q.lit = i % 2;
+        if (i % 5 == 0) q.far_m = random.uniform(0.2f, 2.f);
+        rays.push_back(q);
+    }
+    const std::vector<RayHit> found = both.card.hits(rays);
+    int others = 0, hits = 0;
+    for (std::size_t i = 0; i < rays.size(); ++i) {
+        const Tracer::Query& q = rays[i];
+        RayHit truth = q.lit ? both.bvh.first_lit(q.origin, q.direction)
+                             : both.bvh.first_hit(q.origin, q.direction, 0.f, q.far_m);
+        if (truth.distance >= q.far_m) truth = RayHit{};
+        const RayHit& mine = found[i];
+        hits += truth ? 1 : 0;
+        const bool same = mine.mesh == truth.mesh &&
+                          (!truth ||
+                           mine.triangle == static_cast<int>(first_triangle[static_cast<std::size_t>(truth.mesh)]) +
+                                                truth.triangle);
+        if (!same) {
+            ++others;
+            // An edge hit by one and missed by the other, or two triangles at one place.
+            continue;
+        }
+        if (!truth) continue;
+        ASSERT_NEAR(mine.distance, truth.distance, 2e-5f * (1 + truth.distance));
+        ASSERT_NEAR(mine.u, truth.u, 2e-3f);
+        ASSERT_NEAR(mine.v, truth.v, 2e-3f);
+        ASSERT_EQ(mine.back, truth.back);
+    }
+    EXPECT_GT(hits, 20000);
+    EXPECT_LT(others, 20);
+}
+
+TEST_F(VulkanTrace, NoRayLeavesAClosedRoomThroughItsEdges) {
+    Room room;
+    room.min_corner = kLow, room.max_corner = kHigh;
+    room.materials = {diffuse({0.5f, 0.5f, 0.5f})};
+    room.meshes = {box_mesh(kLow, kHigh, 0, -1, true)};
+    Both both(std::move(room));
+    std::vector<Tracer::Query> rays;
+    for (int i = 0; i < 30000; ++i) {  // at points of the edges and diagonals
+        Random random(1, "test.edges", static_cast<std::uint64_t>(i));
+        Vec3f to{random.chance(0.5f) ? kLow.x : kHigh.x, random.chance(0.5f) ? kLow.y : kHigh.y,
+                 random.chance(0.5f) ? kLow.z : kHigh.z};
+        const Vec3f other{random.chance(0.5f) ? kLow.x : kHigh.x, random.chance(0.5f) ? kLow.y : kHigh.y, to.z};
+        to = lerp(to, other, random.uniform());
+        rays.push_back({{}, normalize(to), kFar, false});
+    }
+    for (const RayHit& hit : both.card.hits(rays)) ASSERT_TRUE(hit);
+}
+
+TEST_F(VulkanTrace, PathsAreThoseOfTheProcessor) {
+    Both& both = everything();
+    const fastscene::Run run{7, nullptr, {}};
+    for (const bool panorama : {true, false}) {
+        const RayCamera camera = panorama ? panorama_camera({}, {64, 32})
+                                          : perspective_camera({}, Pinhole::with_fov(40, 30, 80));
+        constexpr int kSamples = 24;
+        ImageColor mine = both.card.path_sums(camera, {}, kSamples, run);
+        for (Vec3f& c : mine.pixels) c = c / static_cast<float>(kSamples);
+        const ImageColor truth = path_traced_picture({both.room, both.bvh, both.lights}, camera, {}, kSamples, nullptr,
+                                                     run);
+        // A path that rounding sends elsewhere differs wholly: most pixels must not.
+        std::vector<double> off;
+        for (std::size_t i = 0; i < mine.size(); ++i)
+            off.push_back(static_cast<double>(length(mine.pixels[i] - truth.pixels[i]) /
+                                              (0.01f + length(truth.pixels[i]))));
+        std::sort(off.begin(), off.end());
+        EXPECT_LT(off[off.size() / 2], 1e-3);
+        EXPECT_LT(off[off.size() * 9 / 10], 3e-2);
+        const Vec3d a = mean_of(mine), b = mean_of(truth);
+        for (std::size_t k = 0; k < 3; ++k) EXPECT_NEAR(a[k] / b[k], 1, 0.01);
+        printf("PSNR %.2f median %.2g 90%% %.2g mean %.4f %.4f\n", psnr(mine, truth), off[off.size() / 2],
+               off[off.size() * 9 / 10], a.x, b.x);
+    }
+    EXPECT_LT(both.card.longest_submission_s(), 0.9);
+    printf("longest %.3f\n", both.card.longest_submission_s());
+}
+
+}  // namespace
+}  // namespace fastscene::vulkan
