@@ -52,12 +52,11 @@ SurfacePointInfo surface_at(const Room& room, const RayHit& hit, Vec3f origin, V
     point.coords = blend(mesh.coords, k);
     const Vec3f coords_normal = cross(mesh.coords[k.b] - mesh.coords[k.a], mesh.coords[k.c] - mesh.coords[k.a]);
     const int axis = dominant_axis(coords_normal);
-    point.flat = flat_coords(point.coords, axis);
+    point.plane = flat_coords(point.coords, axis);
     point.footprint_m = footprint_m;
-    s.texture = sample_texture(*s.material, point);
+    const auto [texture, slope] = texture_with_slope(*s.material, point, axis, with_relief);
+    s.texture = texture;
     s.bumped = s.normal;
-    if (!with_relief) return s;
-    const Vec2f slope = texture_slope(*s.material, point, axis);
     if (slope.x == 0.f && slope.y == 0.f) return s;
     Vec3f du, dv;
     pattern_axes(mesh, k, axis, du, dv);

@@ -558,7 +558,7 @@ TEST(Texture, EveryPatternIsInRangeAndRepeats) {
             Random random(9, "texture", static_cast<std::uint64_t>(i));
             TexturePoint point;
             point.coords = {random.uniform(-3, 3), random.uniform(-3, 3), random.uniform(-3, 3)};
-            point.flat = {point.coords.x, point.coords.y};
+            point.plane = {point.coords.x, point.coords.y};
             point.footprint_m = random.uniform(0, 0.02f);
             const TextureValue v = sample_texture(m, point);
             for (std::size_t a = 0; a < 3; ++a) {
@@ -567,7 +567,7 @@ TEST(Texture, EveryPatternIsInRangeAndRepeats) {
             }
             ASSERT_GE(v.roughness, 0.02f);
             m.bump_m = 0.002f, m.crease_m = 0.002f;
-            ASSERT_LE(length(texture_slope(m, point, 2)), 0.71f) << p;
+            ASSERT_LE(length(texture_with_slope(m, point, 2, true).slope), 0.71f) << p;
             ASSERT_EQ(sample_texture(m, point).albedo, v.albedo);
         }
     }
@@ -583,8 +583,8 @@ TEST(Texture, PatternsKeepTheirMeanFromAfar) {
         for (int i = 0; i < kPlaces; ++i) {
             Random random(5, "places", static_cast<std::uint64_t>(i));
             TexturePoint p;
-            p.flat = Vec2f{random.uniform(), random.uniform()} * wide_m;
-            p.coords = {p.flat.x, p.flat.y, random.uniform() * wide_m};
+            p.plane = Vec2f{random.uniform(), random.uniform()} * wide_m;
+            p.coords = {p.plane.x, p.plane.y, random.uniform() * wide_m};
             p.footprint_m = footprint_m;
             sum += static_cast<double>(luminance(sample_texture(m, p).albedo));
         }

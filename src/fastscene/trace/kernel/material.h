@@ -1,0 +1,45 @@
+// Materials as patterns see them, and what a pattern is asked for. Material itself is scene/room.h's in C++ and
+// material.glsl's in GLSL: the same fields by the same names.
+#ifndef FASTSCENE_TRACE_KERNEL_MATERIAL_H
+#define FASTSCENE_TRACE_KERNEL_MATERIAL_H
+
+#include "fastscene/trace/kernel/language.h"
+
+#ifdef __cplusplus
+#include "fastscene/scene/room.h"
+#define PATTERN(name) Pattern::name
+#else
+#include "fastscene/trace/kernel/material.glsl"
+#define PATTERN(name) Pattern_##name
+#endif
+
+KERNEL_BEGIN
+
+// A sample point, in the mesh's texture space.
+struct TexturePoint {
+    Vec3f coords;       // metres
+    Vec2f plane;        // the two coordinates that flat patterns use (flat_coords)
+    float footprint_m;  // width of the sample; finer detail fades to its mean
+};
+struct TextureValue {
+    Vec3f albedo;     // linear, each channel in [0, 1]
+    float roughness;  // in [0.02, 1]
+    float height;     // relief, in units of Material::bump_m
+};
+
+struct SurfaceTexture {
+    TextureValue value;
+    Vec2f slope;  // gradient of the relief (dimensionless) along the two flat coordinates
+};
+
+inline TextureValue texture_value(Vec3f albedo, float roughness, float height) {
+    TextureValue v;
+    v.albedo = albedo;
+    v.roughness = roughness;
+    v.height = height;
+    return v;
+}
+
+KERNEL_END
+
+#endif

@@ -1,0 +1,32 @@
+#include "fastscene/trace/kernel/material_data.h"
+
+namespace fastscene::kernel {
+
+TextureWords texture_words(std::span<const Material> materials) {
+    TextureWords out;
+    for (const Material& m : materials) {
+        if (m.pattern != Pattern::image || !out.first.emplace(m.image.get(), out.words.size()).second) continue;
+        const std::vector<ImageRgb8>& levels = m.image->levels;
+        auto texel = static_cast<std::uint32_t>(1 + 3 * levels.size());
+        out.words.push_back(static_cast<std::uint32_t>(levels.size()));
+        for (const ImageRgb8& level : levels) {
+            out.words.insert(out.words.end(), {texel, static_cast<std::uint32_t>(level.width),
+                                               static_cast<std::uint32_t>(level.height)});
+            texel += static_cast<std::uint32_t>(level.pixels.size());
+        }
+        for (const ImageRgb8& level : levels)
+            for (const Rgb8 c : level.pixels)
+                out.words.push_back(c.r | static_cast<std::uint32_t>(c.g) << 8 | static_cast<std::uint32_t>(c.b) << 16);
+    }
+    return out;
+}
+
+MaterialData material_data(const Material& m, const TextureWords& textures, std::uint64_t address) {
+    const std::uint64_t image =
+        m.pattern == Pattern::image ? address + sizeof(std::uint32_t) * textures.first.at(m.image.get()) : 0;
+    return {m.color_a, m.scale_m,   m.color_b,  m.bump_m, m.color_c,      m.crease_m,
+            m.emission, m.sheen,    m.roughness, m.specular, m.metal,       m.transmission,
+            m.mirror,  static_cast<std::uint32_t>(m.pattern), m.seed, m.variant, image, m.burns, 0};
+}
+
+}  // namespace fastscene::kernel
