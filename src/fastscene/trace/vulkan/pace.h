@@ -17,19 +17,19 @@ class Pace {
         start_ = Clock::now();
         return now_;
     }
-    void done() {
+    // Returns the seconds that it took.
+    double done() {
         const double took = std::chrono::duration<double>(Clock::now() - start_).count();
-        most_s_ = std::max(most_s_, took);
         const double could = static_cast<double>(now_) * kSeconds / std::max(took, 1e-5);
         // Parts of a picture differ: faster cautiously, slower at once.
         items_ = std::max(1.0, std::min(could, kFaster * items_));
+        return took;
     }
-    double longest_s() const { return most_s_; }
 
   private:
     using Clock = std::chrono::steady_clock;
     static constexpr double kSeconds = 0.1, kFaster = 3;
-    double items_, most_s_ = 0;
+    double items_;
     std::int64_t now_ = 0;
     Clock::time_point start_;
 };

@@ -39,6 +39,19 @@ std::uint64_t CardScene::keep(const void* from, std::int64_t bytes, const char* 
 
 void CardScene::write() { gpu::upload(device_, world_buffer_, 0, &world_, sizeof world_); }
 
+void CardScene::set_cache(CacheTable which, const void* from, std::int64_t bytes) {
+    gpu::Buffer& buffer = cache_[which];
+    if (buffer.bytes() < bytes || !buffer) {
+        buffer = {};
+        buffer = gpu::Buffer(device_, bytes, gpu::Memory::device, "the light of a room");
+    }
+    gpu::upload(device_, buffer, 0, from, bytes);
+    const std::array<std::uint64_t*, kCacheTables> addresses{&world_.cells,       &world_.slots,      &world_.coats,
+                                                             &world_.sun_patches, &world_.sun_places, &world_.sun_powers};
+    *addresses[which] = buffer.address();
+    write();
+}
+
 void CardScene::set_look(const Look& look, const Sky& sky) {
     world_.sun = vec4(sky.sun_dir, look.sun_seen);
     world_.sun_light = vec4(sky.sun_irradiance, sky.clouds);

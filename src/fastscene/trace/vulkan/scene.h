@@ -1,6 +1,7 @@
 // A room on a graphics card: all that kernels read of it (tables.glsl).
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -19,7 +20,6 @@ class CardScene {
 
     // The look may change when the light is known.
     void set_look(const Look& look, const Sky& sky);
-    // Replaces a table of the irradiance cache (irradiance_tables.h).
     std::uint64_t world() const { return world_buffer_.address(); }
     World& tables() { return world_; }
     // Copies tables() to the card.
@@ -30,8 +30,15 @@ class CardScene {
     std::uint64_t keep(const std::vector<T>& from, const char* purpose) {
         return keep(from.data(), static_cast<std::int64_t>(from.size() * sizeof(T)), purpose);
     }
+    // Tables of the irradiance cache, which change while it is gathered.
+    enum CacheTable { kCells, kSlots, kCoats, kSunPatches, kSunPlaces, kSunPowers, kCacheTables };
+    template <class T>
+    void set_cache(CacheTable which, const std::vector<T>& from) {
+        set_cache(which, from.data(), static_cast<std::int64_t>(from.size() * sizeof(T)));
+    }
 
   private:
+    void set_cache(CacheTable which, const void* from, std::int64_t bytes);
     void add_geometry(const Room& room, const Lights& lights);
     void add_lights(const Room& room, const Lights& lights);
     void add_outside(const Room& room, const Outdoors& outdoors);
@@ -40,6 +47,7 @@ class CardScene {
     std::vector<gpu::Buffer> buffers_;
     World world_{};
     gpu::Buffer world_buffer_;
+    std::array<gpu::Buffer, kCacheTables> cache_;
 };
 
 }  // namespace fastscene::vulkan

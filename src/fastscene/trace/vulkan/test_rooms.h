@@ -56,7 +56,7 @@ inline Room everything_room() {
     room.materials[kVelvet].sheen = 0.8f;
     room.materials[kScraps] = diffuse({0.3f, 0.5f, 0.25f});
 
-    // The wall at +x has a hole.
+    // The wall at +x has a hole. Nothing stands on the floor: which of two faces at one place a ray meets is open.
     Mesh shell = add_box(kLow, kHigh, true, kWalls);
     std::vector<std::uint32_t> kept;
     for (std::size_t t = 0; t < shell.triangles.size(); t += 3)
@@ -73,7 +73,7 @@ inline Room everything_room() {
     room.portals.push_back({{2.1f, -w, -w}, {0, 2 * w, 0}, {0, 0, 2 * w}});
     const Vec3f into = cross(room.portals[0].edge_u, room.portals[0].edge_v);
     if (into.x > 0) std::swap(room.portals[0].edge_u, room.portals[0].edge_v);
-    room.meshes.push_back(add_box({2.04f, -w, -w}, {2.05f, w, w}, false, kGlass));
+    room.meshes.push_back(add_box({2.04f, 0.01f - w, 0.01f - w}, {2.05f, w - 0.01f, w - 0.01f}, false, kGlass));
     Mesh curtain;  // a sheet in front of half of the window
     curtain.positions = {{1.9f, -w, -w}, {1.9f, -w, 0}, {1.9f, w, 0}, {1.9f, w, -w}};
     curtain.normals.assign(4, {-1, 0, 0}), curtain.coords = curtain.positions;
@@ -82,13 +82,13 @@ inline Room everything_room() {
 
     room.meshes.push_back(add_box({-0.2f, -1.05f, 0.8f}, {0.2f, -1.f, 1.2f}, false, kLamp));
     room.meshes.push_back(add_box({-1.7f, -0.4f, -1.f}, {-1.6f, -0.2f, -0.9f}, false, kLamp));
-    room.meshes.push_back(add_box({0.9f, 0.7f, 1.2f}, {1.5f, 1.5f, 1.8f}, false, kRed));
-    room.meshes.push_back(add_box({-1.5f, 0.9f, 1.2f}, {-0.9f, 1.5f, 1.8f}, false, kMetal));
+    room.meshes.push_back(add_box({0.9f, 0.7f, 1.2f}, {1.5f, 1.45f, 1.8f}, false, kRed));
+    room.meshes.push_back(add_box({-1.5f, 0.9f, 1.2f}, {-0.9f, 1.45f, 1.8f}, false, kMetal));
     room.meshes.push_back(add_box({-0.5f, -0.6f, 2.4f}, {0.5f, 0.5f, 2.42f}, false, kMirror));
-    room.meshes.push_back(add_box({-0.6f, 0.9f, 0.9f}, {-0.2f, 1.5f, 1.3f}, false, kGlass));
+    room.meshes.push_back(add_box({-0.6f, 0.9f, 0.9f}, {-0.2f, 1.45f, 1.3f}, false, kGlass));
     room.meshes.push_back(add_box({-1.4f, 1.2f, -0.5f}, {1.4f, 1.3f, 0.5f}, false, kLacquer));
     room.meshes.push_back(add_box({0.2f, 0.8f, 0.9f}, {0.25f, 0.95f, 0.95f}, false, kFlame));
-    room.meshes.push_back(add_box({-1.9f, 0.8f, -0.6f}, {-1.5f, 1.5f, 0.6f}, false, kVelvet));
+    room.meshes.push_back(add_box({-1.9f, 0.8f, -0.6f}, {-1.5f, 1.45f, 0.6f}, false, kVelvet));
     room.meshes.push_back(heap_mesh(1500, kScraps, {0.6f, 1.1f, -1.5f}, 0.4f, 3));
     room.sky.zenith = {0.4f, 0.6f, 1.f}, room.sky.horizon = {0.8f, 0.85f, 1.f}, room.sky.ground = {0.3f, 0.3f, 0.25f};
     room.sky.sun_dir = normalize(Vec3f{0.8f, -0.5f, 0.2f});

@@ -4,16 +4,12 @@
 #include <cstring>
 
 #include "fastscene/base/random.h"
-#include "fastscene/trace/vulkan/pace.h"
 
 namespace fastscene::vulkan {
 namespace {
 
-constexpr std::int64_t kGroup = 64;           // invocations of a workgroup
 constexpr int kPathsASubmission = 4;            // of a pixel
 constexpr std::int64_t kPixelsABand = 1 << 22;  // of a picture, whose sums the card holds at once
-
-std::uint32_t groups_of(std::int64_t items) { return static_cast<std::uint32_t>((items + kGroup - 1) / kGroup); }
 
 Camera camera_data(const RayCamera& camera, std::uint64_t seed) {
     const Mat3f& r = camera.world_from_camera.rotation;
@@ -34,29 +30,16 @@ int rows_of_band(int width) { return static_cast<int>(std::max<std::int64_t>(1, 
 }  // namespace
 
 Tracer::Tracer(const std::string& device, const std::string& flag, const Room& room, const Lights& lights)
-    : device_(gpu::choose_device(device, flag)), commands_(device_), scene_(device_, room, lights) {}
+    : room_(room), device_(gpu::choose_device(device, flag)), commands_(device_), scene_(device_, room, lights) {
+    for (const Material& m : room.materials) {
+        const auto pattern = static_cast<std::uint32_t>(m.pattern);
+        patterns_[pattern / 32] |= 1u << pattern % 32;
+    }
+}
 
 void Tracer::set_look(const Look& look, const Sky& sky) {
     scene_.set_look(look, sky);
     scene_.write();
-}
-
-template <class PushOf>
-void Tracer::run_in_pieces(LazyKernel& kernel, std::int64_t count, const Run& run, const PushOf& push) {
-    const gpu::Kernel& made = kernel.on(device_);
-    Pace& pace = kernel.pace();
-    for (std::int64_t first = 0; first < count;) {
-        run.check_stop();
-        const std::int64_t items = pace.next(count - first);
-        const auto pushed = push(first, static_cast<std::uint32_t>(items));
-        commands_.begin();
-        commands_.run(made, {groups_of(items)}, pushed);
-        commands_.submit();
-        commands_.wait();
-        pace.done();
-        longest_s_ = std::max(longest_s_, pace.longest_s());
-        first += items;
-    }
 }
 
 ImageColor Tracer::path_sums(const RayCamera& camera, const ShotParts& parts, int samples, const Run& run) {

@@ -6,7 +6,7 @@
 #include <cstdlib>
 
 #include "fastscene/trace/path.h"
-#include "fastscene/trace/vulkan/bvh.h"
+#include "fastscene/trace/vulkan/card_gatherer.h"
 #include "fastscene/trace/vulkan/test_rooms.h"
 #include "fastscene/trace/vulkan/tracer.h"
 
@@ -141,6 +141,65 @@ TEST_F(VulkanTrace, PathsAreThoseOfTheProcessor) {
     }
     EXPECT_LT(both.card.longest_submission_s(), 0.9);
     printf("longest %.3f\n", both.card.longest_submission_s());
+}
+
+// How far two caches of a room are apart.
+struct Apart {
+    int others = 0;  // cells that only one of them has: the last hidden, the first in sight
+    int unlike = 0;  // cells whose light differs by more than 2 percent
+    double light = 0, sun = 0, direction = 0;  // mean relative differences
+    double level = 1;                          // all light, relative
+};
+Apart apart(const IrradianceCache& mine, const IrradianceCache& truth) {
+    Apart out;
+    const auto a = mine.tables(), b = truth.tables();
+    double mine_light = 0, light = 0, sun = 0;
+    std::size_t i = 0, k = 0;
+    while (i < a.keys.size() && k < b.keys.size()) {
+        if (a.keys[i] != b.keys[k]) {
+            ++out.others, ++(a.keys[i] < b.keys[k] ? i : k);
+            continue;
+        }
+        const auto &p = a.cells[i++], &q = b.cells[k++];
+        const Vec3f e = p.direct + p.indirect, f = q.direct + q.indirect;
+        out.unlike += length(e - f) > 0.02f * (length(f) + 0.05f);
+        mine_light += static_cast<double>(luminance(e)), light += static_cast<double>(luminance(f));
+        out.light += static_cast<double>(std::fabs(luminance(e - f)));
+        sun += static_cast<double>(luminance(q.sun)), out.sun += static_cast<double>(std::fabs(luminance(p.sun - q.sun)));
+        out.direction += static_cast<double>(length(p.directed.gradient() - q.directed.gradient()));
+    }
+    out.light /= light, out.level = mine_light / light, out.direction /= static_cast<double>(k);
+    if (sun > 0) out.sun /= sun;
+    return out;
+}
+
+// The same random numbers give the same sums. Where the sun shines, one cell more or less shifts which patch is asked,
+// and the sums are as far apart as those of two seeds.
+TEST_F(VulkanTrace, TheCacheIsThatOfTheProcessor) {
+    TraceParams params;
+    params.cell_m = 0.12f, params.cell_samples = 48;
+    const fastscene::Run run{3, nullptr, {}};
+    Room dull = everything_room();
+    dull.sky.sun_irradiance = {};
+    Both without_sun(std::move(dull));
+    for (Both* both : {&without_sun, &everything()}) {
+        const bool sunny = both != &without_sun;
+        SCOPED_TRACE(sunny);
+        CardGatherer gatherer(both->card);
+        const IrradianceCache truth = IrradianceCache::gather(both->room, both->bvh, both->lights, params, run),
+                              mine = IrradianceCache::gather(both->room, both->bvh, both->lights, params, run, {Vec3f{}},
+                                                             &gatherer);
+        const Apart found = apart(mine, truth);
+        const auto cells = static_cast<double>(truth.size());
+        EXPECT_GT(cells, 5000);
+        EXPECT_LT(found.others, 0.002 * cells);
+        EXPECT_NEAR(found.level, 1, 2e-3);
+        EXPECT_LT(found.sun, 1e-3);
+        EXPECT_LT(found.light, sunny ? 0.02 : 1.5e-3);
+        EXPECT_LT(found.unlike, (sunny ? 0.2 : 0.01) * cells);
+        EXPECT_LT(found.direction, sunny ? 0.02 : 2e-3);
+        printf("others %d unlike %d light %.2g sun %.2g direction %.2g level %.5f\n", found.others, found.unlike, found.light, found.sun, found.direction, found.level);
+    }
 }
 
 }  // namespace
