@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "fastscene/geometry/sphere.h"
+#include "fastscene/trace/kernel/film.h"
 
 namespace fastscene {
 namespace {
@@ -57,9 +58,6 @@ float middle_mean(std::vector<Weighted>& values) {
     }
     return used > 0 ? sum / used : 0.f;
 }
-
-// Compresses light that is `times` as bright as the limit: logarithmic above it, so that order is preserved.
-float restrained(float times, float doubling) { return times > 1 ? (1 + doubling * std::log2(times)) / times : 1.f; }
 
 }  // namespace
 
@@ -114,8 +112,8 @@ Look automatic_look(const Look& wish, const Sky& sky, const ImageColor& panorama
     // hues and edges.
     if (sky.sun_limit > 0) {
         constexpr float kSunDoubling = 0.12f;
-        look.sun_seen = restrained(luminance(sky.sun_irradiance) * std::exp2(look.exposure_ev) / (kPi * sky.sun_limit),
-                                   kSunDoubling);
+        look.sun_seen = kernel::restrained(
+            luminance(sky.sun_irradiance) * std::exp2(look.exposure_ev) / (kPi * sky.sun_limit), kSunDoubling);
     }
     // A bright room gets a short exposure, which would leave the sunny garden outside as dark as dusk: the outside is
     // lifted as a whole.
@@ -137,13 +135,10 @@ Look automatic_look(const Look& wish, const Sky& sky, const ImageColor& panorama
 }
 
 Vec3f outside_as_seen(const Sky& sky, const Look& look, Vec3f radiance) {
-    return radiance * (sky.seen * look.outside_seen);
+    return kernel::outside_as_seen(sky.seen, look.outside_seen, radiance);
 }
 
-Vec3f lamp_as_seen(const Look& look, Vec3f emission) {
-    constexpr float kDoubling = 0.15f;  // log compression above white: what each doubling adds
-    return emission * restrained(luminance(emission) * std::exp2(look.exposure_ev), kDoubling);
-}
+Vec3f lamp_as_seen(const Look& look, Vec3f emission) { return kernel::lamp_as_seen(look.exposure_ev, emission); }
 
 float film_slope(const Look& look) { return FilmCurve(look.transform, look.contrast).slope(); }
 

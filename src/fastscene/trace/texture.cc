@@ -25,9 +25,9 @@ Vec3f mean_albedo(const Material& material) {
                     v = static_cast<float>((i * 2447445414u) >> 8) * 0x1p-24f;  // Roberts' R2
         TexturePoint p;
         p.plane = whole ? Vec2f{u * material.scale_m, v * material.scale_m}
-                 : material.pattern == Pattern::rug
-                     ? Vec2f{(2 * u - 1) * material.scale_m, (2 * v - 1) * material.scale_m}
-                     : Vec2f{(u - 0.5f) * span, (v - 0.5f) * span};
+                  : material.pattern == Pattern::rug
+                      ? Vec2f{(2 * u - 1) * material.scale_m, (2 * v - 1) * material.scale_m}
+                      : Vec2f{(u - 0.5f) * span, (v - 0.5f) * span};
         p.coords = {p.plane.x, p.plane.y, 0.3f * (u + v) * span};
         if (material.pattern == Pattern::rug)
             p.coords = {p.plane.x, material.scale_m, p.plane.y};  // coords.y is half the depth

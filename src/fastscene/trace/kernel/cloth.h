@@ -29,7 +29,6 @@ static Weave plain_weave(Vec2f p, float s, float footprint) {
     return w;
 }
 
-
 inline float folds(Vec3f q, float frequency, float footprint, uint seed) {
     const float n = abs(2.f * noise3(q * frequency, seed) - 1.f);
     return mix(0.5f, smooth_step(0.f, 0.45f, n), detail_fade(footprint, 0.35f / frequency));
@@ -38,11 +37,13 @@ inline float folds(Vec3f q, float frequency, float footprint, uint seed) {
 float crease(Vec3f p, float footprint, uint seed) {
     // Folds run along the zero lines of warped noise; where cloth is stretched there are none.
     const Vec3f warp = vec3(fbm3(p * 4.f, 2, footprint * 4.f, seed + 51) - 0.5f,
-                     fbm3(p * 4.f, 2, footprint * 4.f, seed + 52) - 0.5f,
-                     fbm3(p * 4.f, 2, footprint * 4.f, seed + 53) - 0.5f);
+                            fbm3(p * 4.f, 2, footprint * 4.f, seed + 52) - 0.5f,
+                            fbm3(p * 4.f, 2, footprint * 4.f, seed + 53) - 0.5f);
     const Vec3f q = p + warp * 0.11f;
     const float slack = smooth_step(0.4f, 0.75f, fbm3(p * 5.f, 2, footprint * 5.f, seed + 54));
-    return 1.f - slack * (1.f - (0.65f * folds(q, 7.f, footprint, seed + 55) + 0.35f * folds(q, 16.f, footprint, seed + 56))) +
+    return 1.f -
+           slack *
+               (1.f - (0.65f * folds(q, 7.f, footprint, seed + 55) + 0.35f * folds(q, 16.f, footprint, seed + 56))) +
            1.2f * (fbm3(p * 6.f, 2, footprint * 6.f, seed + 57) - 0.5f);
 }
 

@@ -22,11 +22,16 @@ TextureWords texture_words(std::span<const Material> materials) {
 }
 
 MaterialData material_data(const Material& m, const TextureWords& textures, std::uint64_t address) {
-    const std::uint64_t image =
-        m.pattern == Pattern::image ? address + sizeof(std::uint32_t) * textures.first.at(m.image.get()) : 0;
-    return {m.color_a, m.scale_m,   m.color_b,  m.bump_m, m.color_c,      m.crease_m,
-            m.emission, m.sheen,    m.roughness, m.specular, m.metal,       m.transmission,
-            m.mirror,  static_cast<std::uint32_t>(m.pattern), m.seed, m.variant, image, m.burns, 0};
+    const std::uint64_t image = m.pattern == Pattern::image
+                                    ? address + sizeof(std::uint32_t) * textures.first.at(m.image.get())
+                                    : 0;
+    MaterialData out{};
+    out.color_a = m.color_a, out.color_b = m.color_b, out.color_c = m.color_c, out.emission = m.emission;
+    out.scale_m = m.scale_m, out.bump_m = m.bump_m, out.crease_m = m.crease_m, out.sheen = m.sheen;
+    out.roughness = m.roughness, out.specular = m.specular, out.metal = m.metal, out.transmission = m.transmission;
+    out.mirror = m.mirror, out.burns = m.burns;
+    out.pattern = static_cast<std::uint32_t>(m.pattern), out.seed = m.seed, out.variant = m.variant, out.image = image;
+    return out;
 }
 
 }  // namespace fastscene::kernel

@@ -8,8 +8,7 @@ KERNEL_BEGIN
 
 // A well-mixed 32-bit hash of a lattice point.
 inline uint lattice_hash(int x, int y, int z, uint seed) {
-    uint h = uint(x) * 0x8da6b343u ^ uint(y) * 0xd8163841u ^
-                      uint(z) * 0xcb1ab31fu ^ seed * 0x9e3779b9u;
+    uint h = uint(x) * 0x8da6b343u ^ uint(y) * 0xd8163841u ^ uint(z) * 0xcb1ab31fu ^ seed * 0x9e3779b9u;
     h ^= h >> 15;
     h *= 0x2c1b3c6du;
     h ^= h >> 12;
@@ -47,17 +46,27 @@ inline float noise2(Vec2f p, uint seed) {
     return mix(mix(lattice_unit(x, y, 0, seed), lattice_unit(x + 1, y, 0, seed), u),
                mix(lattice_unit(x, y + 1, 0, seed), lattice_unit(x + 1, y + 1, 0, seed), u), v);
 }
-inline float noise_layer(int x, int y, int z, float u, float v, uint seed) {
-    return mix(mix(lattice_unit(x, y, z, seed), lattice_unit(x + 1, y, z, seed), u),
-               mix(lattice_unit(x, y + 1, z, seed), lattice_unit(x + 1, y + 1, z, seed), u), v);
+struct LatticeCell {
+    int x, y;
+    float u, v;
+    uint seed;
+};
+inline float noise_layer(IN(LatticeCell) c, int z) {
+    return mix(mix(lattice_unit(c.x, c.y, z, c.seed), lattice_unit(c.x + 1, c.y, z, c.seed), c.u),
+               mix(lattice_unit(c.x, c.y + 1, z, c.seed), lattice_unit(c.x + 1, c.y + 1, z, c.seed), c.u), c.v);
 }
 inline float noise3(Vec3f p, uint seed) {
-    const int x = floor_int(p.x), y = floor_int(p.y), z = floor_int(p.z);
-    float u = p.x - float(x), v = p.y - float(y), w = p.z - float(z);
-    u = u * u * (3.f - 2.f * u);
-    v = v * v * (3.f - 2.f * v);
+    const int z = floor_int(p.z);
+    LatticeCell c;
+    c.x = floor_int(p.x);
+    c.y = floor_int(p.y);
+    c.seed = seed;
+    const float u = p.x - float(c.x), v = p.y - float(c.y);
+    float w = p.z - float(z);
+    c.u = u * u * (3.f - 2.f * u);
+    c.v = v * v * (3.f - 2.f * v);
     w = w * w * (3.f - 2.f * w);
-    return mix(noise_layer(x, y, z, u, v, seed), noise_layer(x, y, z + 1, u, v, seed), w);
+    return mix(noise_layer(c, z), noise_layer(c, z + 1), w);
 }
 
 // Band limiting: 1 while a detail of `size` is wider than two footprints, falling to 0 at one footprint.
@@ -113,11 +122,10 @@ inline Voronoi voronoi2(Vec2f p, uint seed) {
     v.nearest = v.second = 1e9f;
     v.id = 0;
     v.offset = vec2(0, 0);
-    KEEP_LOOP for (int j = y - 1; j <= y + 1; ++j)
+    KEEP_LOOP for (int j = y - 1; j <= y + 1; ++j) {
         KEEP_LOOP for (int i = x - 1; i <= x + 1; ++i) {
             const uint h = lattice_hash(i, j, 7, seed);
-            const Vec2f q = vec2(float(i) + float(h & 0xffff) / 65536.f,
-                          float(j) + float(h >> 16) / 65536.f);
+            const Vec2f q = vec2(float(i) + float(h & 0xffff) / 65536.f, float(j) + float(h >> 16) / 65536.f);
             const float d = length(p - q);
             if (d < v.nearest) {
                 v.second = v.nearest;
@@ -128,6 +136,7 @@ inline Voronoi voronoi2(Vec2f p, uint seed) {
                 v.second = d;
             }
         }
+    }
     return v;
 }
 

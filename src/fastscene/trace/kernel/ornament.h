@@ -12,7 +12,7 @@ static float rose(Vec2f p, int petals, float r, float depth) {
     const float d = length(p), a = atan2(p.y, p.x);
     return r * (1.f - depth + depth * abs(cos(0.5f * float(petals) * a))) - d;
 }
-// Signed distance, positive inside, to a pointed leaf from the origin along +y; length l, least_half width w.
+// Signed distance, positive inside, to a pointed leaf from the origin along +y; length l, half width w.
 static float leaf_shape(Vec2f p, float l, float w) {
     const float t = p.y / l;
     if (t < 0.f || t > 1.f) return -0.01f - abs(t - 0.5f) * 0.1f;
@@ -34,12 +34,9 @@ static int field_motif(IN(Material) m, Vec2f q, int style) {
         case 0: {  // a lattice of diamonds
             const float a = fraction(q.x + q.y), b = fraction(q.x - q.y);
             const float edge = min(min(a, 1.f - a), min(b, 1.f - b));
-            return edge < 0.07f ? 1
-                   : min(abs(a - 0.5f), abs(b - 0.5f)) +
-                               max(abs(a - 0.5f), abs(b - 0.5f)) <
-                           0.22f
-                       ? 2
-                       : 0;
+            return edge < 0.07f                                                                    ? 1
+                   : min(abs(a - 0.5f), abs(b - 0.5f)) + max(abs(a - 0.5f), abs(b - 0.5f)) < 0.22f ? 2
+                                                                                                   : 0;
         }
         case 1: {  // medallions
             const Vec2f c = vec2(fraction(q.x) - 0.5f, fraction(q.y) - 0.5f);
@@ -52,7 +49,7 @@ static int field_motif(IN(Material) m, Vec2f q, int style) {
             const float zig = abs(fraction(q.x * 2.f) - 0.5f) * 0.8f, v = fraction(q.y);
             if (v < 0.08f) return 2;
             return (band & 1) != 0 ? (abs(v - 0.35f - zig) < 0.09f ? 1 : 0)
-                              : (v > 0.3f && v < 0.75f && fraction(q.x * 4.f) < 0.5f ? 2 : 0);
+                                   : (v > 0.3f && v < 0.75f && fraction(q.x * 4.f) < 0.5f ? 2 : 0);
         }
         default: {  // scattered motifs
             const float f = fbm2(q * 0.7f, 4, 0.f, m.seed + 5);
@@ -61,9 +58,8 @@ static int field_motif(IN(Material) m, Vec2f q, int style) {
     }
 }
 
-
 TextureValue rug(IN(Material) m, IN(TexturePoint) p) {
-    // coords are metres from the rug's center; scale_m is least_half its width, coords.y least_half its depth (negative: a round
+    // coords are metres from the rug's center; scale_m is half its width, coords.y half its depth (negative: a round
     // rug).
     const float half_x = positive(m.scale_m), half_z = p.coords.y > 0.f ? p.coords.y : half_x,
                 least_half = min(half_x, half_z), fp = p.footprint_m;
@@ -83,7 +79,7 @@ TextureValue rug(IN(Material) m, IN(TexturePoint) p) {
     if (style != 3 && inset < band) {
         const float t = inset / band;
         const float along = is_round ? atan2(p.plane.y, p.plane.x) * least_half / band
-                                  : (inset_x < inset_z ? p.plane.y : p.plane.x) / band;
+                                     : (inset_x < inset_z ? p.plane.y : p.plane.x) / band;
         const bool guard = (t > 0.12f && t < 0.22f) || (t > 0.82f && t < 0.92f);
         const bool bead = t > 0.34f && t < 0.7f && abs(fraction(along) - 0.5f) + abs(t - 0.52f) < 0.24f;
         c = guard ? m.color_c : bead ? m.color_a : m.color_b;
@@ -111,7 +107,7 @@ TextureValue stripes(IN(Material) m, IN(TexturePoint) p) {
 }
 
 TextureValue damask(IN(Material) m, IN(TexturePoint) p) {
-    // One mirror-symmetric motif per cell, in least_half drop.
+    // One mirror-symmetric motif per cell, in half drop.
     const float kShare = 0.31f;  // mean share of the motif
     const float s = positive(m.scale_m), fp = p.footprint_m / s;
     const int column = floor_int(p.plane.x / s);
@@ -122,8 +118,8 @@ TextureValue damask(IN(Material) m, IN(TexturePoint) p) {
     float inside = abs(rose(q - vec2(0.f, -0.1f), 10, 0.15f, 0.3f)) - 0.01f;
     inside = min(rose(q - vec2(0.f, -0.1f), 10, 0.15f, 0.3f), inside);
     for (int i = 0; i < 4; ++i)
-        inside = max(inside, leaf_shape(turned(q - vec2(0.f, 0.03f), -0.42f * float(i)),
-                                     0.46f - 0.055f * float(i), 0.055f));
+        inside = max(inside,
+                     leaf_shape(turned(q - vec2(0.f, 0.03f), -0.42f * float(i)), 0.46f - 0.055f * float(i), 0.055f));
     inside = max(inside, leaf_shape(turned(q - vec2(0.04f, -0.18f), -2.05f), 0.32f, 0.05f));
     inside = max(inside, leaf_shape(turned(q - vec2(0.02f, -0.22f), -2.7f), 0.34f, 0.05f));
     const float wave = 0.5f * (0.5f + 0.5f * cos(2.f * kPi * q.y / 1.5f)),
@@ -143,8 +139,7 @@ TextureValue floral(IN(Material) m, IN(TexturePoint) p) {
     const float s = positive(m.scale_m), fp = p.footprint_m / s;
     const Vec2f q = p.plane * (1.f / s);
     const Voronoi cell = voronoi2(q, m.seed);
-    const float r = 0.2f + 0.12f * float(cell.id & 255) / 255.f,
-                angle = float((cell.id >> 8) & 255) * 0.0246f;
+    const float r = 0.2f + 0.12f * float(cell.id & 255) / 255.f, angle = float((cell.id >> 8) & 255) * 0.0246f;
     const Vec2f o = turned(cell.offset, angle);
     const float soft = max(fp, 0.01f), fade = detail_fade(fp, 0.6f);
     const float leaves = edge_cover(

@@ -60,7 +60,6 @@ static Vec2f spun(Vec2f p, float angle) {
     return vec2(c * p.x + s * p.y, c * p.y - s * p.x);
 }
 
-
 TextureValue dots(IN(Material) m, IN(TexturePoint) p) {
     // In half drop: one at each corner, one at the center.
     const float kRadius = 0.19f;
@@ -69,9 +68,9 @@ TextureValue dots(IN(Material) m, IN(TexturePoint) p) {
     const float fp = cell.fp;
     const float first = length(vec2(off_whole(q.x), off_whole(q.y))),
                 second = length(vec2(off_half(q.x), off_half(q.y)));
-    return print_of(m, p,
-                    lerp(m.color_a, m.color_b,
-                         drawn(kRadius - min(first, second), fp, 2 * kPi * kRadius * kRadius, 2 * kRadius)));
+    return print_of(
+        m, p,
+        lerp(m.color_a, m.color_b, drawn(kRadius - min(first, second), fp, 2 * kPi * kRadius * kRadius, 2 * kRadius)));
 }
 
 TextureValue zigzag(IN(Material) m, IN(TexturePoint) p) {
@@ -143,12 +142,12 @@ TextureValue lattice(IN(Material) m, IN(TexturePoint) p) {
                 steep = 0.8f * 0.19f * 2 * kPi * sin(2 * kPi * y);
     const float apart = abs(off_half(q.x) - wave) / sqrt(1.f + steep * steep);
     const float line = max(drawn(0.026f - apart, fp, 0.13f, 0.06f),
-                                0.5f * drawn(0.008f - abs(apart - 0.055f), fp, 0.06f, 0.04f));
+                           0.5f * drawn(0.008f - abs(apart - 0.055f), fp, 0.06f, 0.04f));
     // The openings: around the half-integers where the wave is widest, around the integers where it is narrowest.
-    const Vec2f first = vec2(fraction(q.x) - 0.5f, off_whole(y) / 0.8f), second = vec2(q.x - round(q.x), off_half(y) / 0.8f);
+    const Vec2f first = vec2(fraction(q.x) - 0.5f, off_whole(y) / 0.8f),
+                second = vec2(q.x - round(q.x), off_half(y) / 0.8f);
     const Vec2f o = length(first) < length(second) ? first : second;
-    const float flower = drawn(0.1f * (0.72f + 0.28f * cos(4.f * atan2(o.y, o.x))) - length(o), fp, 0.035f,
-                               0.1f);
+    const float flower = drawn(0.1f * (0.72f + 0.28f * cos(4.f * atan2(o.y, o.x))) - length(o), fp, 0.035f, 0.1f);
     return print_of(m, p, lerp(lerp(m.color_a, m.color_b, line), m.color_c, flower));
 }
 
@@ -197,10 +196,7 @@ TextureValue houndstooth(IN(Material) m, IN(TexturePoint) p) {
 }
 
 static Vec3f cloth_color(IN(Material) m, int which) {
-    return which == 0   ? m.color_a
-           : which == 1 ? m.color_b
-           : which == 2 ? m.color_c
-                        : lerp(m.color_b, m.color_c, 0.5f);
+    return which == 0 ? m.color_a : which == 1 ? m.color_b : which == 2 ? m.color_c : lerp(m.color_b, m.color_c, 0.5f);
 }
 TextureValue patchwork(IN(Material) m, IN(TexturePoint) p) {
     // Squares of cloth with a print each, and seams around them.
@@ -238,12 +234,12 @@ TextureValue leopard(IN(Material) m, IN(TexturePoint) p) {
     const Cell cell = cell_of(m, p);
     const Vec2f q = cell.q;
     const float fp = cell.fp;
-    const Vec2f warp = vec2(fbm2(q * 2.3f, 2, fp * 2.3f, m.seed + 1) - 0.5f, fbm2(q * 2.3f, 2, fp * 2.3f, m.seed + 2) - 0.5f);
+    const Vec2f warp = vec2(fbm2(q * 2.3f, 2, fp * 2.3f, m.seed + 1) - 0.5f,
+                            fbm2(q * 2.3f, 2, fp * 2.3f, m.seed + 2) - 0.5f);
     const Voronoi spot_cell = voronoi2((q + warp * 0.22f) * 2.6f, m.seed);
     const float d = length(spot_cell.offset), room = min(0.42f, 0.5f * (spot_cell.second + spot_cell.nearest) * 0.72f),
                 a = atan2(spot_cell.offset.y, spot_cell.offset.x);
-    const float gap = noise2(vec2(1.1f * a + float(spot_cell.id & 63), float((spot_cell.id >> 6) & 63)),
-                             m.seed + 3);
+    const float gap = noise2(vec2(1.1f * a + float(spot_cell.id & 63), float((spot_cell.id >> 6) & 63)), m.seed + 3);
     const float ring = min(0.1f - abs(d - 0.74f * room), (gap - 0.36f) * 0.35f);
     const float fade = detail_fade(fp, 0.2f), soft = max(2.6f * fp, 0.02f);
     const float spot = mix(0.205f, edge_cover(ring, soft), fade),
@@ -282,7 +278,7 @@ TextureValue paisley(IN(Material) m, IN(TexturePoint) p) {
         const float drop = layer == 0 ? 0.f : 0.5f;
         const Vec2f at = q + vec2(drop, drop);
         const Vec2f o = vec2(fraction(at.x) - 0.5f, fraction(at.y) - 0.5f),
-            t = spun(drop > 0.f ? vec2(-o.x, -o.y) : o, 0.45f);
+                    t = spun(drop > 0.f ? vec2(-o.x, -o.y) : o, 0.45f);
         for (int i = 0; i < 9; ++i) {
             const float s = float(i) / 8.f;
             const float here = 0.155f * pow(1.f - s, 0.85f) - length(t - vec2(0.11f * s * s, -0.09f + 0.33f * s));
@@ -303,13 +299,12 @@ TextureValue encaustic(IN(Material) m, IN(TexturePoint) p) {
     const Vec2f q = cell.q;
     const float fp = cell.fp;
     const int ix = floor_int(q.x), iy = floor_int(q.y);
-    const Vec2f o = vec2(q.x - float(ix) - 0.5f, q.y - float(iy) - 0.5f),
-        fold = vec2(abs(o.x), abs(o.y));
+    const Vec2f o = vec2(q.x - float(ix) - 0.5f, q.y - float(iy) - 0.5f), fold = vec2(abs(o.x), abs(o.y));
     const float corner = length(vec2(0.5f - fold.x, 0.5f - fold.y));
     float petals = -1.f;
     for (int i = 0; i < 8; ++i)
         petals = max(petals, petal_inside(spun(o, float(i) * 0.25f * kPi), (i & 1) != 0 ? 0.3f : 0.4f,
-                                               (i & 1) != 0 ? 0.045f : 0.075f));
+                                          (i & 1) != 0 ? 0.045f : 0.075f));
     const float ring = 0.032f - abs(corner - 0.3f), disc = 0.17f - corner;
     const float first = drawn(max(petals, ring), fp, 0.35f, 0.08f),
                 second = drawn(max(disc, 0.055f - length(o)), fp, 0.1f, 0.1f);
@@ -326,18 +321,16 @@ TextureValue encaustic(IN(Material) m, IN(TexturePoint) p) {
 
 TextureValue laid_tiles(IN(Material) m, IN(TexturePoint) p) {
     // Glazed 3 x 1 tiles in a herringbone at 45 degrees; color_b is the grout. Cells as in the parquet
-    // (patterns_wood.cc).
+    // (wood.h).
     const int n = 3;
     const float kJoint = 0.02f;
     const float r = 0.70710678f / positive(m.scale_m), fp = p.footprint_m / positive(m.scale_m);
     const float x = (p.plane.x + p.plane.y) * r, y = (p.plane.y - p.plane.x) * r;
     const int ix = floor_int(x), iy = floor_int(y), k = wrapped(ix - iy, 2 * n);
     const bool lying = k < n;
-    const float along = lying ? float(k) + x - float(ix)
-                              : float(2 * n - 1 - k) + y - float(iy);
+    const float along = lying ? float(k) + x - float(ix) : float(2 * n - 1 - k) + y - float(iy);
     const float across = lying ? y - float(iy) : x - float(ix);
-    const uint id = lying ? lattice_hash(ix - k, iy, 3, m.seed)
-                                   : lattice_hash(ix, iy - (2 * n - 1 - k), 4, m.seed);
+    const uint id = lying ? lattice_hash(ix - k, iy, 3, m.seed) : lattice_hash(ix, iy - (2 * n - 1 - k), 4, m.seed);
     const float edge = min(min(across, 1.f - across), min(along, float(n) - along));
     const float joint = mix(2 * kJoint * (1.f + 1.f / n), line_cover(edge, kJoint, max(fp, 0.003f)),
                             detail_fade(fp, 0.5f));

@@ -38,10 +38,10 @@ static TextureValue glazed(IN(Material) m, IN(Joint) j, Vec3f tone, float footpr
     v.roughness = mix(m.roughness, 0.85f, j.cover);
     // Laid by hand and glazed: each tile lies a little askew and its glaze is wavy, so each mirrors something else.
     const float kTilt = 0.006f, kGlaze_m = 0.00025f;
-    const Vec2f lie = vec2(lattice_unit(j.column, j.row, 5, m.seed) - 0.5f, lattice_unit(j.column, j.row, 6, m.seed) - 0.5f);
-    const float glaze = fbm2(
-        j.local * 32.f + vec2(7.f * float(j.column), 3.f * float(j.row)), 2,
-        footprint * 32.f, m.seed + 9);
+    const Vec2f lie = vec2(lattice_unit(j.column, j.row, 5, m.seed) - 0.5f,
+                           lattice_unit(j.column, j.row, 6, m.seed) - 0.5f);
+    const float glaze = fbm2(j.local * 32.f + vec2(7.f * float(j.column), 3.f * float(j.row)), 2, footprint * 32.f,
+                             m.seed + 9);
     const float uneven_m = 2.f * kTilt * dot(lie, j.local) + kGlaze_m * glaze;
     v.height = (1.f - j.cover) * smooth_step(0.f, 0.006f + footprint, j.edge_m) + uneven_m / max(m.bump_m, 1e-4f);
     return v;
@@ -50,7 +50,7 @@ static TextureValue glazed(IN(Material) m, IN(Joint) j, Vec3f tone, float footpr
 // Thin, wandering veins in [0, 1].
 static float veins(Vec3f p, float footprint, uint seed) {
     const Vec3f warp = vec3(fbm3(p * 1.3f, 4, footprint * 1.3f, seed + 1) - 0.5f,
-                     fbm3(p * 1.3f, 4, footprint * 1.3f, seed + 2) - 0.5f, 0.f);
+                            fbm3(p * 1.3f, 4, footprint * 1.3f, seed + 2) - 0.5f, 0.f);
     const float t = fbm3(p + warp * 1.6f, 4, footprint, seed);
     // From a distance veins get wider and paler, then fade to their mean.
     const float kWide = 0.055f, kMean = 0.2f, kGone = 0.5f;
@@ -73,7 +73,6 @@ static Vec3f marble_color(IN(Marble) m, Vec3f p, float footprint) {
     c = lerp(c, m.color_b, 0.75f * broad * mask);
     return lerp(c, m.color_c, 0.22f * fine * (1.f - mask));
 }
-
 
 TextureValue plaster(IN(Material) m, IN(TexturePoint) p) {
     // The stipple of the roller, the plasterer's strokes beneath it, and a wall that is nowhere quite flat.
@@ -108,8 +107,8 @@ TextureValue checker(IN(Material) m, IN(TexturePoint) p) {
     veined.scale_m = 0.5f;
     veined.seed = m.seed;
     const Vec3f vein = marble_color(
-        veined,
-        vec3(p.plane.x + 3.1f * side, p.plane.y, float(lattice_hash(j.column, j.row, 2, m.seed) & 63)), p.footprint_m);
+        veined, vec3(p.plane.x + 3.1f * side, p.plane.y, float(lattice_hash(j.column, j.row, 2, m.seed) & 63)),
+        p.footprint_m);
     TextureValue v;
     v.albedo = lerp(m.color_a, m.color_b, mix(0.5f, side, fade)) * vein;
     v.albedo = lerp(v.albedo, vec3(0.25f, 0.24f, 0.22f), 0.6f * j.cover);
@@ -127,7 +126,7 @@ TextureValue brick(IN(Material) m, IN(TexturePoint) p) {
     const float course = positive(m.scale_m), stretch = course * 3.3f;
     // Hand-made edges: the joint wanders by one or two millimetres.
     const Vec2f wander = vec2(0.004f * (fbm2(p.plane * 40.f, 2, p.footprint_m * 40.f, m.seed + 1) - 0.5f),
-                       0.004f * (fbm2(p.plane * 40.f, 2, p.footprint_m * 40.f, m.seed + 2) - 0.5f));
+                              0.004f * (fbm2(p.plane * 40.f, 2, p.footprint_m * 40.f, m.seed + 2) - 0.5f));
     const Joint j = grid(p.plane + wander, stretch, course, 0.5f, 0.005f, max(p.footprint_m, 0.0015f));
     const float tone = lattice_unit(j.column, j.row, 1, m.seed), shade = lattice_unit(j.column, j.row, 2, m.seed);
     const float grit = fbm2(p.plane * 90.f, 3, p.footprint_m * 90.f, m.seed + 3),

@@ -3,7 +3,7 @@
 //
 //   #include "fastscene/trace/kernel/texture.h"
 //   layout(push_constant) uniform Push { Materials materials; … };   // MaterialData[] (material_data.h) in a buffer
-//   const Material m = materials.at[i];
+//   Material m = materials.at[i];                    // not const, as it holds a reference
 //   TexturePoint p;
 //   p.coords = coords;                                // metres, interpolated from Mesh::coords
 //   const int axis = dominant_axis(coords_normal);    // of the triangle's normal in texture space

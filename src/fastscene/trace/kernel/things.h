@@ -36,10 +36,12 @@ static Vec3f color_fields(IN(Material) m, Vec2f q, float soft) {
 static Vec3f discs(IN(Material) m, Vec2f q, float soft) {
     Vec3f c = paint(m, 3);
     for (int i = 0; i < 6; ++i) {
-        const Vec2f center = vec2(0.15f + 0.7f * lattice_unit(i, 0, 2, m.seed), 0.15f + 0.7f * lattice_unit(i, 1, 2, m.seed));
+        const Vec2f center = vec2(0.15f + 0.7f * lattice_unit(i, 0, 2, m.seed),
+                                  0.15f + 0.7f * lattice_unit(i, 1, 2, m.seed));
         const float r = 0.09f + 0.2f * lattice_unit(i, 2, 2, m.seed);
         float inside = r - length(q - center);
-        if ((i & 1) != 0) inside = min(inside, (lattice_unit(i, 3, 2, m.seed) < 0.5f ? q.y - center.y : center.x - q.x));
+        if ((i & 1) != 0)
+            inside = min(inside, (lattice_unit(i, 3, 2, m.seed) < 0.5f ? q.y - center.y : center.x - q.x));
         c = lerp(c, paint(m, uint(i)), edge_cover(inside, soft));
     }
     return c;
@@ -51,8 +53,7 @@ static Vec3f landscape(IN(Material) m, Vec2f q, float soft) {
              edge_cover(0.09f - length(q - vec2(0.3f + 0.4f * lattice_unit(0, 0, 3, m.seed), 0.28f)), soft));
     for (int i = 0; i < 4; ++i) {
         const float line = 0.42f + 0.14f * float(i) +
-                           0.22f * (fbm2(vec2(q.x * (2.f + float(i)), float(i)), 3, 0.f, m.seed) -
-                                    0.5f);
+                           0.22f * (fbm2(vec2(q.x * (2.f + float(i)), float(i)), 3, 0.f, m.seed) - 0.5f);
         c = lerp(c, lerp(m.color_b, paint(m, 4), 0.28f * float(i)) * 1.05f, edge_cover(q.y - line, soft));
     }
     return c;
@@ -92,7 +93,8 @@ static Vec3f grid_picture(IN(Material) m, Vec2f q, float soft) {
 // Nested arches, as on a poster.
 static Vec3f arches(IN(Material) m, Vec2f q, float soft) {
     Vec3f c = paint(m, 3);
-    const Vec2f center = vec2(0.36f + 0.28f * lattice_unit(0, 0, 6, m.seed), 0.5f + 0.12f * lattice_unit(1, 0, 6, m.seed));
+    const Vec2f center = vec2(0.36f + 0.28f * lattice_unit(0, 0, 6, m.seed),
+                              0.5f + 0.12f * lattice_unit(1, 0, 6, m.seed));
     for (int i = 0; i < 5; ++i) {
         const float r = 0.34f - 0.068f * float(i), dx = q.x - center.x, dy = q.y - center.y;
         const float inside = min(dy < 0 ? r - hypot(dx, dy) : r - abs(dx), 0.9f - q.y);
@@ -112,8 +114,8 @@ static Vec3f twig(IN(Material) m, Vec2f q, float soft) {
         const float at = 0.14f + 0.08f * float(i), l = 0.27f * (1.1f - at);
         const float turn = (i % 2 != 0 ? 1.f : -1.f) * (0.75f + 0.3f * lattice_unit(i, 1, 7, m.seed));
         const Vec2f d = vec2(q.x - 0.5f - sway * sin(3.f * at), 0.93f - 0.8f * at - q.y);
-        const float along = d.x * sin(turn) + d.y * cos(turn),
-                    across = d.x * cos(turn) - d.y * sin(turn), t = along / l;
+        const float along = d.x * sin(turn) + d.y * cos(turn), across = d.x * cos(turn) - d.y * sin(turn),
+                    t = along / l;
         if (!(t > 0.f && t < 1.f)) continue;
         const float width = 0.24f * l * sin(3.14159f * pow(t, 0.75f));
         c = lerp(c, ink * (0.8f + 0.4f * lattice_unit(i, 2, 7, m.seed)), edge_cover(width - abs(across), soft));
@@ -131,7 +133,6 @@ static Vec3f seascape(IN(Material) m, Vec2f q, float soft) {
     const Vec3f sea = lerp(deep, glow, 0.55f * smooth_step(0.5f, 0.75f, waves) * (1.3f - q.y));
     return lerp(sky, sea, edge_cover(q.y - horizon, soft));
 }
-
 
 TextureValue metal(IN(Material) m, IN(TexturePoint) p) {
     const float brushed = fbm2(vec2(p.plane.x * 25.f, p.plane.y * 900.f), 2, p.footprint_m * 400.f, m.seed) - 0.5f;

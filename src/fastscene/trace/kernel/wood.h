@@ -39,8 +39,8 @@ const float kTilt = 0.004f;  // slope of a board against its floor
 // One floorboard, with its own tone and its own part of the trunk.
 static TextureValue board(IN(Material) m, float across, float along, float footprint, uint id) {
     const float tone = float(id & 255) / 255.f, warmth = float((id >> 8) & 255) / 255.f;
-    const float g = grain(across + float(id >> 24) * 0.37f,
-                          along + float((id >> 16) & 255) * 0.53f, footprint, m.seed + (id & 31));
+    const float g = grain(across + float(id >> 24) * 0.37f, along + float((id >> 16) & 255) * 0.53f, footprint,
+                          m.seed + (id & 31));
     TextureValue v;
     const float pore = pores(across, along, footprint, m.seed + (id & 31));
     v.albedo = lerp(m.color_a, m.color_b, unit_clamp(1.35f * (g - 0.3f) + 0.36f * (tone - 0.5f) + 0.12f));
@@ -61,7 +61,6 @@ static void cut_gap(INOUT(TextureValue) v, float gap) {
 }
 
 const float kGapHalf = 0.0011f;  // boards touch, except for a bevel of about two millimetres
-
 
 TextureValue wood(IN(Material) m, IN(TexturePoint) p) {
     // By convention the fibres run along the mesh's longest texture axis, the second flat coordinate.
@@ -90,11 +89,9 @@ TextureValue herringbone(IN(Material) m, IN(TexturePoint) p) {
     const int ix = floor_int(x), iy = floor_int(y);
     const int k = wrapped(ix - iy, 2 * n);
     const bool lying = k < n;
-    const float along = lying ? float(k) + x - float(ix)
-                              : float(2 * n - 1 - k) + y - float(iy);
+    const float along = lying ? float(k) + x - float(ix) : float(2 * n - 1 - k) + y - float(iy);
     const float across = lying ? y - float(iy) : x - float(ix);
-    const uint id = lying ? lattice_hash(ix - k, iy, 3, m.seed)
-                                   : lattice_hash(ix, iy - (2 * n - 1 - k), 4, m.seed);
+    const uint id = lying ? lattice_hash(ix - k, iy, 3, m.seed) : lattice_hash(ix, iy - (2 * n - 1 - k), 4, m.seed);
     TextureValue v = board(m, across * width, along * width, p.footprint_m, id);
     const float edge = min(min(across, 1.f - across), min(along, float(n) - along)) * width;
     cut_gap(v, line_cover(edge, kGapHalf * 0.8f, p.footprint_m));

@@ -10,7 +10,7 @@ float film_value(float slope, float x) {
 vec3 develop(World w, vec3 radiance) {
     const vec4 look = world_look(w);
     const float slope = world_curve(w).x;
-    vec3 c = radiance * world_ground(w).w / look.xyz;
+    vec3 c = radiance * exp2(world_ground(w).w) / look.xyz;
     const float l = luminance(c);
     const vec3 kept = l > 0 ? c * (film_value(slope, l) / l) : c;
     c = 0.65f * vec3(film_value(slope, c.x), film_value(slope, c.y), film_value(slope, c.z)) + 0.35f * kept;

@@ -5,7 +5,6 @@
 #include "traverse.glsl"
 #include "surface.glsl"
 #include "outdoors.glsl"
-#include "response.glsl"
 #include "lights.glsl"
 #include "cache.glsl"
 

@@ -1,11 +1,8 @@
 // Whether further rays of a pixel meet another surface than its first ones did (picture.cc's meets_another).
 #version 460
 #include "tables.glsl"
-#include "random.glsl"
 #include "traverse.glsl"
 #include "surface.glsl"
-#include "outdoors.glsl"
-#include "response.glsl"
 #include "camera.glsl"
 #include "pixels.glsl"
 

@@ -63,10 +63,6 @@ vec3 outside_seen(World w, vec3 direction) {
     return mix(mix(w.outside_table.at[left].xyz, w.outside_table.at[right].xyz, a),
                mix(w.outside_table.at[left + 512].xyz, w.outside_table.at[right + 512].xyz, a), b);
 }
-vec3 outside_as_seen(World w, vec3 direction) { return outside_seen(w, direction) * world_zenith(w).w; }
+vec3 outside_of_camera(World w, vec3 direction) { return outside_seen(w, direction) * world_zenith(w).w; }
 
-// film.cc
-vec3 lamp_as_seen(World w, vec3 emission) {
-    const float times = luminance(emission) * world_ground(w).w;
-    return emission * (times > 1 ? (1 + 0.15f * log2(times)) / times : 1);
-}
+vec3 lamp_seen(World w, vec3 emission) { return lamp_as_seen(world_ground(w).w, emission); }

@@ -2,11 +2,9 @@
 // that its neighbours do not wait for the longest. The one place where a path meets a surface is the loop's body.
 #version 460
 #include "tables.glsl"
-#include "random.glsl"
 #include "traverse.glsl"
 #include "surface.glsl"
 #include "outdoors.glsl"
-#include "response.glsl"
 #include "lights.glsl"
 #include "camera.glsl"
 
@@ -80,7 +78,7 @@ void main() {
             mis_weight = power_heuristic(arrival_pdf, light_pdf(w, arrival_from, arrival_normal, direction, on.triangle,
                                                                 on.mesh, on.normal, on.back, hit.distance));
         if (hit.place == kNone) {
-            total += sum + throughput * (clearly ? outside_as_seen(w, direction) : outside_light(w, direction)) *
+            total += sum + throughput * (clearly ? outside_of_camera(w, direction) : outside_light(w, direction)) *
                                mis_weight;
             alive = false;
             continue;
@@ -92,13 +90,13 @@ void main() {
         const vec3 ahead = dot(direction, s.normal) > 0 ? s.normal : -s.normal;
         bool passes = false;
         if (clearly && is_flame(m)) {
-            sum += throughput * flame_as_seen(w, m.emission, s.normal, direction);
+            sum += throughput * flame_as_seen(world_ground(w).w, m.emission, s.normal, direction);
             origin = s.position + ahead * kSurfaceOffset;
             passes = true;
         } else {
-            sum += throughput * (clearly ? lamp_as_seen(w, m.emission) : m.emission) * mis_weight;
+            sum += throughput * (clearly ? lamp_seen(w, m.emission) : m.emission) * mis_weight;
             if (clearly && is_clear(m)) {
-                const Pane pane = pane_of(s, direction);
+                const Pane pane = pane_of(s.texture.albedo, s.normal, direction);
                 const float way = next(random);
                 if (way >= pane.veil) {
                     const bool mirrors = way < pane.veil + pane.mirrored;
@@ -115,7 +113,7 @@ void main() {
             continue;
         }
 
-        const Response r = response_of(m, s, direction);
+        const Response r = response_of(m, s.texture, s.bumped, direction);
         const float diffuse = luminance(r.diffuse), behind = luminance(r.behind), specular = luminance(r.specular),
                     all = diffuse + behind + specular;
         if (!(all > 0)) {

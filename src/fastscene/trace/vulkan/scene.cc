@@ -57,7 +57,7 @@ void CardScene::set_look(const Look& look, const Sky& sky) {
     world_.sun_light = vec4(sky.sun_irradiance, sky.clouds);
     world_.zenith = vec4(sky.zenith, sky.seen * look.outside_seen);
     world_.horizon = vec4(sky.horizon, sky.time == Sky::Time::night ? 1.f : 0.f);
-    world_.ground = vec4(sky.ground, std::exp2(look.exposure_ev));
+    world_.ground = vec4(sky.ground, look.exposure_ev);
     world_.look = vec4(look.white, look.saturation);
     world_.curve = {film_slope(look), 0, 0, 0};
     world_.sky_seed = sky.seed;

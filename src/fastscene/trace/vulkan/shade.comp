@@ -3,11 +3,9 @@
 // which surfaces are looked up.
 #version 460
 #include "tables.glsl"
-#include "random.glsl"
 #include "traverse.glsl"
 #include "surface.glsl"
 #include "outdoors.glsl"
-#include "response.glsl"
 #include "lights.glsl"
 #include "cache.glsl"
 #include "camera.glsl"
@@ -92,10 +90,10 @@ void main() {
         if (!met) {
             if (is_view) {
                 seen = nothing_shaded();
-                seen.radiance = outside_as_seen(w, direction);
+                seen.radiance = outside_of_camera(w, direction);
                 ends = true;
             } else {
-                found_light = sharp ? outside_as_seen(w, direction) : outside_light(w, direction);
+                found_light = sharp ? outside_of_camera(w, direction) : outside_light(w, direction);
                 is_reflected = true;
             }
         } else {
@@ -106,7 +104,7 @@ void main() {
             const SurfacePoint s = surface_at(w, m, hit, on, origin, direction, footprint, is_view);
             const bool clear = is_clear(m);
             if (is_view && is_flame(m) && panes > 0) {
-                passed += through * flame_as_seen(w, m.emission, s.normal, direction);
+                passed += through * flame_as_seen(world_ground(w).w, m.emission, s.normal, direction);
                 origin = s.position + direction * kBehindPane;
                 travelled += hit.distance;
                 --panes;
@@ -120,7 +118,7 @@ void main() {
                 continue;
             }
             if (!is_view && clear) {
-                factor *= dye_of(s.albedo);
+                factor *= dye_of(s.texture.albedo);
                 origin = s.position + direction * 1e-3f;
                 --mirrors;
                 continue;
@@ -131,9 +129,9 @@ void main() {
             for (int side = 0; side < sides; ++side)
                 readings[side] = read_cache(w, s.position, side == 0 ? s.normal : -s.normal);
             if (!is_view) {
-                const vec3 reflectance = mean_reflectance(m, s.albedo);
-                Coat coat = no_coat();
-                if (!(m.mirror > 0.5f)) coat = coat_of(m, s.albedo, s.roughness);
+                const vec3 reflectance = mean_reflectance(m, s.texture.albedo);
+                Coat coat = Coat(vec3(0), vec3(0), 0, 0);
+                if (!(m.mirror > 0.5f)) coat = coat_of(m, s.texture.albedo, s.texture.roughness);
                 const vec3 even = reflectance *
                                   (readings[0].irradiance * (1 - m.transmission) +
                                    readings[1].irradiance * m.transmission) * (1.f / kPi),
@@ -141,19 +139,19 @@ void main() {
                                                                  direction, false) +
                                  readings[1].sun * sun_reflected(sun_dir, reflectance, coat, m.transmission, s.normal,
                                                                  direction, true);
-                found_light = sharp ? lamp_as_seen(w, m.emission) : m.emission;
+                found_light = sharp ? lamp_seen(w, m.emission) : m.emission;
                 found_rest = even + sun * sun_seen;
                 is_reflected = true;
             } else {
                 shades = true;
-                Response r = response_of(m, s, direction);
+                Response r = response_of(m, s.texture, s.bumped, direction);
                 if (m.mirror <= 0.5f && max_component(r.specular) > 0) r.alpha = max(r.alpha, min_alpha);
                 seen = nothing_shaded();
-                seen.albedo = s.albedo, seen.position = s.position, seen.normal = s.normal;
+                seen.albedo = s.texture.albedo, seen.position = s.position, seen.normal = s.normal;
                 position = s.position, normal = s.normal, bumped = s.bumped, specular = r.specular, alpha = r.alpha;
-                emitted = lamp_as_seen(w, m.emission);
+                emitted = lamp_seen(w, m.emission);
                 is_pane = panes > 0 && clear;
-                if (is_pane) pane = pane_of(s, direction);
+                if (is_pane) pane = pane_of(s.texture.albedo, s.normal, direction);
 
                 const vec2 disc = next2(random);
                 const bool fresh = (options & kContacts) != 0 && !(readings[0].trust > kTrusted);

@@ -36,8 +36,7 @@ vec3 shading_normal(World w, Corner k, vec3 flat_normal) {
 
 struct SurfacePoint {
     vec3 position, normal, bumped;
-    vec3 albedo;
-    float roughness;
+    TextureValue texture;
     bool back;
 };
 SurfacePoint surface_at(World w, Material m, Hit hit, HitSurface on, vec3 origin, vec3 direction, float footprint_m,
@@ -55,7 +54,7 @@ SurfacePoint surface_at(World w, Material m, Hit hit, HitSurface on, vec3 origin
     p.plane = flat_coords(p.coords, axis);
     p.footprint_m = footprint_m;
     const SurfaceTexture t = texture_with_slope(m, p, axis, relief);
-    s.albedo = t.value.albedo, s.roughness = t.value.roughness;
+    s.texture = t.value;
     s.bumped = s.normal;
     if (t.slope.x == 0 && t.slope.y == 0) return s;
     // The slope along the flat coordinates, in the world.

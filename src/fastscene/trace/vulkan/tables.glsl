@@ -4,6 +4,8 @@
 #extension GL_EXT_buffer_reference : require
 #extension GL_EXT_control_flow_attributes : enable
 #include "fastscene/trace/kernel/texture.h"
+#include "fastscene/trace/kernel/response.h"
+#include "fastscene/trace/kernel/sampler.h"
 
 const float kFar = 1e30;            // no hit
 const float kSurfaceOffset = 4e-4;  // as in scene_bvh.h
@@ -22,7 +24,7 @@ layout(buffer_reference, std430, buffer_reference_align = 16) readonly buffer Wo
     vec4 sun_light; // irradiance; clouds
     vec4 zenith;    // w: share of the outside that cameras see
     vec4 horizon;   // w: 1 at night
-    vec4 ground;    // w: exposure, as a factor
+    vec4 ground;    // w: exposure_ev of the look
     vec4 sunward;   // w: unused
     vec4 look;      // white; saturation
     vec4 curve;     // of the film: slope (0: linear), unused
