@@ -1,7 +1,9 @@
 // Renders a picture of a room, from the irradiance cache or by path tracing.
 #pragma once
 
+#include <cstdint>
 #include <functional>
+#include <memory>
 
 #include "fastscene/base/run.h"
 #include "fastscene/image/image.h"
@@ -31,10 +33,18 @@ Vec3f world_direction(const RayCamera& camera, Vec2f pixel);
 Vec3f world_origin(const RayCamera& camera, Vec2f pixel);
 inline bool is_asked_for(const ShotParts& parts, int x, int y) { return !parts.only || parts.only->at(x, y) != 0; }
 
+class PixelTracer;  // pixel_tracer.h
+struct PixelPlan;
+using MakePixelTracer = std::function<std::unique_ptr<PixelTracer>(const PixelPlan&)>;
+
+// The keys of a picture's random numbers, before a pixel's place is mixed in.
+std::uint64_t picture_key(std::uint64_t seed);
+std::uint64_t path_picture_key(std::uint64_t seed);
+
 // Renders from the cache with at most `samples` rays per pixel (ShotParts::noise, ::denoise). Returns radiance, or
-// developed color if `look` is given; fills `albedo` if given.
+// developed color if `look` is given; fills `albedo` if given. `make`: makes what traces the rays; empty: Embree does.
 ImageColor cached_picture(const ShadeScene& scene, const RayCamera& camera, const ShotParts& parts, int samples,
-                          const Look* look, ImageColor* albedo, const Run& run);
+                          const Look* look, ImageColor* albedo, const Run& run, const MakePixelTracer& make = {});
 // The same by path tracing. Radiance is averaged over the pixel before tone mapping.
 ImageColor path_traced_picture(const PathScene& scene, const RayCamera& camera, const ShotParts& parts, int samples,
                                const Look* look, const Run& run);

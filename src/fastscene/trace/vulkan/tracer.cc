@@ -11,6 +11,11 @@ namespace {
 constexpr int kPathsASubmission = 4;            // of a pixel
 constexpr std::int64_t kPixelsABand = 1 << 22;  // of a picture, whose sums the card holds at once
 
+// Rows of a picture that are worked on at once.
+int rows_of_band(int width) { return static_cast<int>(std::max<std::int64_t>(1, kPixelsABand / std::max(1, width))); }
+
+}  // namespace
+
 Camera camera_data(const RayCamera& camera, std::uint64_t seed) {
     const Mat3f& r = camera.world_from_camera.rotation;
     const Vec3f t = camera.world_from_camera.translation;
@@ -23,11 +28,6 @@ Camera camera_data(const RayCamera& camera, std::uint64_t seed) {
                    : Vec4{p.fx, p.fy, p.cx, p.cy};
     return out;
 }
-
-// Rows of a picture that are worked on at once.
-int rows_of_band(int width) { return static_cast<int>(std::max<std::int64_t>(1, kPixelsABand / std::max(1, width))); }
-
-}  // namespace
 
 Tracer::Tracer(const std::string& device, const std::string& flag, const Room& room, const Lights& lights)
     : room_(room), device_(gpu::choose_device(device, flag)), commands_(device_), scene_(device_, room, lights) {
@@ -42,6 +42,13 @@ void Tracer::set_look(const Look& look, const Sky& sky) {
     scene_.write();
 }
 
+void Tracer::clear(const gpu::Buffer& buffer) {
+    commands_.begin();
+    commands_.fill(buffer, 0);
+    commands_.submit();
+    commands_.wait();
+}
+
 ImageColor Tracer::path_sums(const RayCamera& camera, const ShotParts& parts, int samples, const Run& run) {
     struct Push {
         std::uint64_t world, camera, pixels, sums;
@@ -49,7 +56,7 @@ ImageColor Tracer::path_sums(const RayCamera& camera, const ShotParts& parts, in
         float pixel_angle;
     };
     ImageColor out(camera.width, camera.height);
-    const Camera data = camera_data(camera, mix64(run.seed ^ 0x70a7ull));
+    const Camera data = camera_data(camera, path_picture_key(run.seed));
     gpu::Buffer lens(device_, sizeof data, gpu::Memory::device, "a camera");
     gpu::upload(device_, lens, 0, &data, sizeof data);
     Progress progress(run, "paths", camera.height);
@@ -65,7 +72,7 @@ ImageColor Tracer::path_sums(const RayCamera& camera, const ShotParts& parts, in
         gpu::Buffer list(device_, count * 4, gpu::Memory::device, "a picture"),
             sums(device_, count * static_cast<std::int64_t>(sizeof(Vec4)), gpu::Memory::device, "a picture");
         gpu::upload(device_, list, 0, pixels.data(), count * 4);
-        commands_.begin(), commands_.fill(sums, 0), commands_.submit(), commands_.wait();
+        clear(sums);
         for (int first = 0; first < samples; first += kPathsASubmission) {
             const auto now = static_cast<std::uint32_t>(std::min(kPathsASubmission, samples - first));
             run_in_pieces(kernels_.paths, count, run, [&](std::int64_t at, std::uint32_t items) {

@@ -15,6 +15,9 @@
 
 namespace fastscene::vulkan {
 
+// `seed`: picture_key or path_picture_key.
+Camera camera_data(const RayCamera& camera, std::uint64_t seed);
+
 class Tracer {
   public:
     // `device` as in gpu::choose_device(). Throws UsageError naming `flag`.
@@ -29,6 +32,7 @@ class Tracer {
     ImageColor path_sums(const RayCamera& camera, const ShotParts& parts, int samples, const Run& run);
 
     // For what else runs on the card.
+    void clear(const gpu::Buffer& buffer);
     CardScene& scene() { return scene_; }
     Kernels& kernels() { return kernels_; }
     const Material& material(std::size_t i) const { return room_.materials[i]; }

@@ -7,6 +7,7 @@
 
 #include "fastscene/trace/path.h"
 #include "fastscene/trace/vulkan/card_gatherer.h"
+#include "fastscene/trace/vulkan/card_pixels.h"
 #include "fastscene/trace/vulkan/test_rooms.h"
 #include "fastscene/trace/vulkan/tracer.h"
 
@@ -200,6 +201,53 @@ TEST_F(VulkanTrace, TheCacheIsThatOfTheProcessor) {
         EXPECT_LT(found.direction, sunny ? 0.02 : 2e-3);
         printf("others %d unlike %d light %.2g sun %.2g direction %.2g level %.5f\n", found.others, found.unlike, found.light, found.sun, found.direction, found.level);
     }
+}
+
+TEST_F(VulkanTrace, CachedPicturesAreThoseOfTheProcessor) {
+    Both& both = everything();
+    TraceParams params;
+    params.cell_m = 0.12f, params.cell_samples = 48;
+    const fastscene::Run run{3, nullptr, {}};
+    CardGatherer gatherer(both.card);
+    const IrradianceCache light = IrradianceCache::gather(both.room, both.bvh, both.lights, params, run, {Vec3f{}},
+                                                          &gatherer);
+    struct Case {
+        const char* name;
+        ShotParts parts;
+        bool panorama, develops;
+    };
+    const Case cases[] = {
+        {"final", final_parts(32), true, true},
+        {"contacts, radiance", {.pixel_samples = 4, .contacts = true}, true, false},
+        {"frugal, blunt", {.pixel_samples = 8, .frugal = true, .min_alpha = 0.3f}, false, true},
+        {"adaptive", {.pixel_samples = 32, .noise = 0.02f}, false, true},
+    };
+    Look look;
+    look.automatic = false, look.exposure_ev = 0.5f, look.white = {1.1f, 1, 0.9f}, look.saturation = 1.1f;
+    Room seen = both.room;
+    seen.look = look;
+    both.card.set_look(look, seen.sky);
+    for (const Case& c : cases) {
+        SCOPED_TRACE(c.name);
+        const RayCamera camera = c.panorama ? panorama_camera({}, {96, 48})
+                                            : perspective_camera({}, Pinhole::with_fov(64, 48, 80));
+        const ShadeScene scene{seen, both.bvh, both.lights, light, c.parts.contacts, c.parts.frugal, c.parts.min_alpha};
+        const ShadeOptions options{c.parts.contacts, c.parts.frugal, c.parts.min_alpha};
+        const MakePixelTracer make = [&](const PixelPlan& plan) {
+            return std::make_unique<CardPixels>(both.card, options, plan);
+        };
+        ImageColor truth_albedo, albedo;
+        const Look* const shown = c.develops ? &look : nullptr;
+        const ImageColor truth = cached_picture(scene, camera, c.parts, c.parts.pixel_samples, shown, &truth_albedo, run),
+                         mine = cached_picture(scene, camera, c.parts, c.parts.pixel_samples, shown, &albedo, run, make);
+        EXPECT_GT(psnr(mine, truth), 45);
+        EXPECT_GT(psnr(albedo, truth_albedo), 45);
+        printf("%s: PSNR %.1f albedo %.1f\n", c.name, psnr(mine, truth), psnr(albedo, truth_albedo));
+        // Again: the same bytes.
+        const ImageColor again = cached_picture(scene, camera, c.parts, c.parts.pixel_samples, shown, &albedo, run, make);
+        EXPECT_EQ(again.pixels, mine.pixels);
+    }
+    both.card.set_look(both.room.look, both.room.sky);
 }
 
 }  // namespace
