@@ -291,6 +291,10 @@ class ProcessorPixels : public PixelTracer {
 
 }  // namespace
 
+std::unique_ptr<PixelTracer> processor_pixels(const ShadeScene& scene, const PixelPlan& plan) {
+    return std::make_unique<ProcessorPixels>(scene, plan);
+}
+
 std::uint64_t picture_key(std::uint64_t seed) { return mix64(seed ^ 0x9a7e1ull); }
 std::uint64_t path_picture_key(std::uint64_t seed) { return mix64(seed ^ 0x70a7ull); }
 
@@ -306,7 +310,7 @@ ImageColor cached_picture(const ShadeScene& scene, const RayCamera& camera, cons
     // Each ray covers its share of the pixel: filtering textures over the whole pixel would blur them twice.
     const PixelPlan plan{camera, parts, samples, round, camera.pixel_angle / std::sqrt(static_cast<float>(round)), look,
                          run};
-    const std::unique_ptr<PixelTracer> tracer = make ? make(plan) : std::make_unique<ProcessorPixels>(scene, plan);
+    const std::unique_ptr<PixelTracer> tracer = make ? make(plan) : processor_pixels(scene, plan);
     const auto show = [&](int x, int y, const PixelSum& pixel) {
         out.at(x, y) = pixel.color();
         if (albedo) albedo->at(x, y) = pixel.albedo();
@@ -370,6 +374,18 @@ ImageColor cached_picture(const ShadeScene& scene, const RayCamera& camera, cons
     }
     noisy->denoise_into(out, look);
     return out;
+}
+
+ImageColor developed_paths(ImageColor sums, const ShotParts& parts, int samples, const Look* look) {
+    parallel_for(sums.height, 16, [&](std::int64_t begin, std::int64_t end) {
+        for (auto y = static_cast<int>(begin); y < end; ++y)
+            for (int x = 0; x < sums.width; ++x) {
+                if (!is_asked_for(parts, x, y)) continue;
+                const Vec3f mean = sums.at(x, y) / static_cast<float>(samples);
+                sums.at(x, y) = look ? develop(*look, mean) : mean;
+            }
+    });
+    return sums;
 }
 
 ImageColor path_traced_picture(const PathScene& scene, const RayCamera& camera, const ShotParts& parts, int samples,

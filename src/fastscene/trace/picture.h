@@ -48,5 +48,7 @@ ImageColor cached_picture(const ShadeScene& scene, const RayCamera& camera, cons
 // The same by path tracing. Radiance is averaged over the pixel before tone mapping.
 ImageColor path_traced_picture(const PathScene& scene, const RayCamera& camera, const ShotParts& parts, int samples,
                                const Look* look, const Run& run);
+// The picture of `sums` of `samples` paths a pixel.
+ImageColor developed_paths(ImageColor sums, const ShotParts& parts, int samples, const Look* look);
 
 }  // namespace fastscene

@@ -32,4 +32,7 @@ class PixelTracer {
     virtual PixelRows meeting_others(const PixelRows& pixels, int first, int end, const Guides& guides) = 0;
 };
 
+// With Embree. Both must live as long.
+std::unique_ptr<PixelTracer> processor_pixels(const ShadeScene& scene, const PixelPlan& plan);
+
 }  // namespace fastscene

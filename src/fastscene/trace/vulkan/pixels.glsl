@@ -1,6 +1,7 @@
 // What a pixel's rays found: the host's PixelSum (pixel_sum.h), which stays in memory while rays are added. A pixel
 // takes kPixelRows vectors: three of its own, and of two surfaces nine each.
 const uint kSurfaceRows = 9, kPixelRows = 21;
+vec4 row_of(InOutVec4s sums, uint i) { return sums.at[i]; }
 
 struct Shaded {
     vec3 radiance, albedo, light, sun, mirrored, diffuse, specular, position, normal;
@@ -20,8 +21,8 @@ bool another_surface(vec3 position, vec3 normal, vec3 other, vec3 other_normal) 
 // for diffuse light, sun and specular light each the light seen, and sums of what arrives: row 6, 7 and 8 hold the
 // light, w the sums; the squares are w of specular, position and normal.
 bool takes_surface(InOutVec4s sums, uint at, Shaded s) {
-    if (sums.at[at].w == 0) return true;
-    return !another_surface(sums.at[at + 4].xyz, sums.at[at + 5].xyz, s.position, s.normal);
+    if (row_of(sums, at).w == 0) return true;
+    return !another_surface(row_of(sums, at + 4).xyz, row_of(sums, at + 5).xyz, s.position, s.normal);
 }
 void add_to_surface(InOutVec4s sums, uint at, Shaded s, vec3 developed) {
     vec4 row = sums.at[at];
@@ -65,7 +66,7 @@ float srgb_error_of(float count, float sum, float squares) {
 }
 // SurfaceSum::noisy.
 bool is_noisy(InOutVec4s sums, uint at, float tolerated) {
-    const float count = sums.at[at].w;
+    const float count = row_of(sums, at).w;
     const vec4 diffuse = sums.at[at + 2], specular = sums.at[at + 3], position = sums.at[at + 4],
                normal = sums.at[at + 5];
     const vec3 squares = vec3(specular.w, position.w, normal.w);
@@ -81,13 +82,13 @@ bool is_noisy(InOutVec4s sums, uint at, float tolerated) {
 // pixel_sum.h's needs_more.
 bool needs_more(InOutVec4s sums, uint pixel, bool denoise, float noise, float samples) {
     const uint at = pixel * kPixelRows, own = at + 3;
-    const float taken = sums.at[at].w;
+    const float taken = row_of(sums, at).w;
     if (taken >= samples) return false;
-    const float error = srgb_error_of(taken, sums.at[at + 1].w, sums.at[at + 2].x);
+    const float error = srgb_error_of(taken, row_of(sums, at + 1).w, row_of(sums, at + 2).x);
     if (!denoise) return error > noise;
     if (!(error > noise)) return false;
     if (is_noisy(sums, own, 0.03f)) return taken < floor(samples / 2);
-    const float count = sums.at[own].w;
+    const float count = row_of(sums, own).w;
     if (count < taken) return taken < floor(samples / 4) || (taken < floor(samples / 2) && error > 2 * noise);
-    return taken < floor(samples / 4) && srgb_error_of(count, sums.at[own + 1].w, sums.at[own + 2].w) > noise;
+    return taken < floor(samples / 4) && srgb_error_of(count, row_of(sums, own + 1).w, row_of(sums, own + 2).w) > noise;
 }

@@ -46,7 +46,7 @@ void main() {
     const Lens lens = lens_of(camera);
     const vec3 sun_dir = world_sun(w).xyz;
     const float sun_seen = world_sun(w).w;
-    uint taken = uint(sums.at[number * kPixelRows].w);
+    uint taken = uint(row_of(sums, number * kPixelRows).w);
     const uint end = taken + round;
 
     Sampler random;
