@@ -13,6 +13,7 @@
 #include "fastscene/io/image_io.h"
 #include "fastscene/panorama/panorama.h"
 #include "fastscene/pipeline/quality.h"
+#include "fastscene/rooms/document.h"
 #include "fastscene/trace/vulkan/card_gatherer.h"
 #include "fastscene/trace/vulkan/card_pixels.h"
 
