@@ -142,6 +142,11 @@ int main(int argc, char** argv) try {
     app.add_option("--views", asked.views, "Views of 512 x 512")->capture_default_str();
     app.add_option("--paths", asked.paths, "Paths a pixel of a path-traced panorama of 512 x 256; 0: none")
         ->capture_default_str();
+    float cell_m = 0;
+    int cell_samples = 0, width = 0;
+    app.add_option("--cell", cell_m, "Size of the irradiance cache's cells in metres; 0: the preset's");
+    app.add_option("--cell-samples", cell_samples, "Light paths a cell; 0: the preset's");
+    app.add_option("--width", width, "Of the panorama; 0: the preset's");
     app.add_option("--threads", threads, "Worker threads; 0: all cores");
     app.add_option("--seed", asked.seed, "Of the room");
     app.add_flag("--card-only", card_only, "Leave out the processor");
@@ -150,6 +155,9 @@ int main(int argc, char** argv) try {
 
     set_threads(threads);
     asked.params = params_of_quality(quality).panorama;
+    if (cell_m > 0) asked.params.trace.cell_m = cell_m;
+    if (cell_samples > 0) asked.params.trace.cell_samples = cell_samples;
+    if (width > 0) asked.params.width = width;
     Json json;
     json["threads"] = thread_count();
     const Pictures card = render(asked, {"vulkan", device}, json["card"]);
