@@ -13,7 +13,7 @@
 
 namespace fastscene {
 
-// Procedural patterns (implemented in trace/texture.cc), evaluated on Mesh::coords in metres.
+// Procedural patterns (implemented in trace/kernel/), evaluated on Mesh::coords in metres.
 enum class Pattern : std::uint8_t {
     plain,
     plaster,

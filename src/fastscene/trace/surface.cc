@@ -54,9 +54,10 @@ SurfacePointInfo surface_at(const Room& room, const RayHit& hit, Vec3f origin, V
     const int axis = dominant_axis(coords_normal);
     point.plane = flat_coords(point.coords, axis);
     point.footprint_m = footprint_m;
-    const auto [texture, slope] = texture_with_slope(*s.material, point, axis, with_relief);
-    s.texture = texture;
+    s.texture = sample_texture(*s.material, point);
     s.bumped = s.normal;
+    if (!with_relief || !(s.material->bump_m > 0.f || s.material->crease_m > 0.f)) return s;
+    const Vec2f slope = texture_with_slope(*s.material, point, axis, true).slope;
     if (slope.x == 0.f && slope.y == 0.f) return s;
     Vec3f du, dv;
     pattern_axes(mesh, k, axis, du, dv);

@@ -109,12 +109,18 @@ struct Query {
 };
 static_assert(sizeof(Query) == 32);
 
-// Both sides round differently (fused multiply-adds, divisions, sines), by about one part in ten million of a
-// coordinate in units of the finest noise: of 2700, its steepest slope 2, that makes 1e-3 of a relief or a color, and
-// in a slope, the relief's difference over a step of at least 0.4 mm, more. Where a coordinate lies that close to the
-// border of a board, tile or motif, one side may find itself in the next one: such points are counted instead.
-constexpr float kColorTolerance = 2e-3f, kSlopeTolerance = 2e-2f;
-constexpr double kShareAtBorders = 2e-3;
+// Both sides round differently: fused multiply-adds, divisions, sines. A coordinate of 3 m in noise of 300 to 900
+// periods a metre keeps 2e-4 of a period, and noise changes by 2 a period; colors and relief take a part of that.
+// Boards lie up to 200 m along their trunk, where fibres keep 4e-3 of a period. Where a coordinate lies as close as
+// that to the border of a board, tile or motif, one side may find itself in the next one: such points are counted
+// instead.
+constexpr float kTolerance = 1e-3f, kToleranceOfBoards = 5e-3f;  // of colors, roughness and a tenth of the relief
+constexpr float kSlopeTolerance = 2e-2f;  // the relief's difference over a step of at least 0.4 mm
+constexpr double kShareAtBorders = 1e-3;
+
+bool has_boards(Pattern p) {
+    return p == Pattern::wood || p == Pattern::planks || p == Pattern::herringbone || p == Pattern::parquet;
+}
 
 TEST_F(Kernels, TexturesAreTheProcessors) {
     constexpr int kMaterials = 40, kPoints = 50;  // of each pattern
@@ -126,6 +132,8 @@ TEST_F(Kernels, TexturesAreTheProcessors) {
             Random r(5, "test.textures", static_cast<std::uint64_t>(p * kMaterials + k));
             Material m = random_material(r);
             m.pattern = static_cast<Pattern>(p), m.image = picture;
+            // Half a motif more or less makes another number of motifs.
+            if (m.pattern == Pattern::rug) m.scale_m = 0.15f * static_cast<float>(1 + r.index(12));
             const bool whole = m.pattern == Pattern::art || m.pattern == Pattern::book;  // does not repeat
             for (int i = 0; i < kPoints; ++i) {
                 Query q{};
@@ -167,11 +175,12 @@ TEST_F(Kernels, TexturesAreTheProcessors) {
         const float off = std::max({std::abs(color.x), std::abs(color.y), std::abs(color.z),
                                     std::abs(got.roughness - wanted.value.roughness),
                                     0.1f * std::abs(got.height - wanted.value.height)});
-        const bool same = off < kColorTolerance && length(slope) < kSlopeTolerance;  // false for NaN
+        const bool same = off < (has_boards(m.pattern) ? kToleranceOfBoards : kTolerance) &&
+                          length(slope) < kSlopeTolerance;  // false for NaN
         if (same) sum += static_cast<double>(off), ++values;
         apart[static_cast<std::size_t>(m.pattern)] += !same;
     }
-    EXPECT_LT(sum / values, 2e-5);
+    EXPECT_LT(sum / values, 2e-5);  // measured: 5e-6
     int all = 0;
     for (std::size_t p = 0; p < apart.size(); ++p) {
         EXPECT_LE(apart[p], 0.01 * kMaterials * kPoints) << "pattern " << p;

@@ -1,10 +1,12 @@
 // The language of the files in this folder, which are C++20 and GLSL 4.60 at once: the surface model has one source for
 // processors and graphics cards. This file gives C++ the names that GLSL has, and language.glsl the other way round.
 //
-// What both understand is plain functions of plain structures: no references (IN, INOUT and OUT say how an argument is
-// passed), default arguments, members, lambdas or recursion. Functions are written `inline`, or `static` if only one
-// file uses them. GLSL reserves `in`, `half`, `flat`, `sample`, `patch` and `input`, and leaves `%` of negative numbers
-// undefined (use wrapped()). Each variable is given its value where it is declared or right after.
+// What both understand is plain functions of plain structures: no references (IN and INOUT say how an argument is
+// passed, REF how a field is held), default arguments, members, lambdas or recursion. Functions are `inline`, or
+// `static` if only one file uses them; files whose functions are neither are compiled in one .cc each, beside which C++
+// callers find declarations. GLSL reserves `in`, `half`, `flat`, `sample`, `patch` and `input`, leaves `%` of negative
+// numbers (use wrapped()) and powers of negative numbers undefined, and takes vec2(…), not braces. Each variable is
+// given its value where it is declared or right after.
 #ifndef FASTSCENE_TRACE_KERNEL_LANGUAGE_H
 #define FASTSCENE_TRACE_KERNEL_LANGUAGE_H
 
@@ -19,7 +21,7 @@
 #define KERNEL_END }
 #define IN(Type) const Type&
 #define INOUT(Type) Type&
-#define OUT(Type) Type&
+#define REF(Type) const Type&
 #define KEEP_LOOP
 
 namespace fastscene::kernel {

@@ -46,26 +46,25 @@ inline float noise2(Vec2f p, uint seed) {
     return mix(mix(lattice_unit(x, y, 0, seed), lattice_unit(x + 1, y, 0, seed), u),
                mix(lattice_unit(x, y + 1, 0, seed), lattice_unit(x + 1, y + 1, 0, seed), u), v);
 }
+// References in C++: with values, GCC would inline and so round some patterns otherwise, in the last bit.
 struct LatticeCell {
-    int x, y;
-    float u, v;
-    uint seed;
+    REF(int) x;
+    REF(int) y;
+    REF(float) u;
+    REF(float) v;
+    REF(uint) seed;
 };
 inline float noise_layer(IN(LatticeCell) c, int z) {
     return mix(mix(lattice_unit(c.x, c.y, z, c.seed), lattice_unit(c.x + 1, c.y, z, c.seed), c.u),
                mix(lattice_unit(c.x, c.y + 1, z, c.seed), lattice_unit(c.x + 1, c.y + 1, z, c.seed), c.u), c.v);
 }
 inline float noise3(Vec3f p, uint seed) {
-    const int z = floor_int(p.z);
-    LatticeCell c;
-    c.x = floor_int(p.x);
-    c.y = floor_int(p.y);
-    c.seed = seed;
-    const float u = p.x - float(c.x), v = p.y - float(c.y);
-    float w = p.z - float(z);
-    c.u = u * u * (3.f - 2.f * u);
-    c.v = v * v * (3.f - 2.f * v);
+    const int x = floor_int(p.x), y = floor_int(p.y), z = floor_int(p.z);
+    float u = p.x - float(x), v = p.y - float(y), w = p.z - float(z);
+    u = u * u * (3.f - 2.f * u);
+    v = v * v * (3.f - 2.f * v);
     w = w * w * (3.f - 2.f * w);
+    const LatticeCell c = {x, y, u, v, seed};
     return mix(noise_layer(c, z), noise_layer(c, z + 1), w);
 }
 

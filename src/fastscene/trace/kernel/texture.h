@@ -3,7 +3,7 @@
 //
 //   #include "fastscene/trace/kernel/texture.h"
 //   layout(push_constant) uniform Push { Materials materials; … };   // MaterialData[] (material_data.h) in a buffer
-//   Material m = materials.at[i];                    // not const, as it holds a reference
+//   Material m = materials.at[i];                     // not const, as it holds a reference
 //   TexturePoint p;
 //   p.coords = coords;                                // metres, interpolated from Mesh::coords
 //   const int axis = dominant_axis(coords_normal);    // of the triangle's normal in texture space
@@ -11,6 +11,8 @@
 //   p.footprint_m = …;                                // width of the sample on the surface
 //   const SurfaceTexture t = texture_with_slope(m, p, axis, true);
 //   t.value.albedo, t.value.roughness, t.slope.x, t.slope.y
+//
+// response.h, film.h and sampler.h beside this file are used in the same way.
 //
 // Drivers put the text of every called function in its caller's place, and the patterns are long: a kernel has one call
 // of texture_with_slope, or of sample_texture, in all.
