@@ -65,13 +65,14 @@ Json truth_of(const std::string& prompt, PanoramaParams panorama, const Panorama
 }  // namespace
 
 int main(int argc, char** argv) try {
-    std::string prompt, quality = "standard", device, out;
+    std::string prompt, quality = "standard", device, trace_device, out;
     int threads = 0, truth = 0;
     std::uint64_t seed = 0;
     CLI::App app{"Cost of a scene, part by part"};
     app.add_option("prompt", prompt)->required();
     app.add_option("--quality", quality, "Preset")->capture_default_str();
     app.add_option("--device", device, "Train the splats on this graphics card instead of the processor");
+    app.add_option("--trace-device", trace_device, "Trace the room on this graphics card instead of the processor");
     app.add_option("--threads", threads, "Worker threads; 0: all cores");
     app.add_option("--seed", seed, "Of the room");
     app.add_option("--truth", truth, "Also compare the splats with the room at this many poses");
@@ -81,6 +82,7 @@ int main(int argc, char** argv) try {
     set_threads(threads);
     SceneParams params = params_of_quality(quality);
     if (!device.empty()) params.splat.backend = {"vulkan", device};
+    if (!trace_device.empty()) params.panorama.trace.backend = {"vulkan", trace_device};
     params.splat.sh_degree = 2;  // as for renderings of a known room
     const Run run{seed, nullptr, {}};
     Json parts, json;
@@ -97,7 +99,8 @@ int main(int argc, char** argv) try {
     params.splat.count = count_for(views.points, params.splat);
     const FittedSplats fitted = timed(parts, "splat", [&] { return fit_splats(views, params.splat, run); });
     json["wall_s"] = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-    json["parts"] = parts, json["device"] = fitted.device, json["threads"] = thread_count();
+    json["parts"] = parts, json["device"] = fitted.device, json["trace_device"] = made.room->device();
+    json["threads"] = thread_count();
     json["views"] = views.views.size(), json["splats"] = fitted.splats.size();
     json["psnr_train"] = fitted.curve.empty() ? 0.f : fitted.curve.back().psnr;
     if (truth > 0) {

@@ -1,5 +1,5 @@
 #!/bin/bash
-# What a graphics card does for a scene: steps of splat training, a whole scene, networks. In two halves, since machines
+# What a graphics card does for a scene: steps of splat training, path tracing, a whole scene, networks. In two halves, since machines
 # with cards are often bare:
 #
 #   bench/gpu.sh pack FILE.tar.xz     on a machine with a build (build/release): programs, and the libraries they need
@@ -14,8 +14,8 @@ prompt="a cozy bedroom with a red armchair and a large window"
 pack() {
   local bin=$root/build/release/bin out=$1 folder
   folder=$(mktemp -d) && mkdir "$folder/lib"
-  for program in bench_splat bench_scene splat_test; do
-    [ -x "$bin/$program" ] || { echo "expected $bin/$program: ninja -C build/release bench_splat bench_scene splat_test" >&2; exit 1; }
+  for program in bench_splat bench_scene bench_trace splat_test trace_test; do
+    [ -x "$bin/$program" ] || { echo "expected $bin/$program: ninja -C build/release bin/{bench_splat,bench_scene,bench_trace,splat_test,trace_test}" >&2; exit 1; }
     cp "$bin/$program" "$folder/" && strip "$folder/$program"
     ldd "$bin/$program" | awk '$3 ~ /^\// { print $3 }' | grep -vE '/lib(c|m|stdc\+\+|gcc_s|pthread|dl|rt)\.so' |
       xargs -I{} cp -Lu {} "$folder/lib/"
@@ -45,15 +45,18 @@ run() {
   go() { local limit=$1 program=$2; shift 2; LD_LIBRARY_PATH=$folder/lib timeout "$limit" "$folder/$program" "$@"; }
   echo "== tests"
   go 90 splat_test --gtest_filter='Vulkan*' > "$out/tests.txt" 2>&1
+  go 60 trace_test --gtest_filter='Vulkan*:Kernels*' >> "$out/tests.txt" 2>&1
   grep -E '^\[ +(OK|FAILED|PASSED) |Failure|Expected' "$out/tests.txt" | tail -n 30
   echo "== steps of splat training"
   : > "$out/steps.jsonl"
   for size in "50000 512" "200000 512" "250000 640" "600000 960"; do
     go 60 bench_splat --device auto --count "${size% *}" --size "${size#* }" --steps 1000 --warm 200 --json | tee -a "$out/steps.jsonl"
   done
-  echo "== a scene from a sentence, with splats on the card and on the processor"
+  echo "== path tracing of a room, on the card and on the processor"
+  go 90 bench_trace --trace-device auto | tee "$out/trace.json"
+  echo "== a scene from a sentence, with the room and its splats on the card and on the processor"
   for quality in draft standard; do
-    go 120 bench_scene "$prompt" --quality $quality --device auto | tee "$out/scene_$quality.json"
+    go 120 bench_scene "$prompt" --quality $quality --device auto --trace-device auto | tee "$out/scene_$quality.json"
   done
   go 120 bench_scene "$prompt" --quality standard | tee "$out/scene_processor.json"
   echo "== networks"

@@ -18,6 +18,7 @@ class FilmCurve {
     FilmCurve(ViewTransform transform, float contrast)
         : linear_(transform == ViewTransform::linear),
           slope_((transform == ViewTransform::soft ? kSoftSlope : kSlope) * contrast) {}
+    float slope() const { return linear_ ? 0 : slope_; }
     float operator()(float x) const {
         if (!(x > 0)) return 0;
         if (linear_) return std::min(1.f, x);
@@ -143,6 +144,8 @@ Vec3f outside_as_seen(const Sky& sky, const Look& look, Vec3f radiance) {
 }
 
 Vec3f lamp_as_seen(const Look& look, Vec3f emission) { return kernel::lamp_as_seen(look.exposure_ev, emission); }
+
+float film_slope(const Look& look) { return FilmCurve(look.transform, look.contrast).slope(); }
 
 Vec3f develop(const Look& look, Vec3f radiance) {
     const float gain = std::exp2(look.exposure_ev);

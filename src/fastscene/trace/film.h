@@ -24,6 +24,9 @@ Vec3f outside_as_seen(const Sky& sky, const Look& look, Vec3f radiance);
 // white. Its illumination of the room is unaffected.
 Vec3f lamp_as_seen(const Look& look, Vec3f emission);
 
+// What the film's curve rises by a stop, in display values; 0: the curve is a straight line.
+float film_slope(const Look& look);
+
 // Radiance -> linear display-referred color in 0..1.
 Vec3f develop(const Look& look, Vec3f radiance);
 

@@ -33,14 +33,16 @@ struct LightDirection {
 // The irradiance of a slope of the relief, relative to that of the even surface.
 float relief_light(Vec3f gradient, Vec3f normal, Vec3f bumped);
 
+class Gatherer;  // gatherer.h
+
 class IrradianceCache {
   public:
     // Places entries on all surfaces and gathers their light. Deterministic in run.seed. `viewpoints`: where cameras
     // will be. Entries that cannot be seen from around them get fewer paths, since they matter only through what they
-    // light.
+    // light. `gatherer`: traces the rays; null: Embree does.
     static IrradianceCache gather(const Room& room, const SceneBvh& bvh, const Lights& lights,
                                   const TraceParams& params, const Run& run,
-                                  const std::vector<Vec3f>& viewpoints = {Vec3f{}});
+                                  const std::vector<Vec3f>& viewpoints = {Vec3f{}}, Gatherer* gatherer = nullptr);
 
     // Irradiance without direct sun at a surface point, interpolated between the entries around it. `normal`: unit
     // length.
@@ -82,7 +84,6 @@ class IrradianceCache {
     };
     Bounce bounced(const Room& room, const SceneBvh& bvh, const Lights& lights, const Place& at, Vec2f uv) const;
 
-  private:
     struct Cell {
         Vec3f direct, indirect, sun, normal, center;
         Vec3f albedo;  // mean over the cell
@@ -110,14 +111,35 @@ class IrradianceCache {
         std::uint64_t key = 0;
         std::uint32_t cell = 0;  // + 1; 0: free
     };
+    // All of it, for graphics cards.
+    struct Tables {
+        float cell_m;
+        Vec3f origin;
+        const std::vector<Vec3f>& reflectances;  // by material: diffuse albedo for secondary bounces
+        const std::vector<Coat>& coats;          // by material: specular coat, for its reflection of the sun
+        const std::vector<Cell>& cells;
+        const std::vector<std::uint64_t>& keys;           // of cells, ascending
+        const std::vector<std::uint32_t>& first_sample;   // offsets into samples, one more than cells; empty when done
+        const std::vector<Place>& samples;
+        const std::vector<Slot>& slots;  // open-addressing hash table over keys
+        const std::vector<SunPatch>& sun_patches;
+        const std::vector<SunPlace>& sun_places;
+        const std::vector<float>& sun_powers;  // cumulative, by patch
+    };
+    Tables tables() const {
+        return {cell_m_, origin_,  reflectances_, coats_,       cells_,      keys_,
+                first_sample_, samples_, slots_, sun_patches_, sun_places_, sun_powers_};
+    }
+
+  private:
     int find(std::int32_t x, std::int32_t y, std::int32_t z, int facing) const;
     int nearest(Vec3f position, Vec3f normal) const;
     const Place& place(std::size_t cell, int i) const;
     std::uint64_t random_key(std::size_t cell, std::uint64_t pass, std::uint64_t seed) const;
     void build(const Room& room);
     std::vector<std::uint8_t> visibility(const SceneBvh& bvh) const;
-    void drop_hidden(const SceneBvh& bvh);
-    void find_seen(const SceneBvh& bvh, const std::vector<Vec3f>& viewpoints);
+    void drop_hidden(const std::vector<std::uint8_t>& sight);
+    void find_seen(const SceneBvh& bvh, const std::vector<Vec3f>& viewpoints, Gatherer* gatherer, const Run& run);
     void index();
     void despeckle(bool indirect);
     std::vector<float> pooled(const std::vector<float>& error) const;
@@ -127,33 +149,33 @@ class IrradianceCache {
 
     // The steps of gather(), in order.
     std::vector<std::uint16_t> light_by_sun(const Room& room, const SceneBvh& bvh, const Lights& lights,
-                                            std::uint64_t seed);
+                                            Gatherer* gatherer, const Run& run);
     void find_sun_patches(const Room& room, const SceneBvh& bvh, const std::vector<std::uint16_t>& sunny,
                           std::uint64_t seed);
-    void gather_direct(const Room& room, const SceneBvh& bvh, const Lights& lights, int samples, const Run& run,
-                       Progress& progress);
+    void gather_direct(const Room& room, const SceneBvh& bvh, const Lights& lights, int samples, Gatherer* gatherer,
+                       const Run& run, Progress& progress);
     struct Pass;
-    void gather_pass(const Room& room, const SceneBvh& bvh, const Lights& lights, const Run& run, Progress& progress,
-                     Pass& pass);
-    void gather_indirect(const Room& room, const SceneBvh& bvh, const Lights& lights, int samples, const Run& run,
-                         Progress& progress);
+    void gather_pass(const Room& room, const SceneBvh& bvh, const Lights& lights, Gatherer* gatherer, const Run& run,
+                     Progress& progress, Pass& pass);
+    void gather_indirect(const Room& room, const SceneBvh& bvh, const Lights& lights, int samples, Gatherer* gatherer,
+                         const Run& run, Progress& progress);
     Vec3f reflected(const Room& room, std::size_t material, Vec3f normal, Vec3f direction, bool behind) const;
     DirectedLight sunlit(const Room& room, const SceneBvh& bvh, const Place& at, float which) const;
 
     float cell_m_ = 0.03f;
     Vec3f origin_;
-    std::vector<Vec3f> reflectances_;  // by material: diffuse albedo for secondary bounces
-    std::vector<Coat> coats_;          // by material: specular coat, for its reflection of the sun
-    std::vector<bool> closed_;         // by mesh: watertight
+    std::vector<Vec3f> reflectances_;  // these as in Tables
+    std::vector<Coat> coats_;
+    std::vector<bool> closed_;  // by mesh: watertight
     std::vector<Cell> cells_;
-    std::vector<std::uint64_t> keys_;          // of cells_, ascending
-    std::vector<std::uint32_t> first_sample_;  // offsets into samples_, one more than cells
+    std::vector<std::uint64_t> keys_;
+    std::vector<std::uint32_t> first_sample_;
     std::vector<Place> samples_;
-    std::vector<Slot> slots_;  // open-addressing hash table over keys_
+    std::vector<Slot> slots_;
     std::uint32_t mask_ = 0;
     std::vector<SunPatch> sun_patches_;
     std::vector<SunPlace> sun_places_;
-    std::vector<float> sun_powers_;  // cumulative, by patch
+    std::vector<float> sun_powers_;
 };
 
 // The direction among +-x, +-y, +-z that a normal is nearest to: 0..5.

@@ -7,6 +7,7 @@
 
 #include "fastscene/base/parallel.h"
 #include "fastscene/base/random.h"
+#include "fastscene/trace/gatherer.h"
 #include "fastscene/trace/irradiance_cells.h"
 #include "fastscene/trace/response.h"
 #include "fastscene/trace/surface.h"
@@ -171,8 +172,7 @@ std::vector<std::uint8_t> IrradianceCache::visibility(const SceneBvh& bvh) const
 // inside solids (every ray hits a back face) and, where the cell also has open points, the bottom of crevices (most
 // rays end within half a cell: between two boards, behind a door panel). Such points would darken the visible part of
 // their cell. A cell left without points is dropped: it would only darken its neighbours and attract samples.
-void IrradianceCache::drop_hidden(const SceneBvh& bvh) {
-    const std::vector<std::uint8_t> sight = visibility(bvh);
+void IrradianceCache::drop_hidden(const std::vector<std::uint8_t>& sight) {
     std::vector<Cell> cells;
     std::vector<std::uint64_t> keys;
     std::vector<std::uint32_t> first_sample;
@@ -210,7 +210,8 @@ void IrradianceCache::drop_hidden(const SceneBvh& bvh) {
 }
 
 // Adds a step in each horizontal direction around every viewpoint, as far as there is space.
-void IrradianceCache::find_seen(const SceneBvh& bvh, const std::vector<Vec3f>& viewpoints) {
+void IrradianceCache::find_seen(const SceneBvh& bvh, const std::vector<Vec3f>& viewpoints, Gatherer* gatherer,
+                                const Run& run) {
     constexpr float kStep_m = 0.8f, kOfTheWay = 0.8f;
     constexpr std::array<Vec3f, 6> kWays{Vec3f{1, 0, 0},  Vec3f{-1, 0, 0}, Vec3f{0, 0, 1},
                                          Vec3f{0, 0, -1}, Vec3f{0, 1, 0},  Vec3f{0, -1, 0}};
@@ -218,6 +219,11 @@ void IrradianceCache::find_seen(const SceneBvh& bvh, const std::vector<Vec3f>& v
     for (const Vec3f viewpoint : viewpoints)
         for (const Vec3f way : kWays)
             places.push_back(viewpoint + way * (kOfTheWay * std::min(kStep_m, bvh.first_hit(viewpoint, way).distance)));
+    if (gatherer) {
+        const std::vector<std::uint8_t> seen = gatherer->seen_from(places, run);
+        for (std::size_t c = 0; c < cells_.size(); ++c) cells_[c].seen = cells_[c].transmission > 0 || seen[c];
+        return;
+    }
     parallel_for(static_cast<std::int64_t>(cells_.size()), 1024, [&](std::int64_t begin, std::int64_t end) {
         for (auto c = static_cast<std::size_t>(begin); c < static_cast<std::size_t>(end); ++c) {
             Cell& cell = cells_[c];

@@ -45,7 +45,7 @@ void IrradianceCache::find_sun_patches(const Room& room, const SceneBvh& bvh, co
                 const Vec3f normal = at.normal * side;
                 if (!(sunny[c] >> s & 1u)) continue;
                 const Vec3f before = at.position + normal * distance_epsilon(at.position);
-                sun_places_.push_back({{before, normal}, material_at(room, bvh, before, -normal)});
+                sun_places_.push_back({{before, normal}, 0});
             }
             sun_patches_.push_back({first, static_cast<std::uint32_t>(sun_places_.size()) - first, cell.sun, leaving,
                                     cell.area, 0.f, side < 0});
@@ -53,6 +53,12 @@ void IrradianceCache::find_sun_patches(const Room& room, const SceneBvh& bvh, co
         add(1, back * (1.f - cell.transmission));
         if (cell.transmission > 0) add(-1, back * cell.transmission);
     }
+    parallel_for(static_cast<std::int64_t>(sun_places_.size()), 1024, [&](std::int64_t begin, std::int64_t end) {
+        for (auto i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(end); ++i) {
+            SunPlace& place = sun_places_[i];
+            place.material = material_at(room, bvh, place.at.position, -place.at.normal);
+        }
+    });
     parallel_for(static_cast<std::int64_t>(sun_patches_.size()), 256, [&](std::int64_t begin, std::int64_t end) {
         for (std::int64_t i = begin; i < end; ++i) {
             SunPatch& patch = sun_patches_[static_cast<std::size_t>(i)];

@@ -6,6 +6,7 @@
 
 #include "fastscene/base/parallel.h"
 #include "fastscene/base/random.h"
+#include "fastscene/trace/gatherer.h"
 #include "fastscene/trace/irradiance_cells.h"
 #include "fastscene/trace/noise.h"
 #include "fastscene/trace/response.h"
@@ -18,10 +19,14 @@ using namespace irradiance;
 namespace {
 
 constexpr int kPasses = 6;
-constexpr int kUnseenShare = 3;  // unseen cells get this fraction of the paths
+constexpr int kUnseenShare = 3;  // unseen cells get this fraction of the paths …
+constexpr int kLeastDirect = 8, kLeastBounced = 2;  // … and at least these
 // Harmonic mean distance to the surroundings, in cells: below the first an entry lies in a corner, above the second in
 // the open.
 constexpr float kNearCells = 4, kOpenCells = 9;
+
+// Steps of the progress report.
+std::int64_t blocks_of(std::size_t cells) { return static_cast<std::int64_t>(cells) / 1024 + 1; }
 
 // Welford-style running variance of a mean.
 struct Spread {
@@ -73,12 +78,19 @@ std::uint64_t IrradianceCache::random_key(std::size_t cell, std::uint64_t pass, 
 // Direct sun first: sunlit areas are small and bright, and light the rest of the room. Returns a bit mask per cell:
 // which of its first kSunSamples points the sun reaches.
 std::vector<std::uint16_t> IrradianceCache::light_by_sun(const Room& room, const SceneBvh& bvh, const Lights& lights,
-                                                         std::uint64_t seed) {
+                                                         Gatherer* gatherer, const Run& run) {
+    constexpr std::uint64_t kSunPass = 100;
     std::vector<std::uint16_t> sunny(cells_.size());
+    if (gatherer) {
+        const auto found = gatherer->by_sun(run.seed, kSunPass, run);
+        for (std::size_t c = 0; c < cells_.size(); ++c)
+            cells_[c].sun = found[c].irradiance, sunny[c] = static_cast<std::uint16_t>(found[c].reached);
+        return sunny;
+    }
     parallel_for(static_cast<std::int64_t>(cells_.size()), 1024, [&](std::int64_t begin, std::int64_t end) {
         for (std::int64_t i = begin; i < end; ++i) {
             const auto c = static_cast<std::size_t>(i);
-            Random random(random_key(c, 100, seed));
+            Random random(random_key(c, kSunPass, run.seed));
             Vec3f sum{};
             for (int s = 0; s < kSunSamples; ++s) {
                 const Vec3f sun = lights.sun(room, bvh, place(c, s).position, place(c, s).normal,
@@ -94,16 +106,23 @@ std::vector<std::uint16_t> IrradianceCache::light_by_sun(const Room& room, const
 
 // Then lamps, windows and the first bounce of the sun by next-event estimation.
 void IrradianceCache::gather_direct(const Room& room, const SceneBvh& bvh, const Lights& lights, int samples,
-                                    const Run& run, Progress& progress) {
+                                    Gatherer* gatherer, const Run& run, Progress& progress) {
     std::vector<float> error(cells_.size());  // standard errors
-    parallel_for(static_cast<std::int64_t>(cells_.size()), 1024, [&](std::int64_t begin, std::int64_t end) {
+    if (gatherer) {
+        const auto found = gatherer->direct(samples, kLeastDirect, run.seed, 0, run);
+        for (std::size_t c = 0; c < cells_.size(); ++c) {
+            cells_[c].direct = found[c].irradiance, cells_[c].directed = found[c].directed;
+            error[c] = found[c].error;
+        }
+        progress.advance(blocks_of(cells_.size()));
+    } else parallel_for(static_cast<std::int64_t>(cells_.size()), 1024, [&](std::int64_t begin, std::int64_t end) {
         run.check_stop();
         for (std::int64_t i = begin; i < end; ++i) {
             const auto c = static_cast<std::size_t>(i);
             Cell& cell = cells_[c];
             Random random(random_key(c, 0, run.seed));
             const Vec2f shift{random.uniform(), random.uniform()};
-            const int asked = cell.seen ? samples : std::max(8, samples / kUnseenShare);
+            const int asked = cell.seen ? samples : std::max(kLeastDirect, samples / kUnseenShare);
             Vec3f sum{};
             Spread spread;
             for (int s = 0; s < asked; ++s) {
@@ -137,15 +156,27 @@ struct IrradianceCache::Pass {
 };
 
 // One gathering pass: every entry reads the others, which adds one bounce.
-void IrradianceCache::gather_pass(const Room& room, const SceneBvh& bvh, const Lights& lights, const Run& run,
-                                  Progress& progress, Pass& pass) {
+void IrradianceCache::gather_pass(const Room& room, const SceneBvh& bvh, const Lights& lights, Gatherer* gatherer,
+                                  const Run& run, Progress& progress, Pass& pass) {
+    if (gatherer) {
+        gatherer->update(tables(), Gatherer::Changed::light);
+        const auto found = gatherer->bounced(pass.rays, kLeastBounced, run.seed,
+                                             static_cast<std::uint64_t>(pass.number) + 1, run);
+        for (std::size_t c = 0; c < cells_.size(); ++c) {
+            pass.nearness[c] += found[c].nearness;
+            pass.gathered[c] = found[c].irradiance, pass.directed[c] = found[c].directed;
+            pass.error[c] = found[c].error;
+        }
+        progress.advance(blocks_of(cells_.size()));
+        return;
+    }
     parallel_for(static_cast<std::int64_t>(cells_.size()), 1024, [&](std::int64_t begin, std::int64_t end) {
         run.check_stop();
         for (std::int64_t i = begin; i < end; ++i) {
             const auto c = static_cast<std::size_t>(i);
             Random random(random_key(c, static_cast<std::uint64_t>(pass.number) + 1, run.seed));
             const Vec2f shift{random.uniform(), random.uniform()};
-            const int rays = cells_[c].seen ? pass.rays : std::max(2, pass.rays / kUnseenShare);
+            const int rays = cells_[c].seen ? pass.rays : std::max(kLeastBounced, pass.rays / kUnseenShare);
             Vec3f sum{};
             Spread spread;
             int valid = 0;
@@ -170,7 +201,7 @@ void IrradianceCache::gather_pass(const Room& room, const SceneBvh& bvh, const L
 // Indirect light, pass by pass. The first passes only distribute light around the room, with the remaining bounces
 // extrapolated (Rest); the result is the mean of the later ones.
 void IrradianceCache::gather_indirect(const Room& room, const SceneBvh& bvh, const Lights& lights, int samples,
-                                      const Run& run, Progress& progress) {
+                                      Gatherer* gatherer, const Run& run, Progress& progress) {
     constexpr int kKept = 3;
     const std::size_t count = cells_.size();
     Pass pass{0, 0, std::vector<Vec3f>(count), std::vector<float>(count), std::vector<float>(count), {}};
@@ -181,7 +212,7 @@ void IrradianceCache::gather_indirect(const Room& room, const SceneBvh& bvh, con
         const bool keep = pass.number >= kPasses - kKept;
         pass.rays = std::max(2, keep ? samples / 4 : samples / 12);
         pass.directed.assign(count, {});
-        gather_pass(room, bvh, lights, run, progress, pass);
+        gather_pass(room, bvh, lights, gatherer, run, progress, pass);
         for (std::size_t c = 0; c < count; ++c) {
             cells_[c].indirect = pass.gathered[c];
             if (!keep) continue;
@@ -215,7 +246,8 @@ void IrradianceCache::gather_indirect(const Room& room, const SceneBvh& bvh, con
 
 IrradianceCache IrradianceCache::gather(const Room& room, const SceneBvh& bvh, const Lights& lights,
                                         const TraceParams& params, const Run& run,
-                                        const std::vector<Vec3f>& viewpoints) {
+                                        const std::vector<Vec3f>& viewpoints, Gatherer* gatherer) {
+    using Changed = Gatherer::Changed;
     IrradianceCache cache;
     cache.cell_m_ = params.cell_m;
     // An odd offset keeps walls off the cell boundaries.
@@ -226,19 +258,27 @@ IrradianceCache IrradianceCache::gather(const Room& room, const SceneBvh& bvh, c
         cache.coats_.push_back(is_clear(m) || m.mirror > 0.5f ? Coat{} : coat_of(m, albedo, m.roughness));
     }
     for (const Mesh& mesh : room.meshes) cache.closed_.push_back(is_closed(mesh));
+    const auto tell = [&](Changed what) {
+        if (gatherer) gatherer->update(cache.tables(), what);
+    };
     cache.build(room);
-    cache.drop_hidden(bvh);
-    cache.find_seen(bvh, viewpoints);
+    tell(Changed::places);
+    cache.drop_hidden(gatherer ? gatherer->visibility(run) : cache.visibility(bvh));
+    tell(Changed::places), tell(Changed::light);
+    cache.find_seen(bvh, viewpoints, gatherer, run);
     cache.index();
+    tell(Changed::places), tell(Changed::index);  // seen cells get more paths
 
     // Gathering is three quarters of the work: progress counts cells over all passes.
-    Progress progress(run, "light", (static_cast<std::int64_t>(cache.cells_.size()) / 1024 + 1) * (kPasses + 1));
-    cache.find_sun_patches(room, bvh, cache.light_by_sun(room, bvh, lights, run.seed), run.seed);
-    cache.gather_direct(room, bvh, lights, std::max(8, params.cell_samples / 2), run, progress);
-    cache.gather_indirect(room, bvh, lights, std::max(8, params.cell_samples), run, progress);
+    Progress progress(run, "light", blocks_of(cache.cells_.size()) * (kPasses + 1));
+    cache.find_sun_patches(room, bvh, cache.light_by_sun(room, bvh, lights, gatherer, run), run.seed);
+    tell(Changed::sun);
+    cache.gather_direct(room, bvh, lights, std::max(kLeastDirect, params.cell_samples / 2), gatherer, run, progress);
+    cache.gather_indirect(room, bvh, lights, std::max(8, params.cell_samples), gatherer, run, progress);
     cache.smooth_directions();
     cache.distrust_edges();
     cache.samples_ = {};
+    tell(Changed::light);
     return cache;
 }
 

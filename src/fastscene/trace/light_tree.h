@@ -37,7 +37,6 @@ class LightTree {
     // The probability with which draw() returns `emitter`.
     float probability(int emitter, Vec3f position, Vec3f normal) const;
 
-  private:
     struct Node {
         Vec3f center, half;                      // of the bounding box and the ball around it; of a leaf: the centroid
         Vec3f axis;                              // cone of normals
@@ -47,6 +46,18 @@ class LightTree {
         std::int32_t emitter = -1;  // leaves only
         std::int32_t second = -1;   // index of the second child; the first child is the next node
     };
+    // Where an emitter is stored.
+    struct Place {
+        std::int32_t head = -1;  // index into heads(); -1: not in the tree
+        std::int32_t depth = 0;  // levels below the head
+        std::uint64_t path = 0;  // one bit per level, 1 = second child
+    };
+    static constexpr std::size_t kMostHeads = 32;
+    const std::vector<Node>& nodes() const { return nodes_; }
+    const std::vector<std::int32_t>& heads() const { return heads_; }  // traversal starts at these nodes
+    const std::vector<Place>& places() const { return places_; }       // by emitter
+
+  private:
     struct Shape;
     static Shape shape_of(const Emitter& emitter);
     std::int32_t build(std::vector<Shape>& shapes, std::size_t begin, std::size_t end, int depth);
@@ -56,21 +67,14 @@ class LightTree {
     float first_share(std::int32_t node, Vec3f position, Vec3f normal) const;
     void choose_heads();
 
-    static constexpr std::size_t kMostHeads = 32;
     using Shares = std::array<float, kMostHeads>;  // cumulative importances of the heads
     Shares shares_of_heads(Vec3f position, Vec3f normal) const;
 
-    // Where an emitter is stored.
-    struct Place {
-        std::int32_t head = -1;  // index into heads_; -1: not in the tree
-        std::int32_t depth = 0;  // levels below the head
-        std::uint64_t path = 0;  // one bit per level, 1 = second child
-    };
     void find(std::int32_t node, Place place);
 
     std::vector<Node> nodes_;
-    std::vector<std::int32_t> heads_;  // traversal starts here; together these nodes cover the tree
-    std::vector<Place> places_;        // by emitter
+    std::vector<std::int32_t> heads_;  // together these nodes cover the tree
+    std::vector<Place> places_;
 };
 
 }  // namespace fastscene

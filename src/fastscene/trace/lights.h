@@ -52,18 +52,23 @@ class Lights {
 
     const Outdoors& outdoors() const { return outdoors_; }
 
-  private:
     // An emissive triangle, or a window.
     struct Emitter {
         std::int32_t mesh = -1, triangle = 0;
         std::int32_t portal = -1;
     };
+    const std::vector<Emitter>& emitters() const { return emitters_; }  // windows first
+    const LightTree& tree() const { return *tree_; }                    // of emitters()
+    // The emitter of a mesh's first triangle, the others follow; -1: not emissive, or large.
+    std::int32_t first_of_mesh(std::size_t mesh) const { return first_of_mesh_[mesh]; }
+    bool is_watertight(std::size_t mesh) const { return closed_[mesh]; }
+
+  private:
     float portal_pdf(const Room& room, Vec3f position, Vec3f normal, Vec3f direction) const;
     Outdoors outdoors_;
-    std::vector<Emitter> emitters_;  // windows first
-    std::optional<LightTree> tree_;  // of emitters_
-    std::vector<std::int32_t>
-        first_of_mesh_;  // by mesh: the emitter of its first triangle, the others follow; -1: not emissive, or large
+    std::vector<Emitter> emitters_;
+    std::optional<LightTree> tree_;
+    std::vector<std::int32_t> first_of_mesh_;
     std::vector<bool> large_, closed_;
 };
 

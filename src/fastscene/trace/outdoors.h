@@ -29,7 +29,6 @@ class Outdoors {
     float brightness() const;
     std::size_t bytes() const;
 
-  private:
     // Height is stretched so that pixels are densest at the horizon, where things are far and small.
     struct Band {
         int width = 0, height = 0;   // width: of the full circle
@@ -41,12 +40,17 @@ class Outdoors {
         bool covers(Vec2f position) const;
         Vec3f at(Vec2f position) const;  // bilinear
     };
+    const Band& band() const { return band_; }
+    const ImageColor& table() const { return table_; }  // 512 x 256; empty: bare sky and ground
+    const SkyDome& dome() const { return dome_; }
+
+  private:
     Vec3f bare(Vec3f direction) const;
 
     SkyDome dome_;
     Vec3f ground_;
     Band band_;
-    ImageColor table_;  // empty: bare sky and ground
+    ImageColor table_;
 };
 
 // Azimuth (atan2(x, z)) that the largest window looks to; 0 without windows.

@@ -8,112 +8,16 @@
 
 #include "fastscene/base/parallel.h"
 #include "fastscene/base/random.h"
+#include "fastscene/geometry/eyes.h"
 #include "fastscene/geometry/grown.h"
 #include "fastscene/geometry/sphere.h"
 #include "fastscene/image/color.h"
 #include "fastscene/trace/denoise.h"
 #include "fastscene/trace/film.h"
+#include "fastscene/trace/pixel_tracer.h"
 
 namespace fastscene {
 namespace {
-
-constexpr float kNoisy = 0.03f;  // relative standard error of a pixel's light above which it needs more rays
-constexpr int kLeastRound =
-    3;  // minimum rays before the variance estimate is used; with fewer, noise could pass for an exact value
-
-// Standard error of the running mean. Stratification makes the true error smaller.
-class MeanError {
-  public:
-    void add(float v) {
-        ++count_;
-        sum_ += v;
-        squares_ += v * v;
-    }
-    float mean() const { return sum_ / count_; }
-    float variance() const { return std::max(0.f, squares_ / count_ - mean() * mean()) / count_; }
-    // In sRGB-encoded values, as perceived and as PSNR measures: the encoding's slope is roughly that of a square root.
-    float of_srgb_mean() const { return std::sqrt(variance()) * 0.5f / std::sqrt(std::max(0.003f, mean())); }
-
-  private:
-    float count_ = 0, sum_ = 0, squares_ = 0;
-};
-
-float ratio(float a, float b) { return b > 1e-6f ? a / b : 0.f; }
-Vec3f ratio(Vec3f a, Vec3f b) { return {ratio(a.x, b.x), ratio(a.y, b.y), ratio(a.z, b.z)}; }
-
-// One light component of a pixel: the light that arrives, separate from the surface color it is multiplied by.
-struct LightSum {
-    Vec3f seen{};
-    MeanError arriving;
-    void add(Vec3f radiance, float through) {
-        seen += radiance;
-        arriving.add(ratio(luminance(radiance), through));
-    }
-};
-
-// Whether another hit is on a different surface: off this one's plane, or facing elsewhere. The sky is a surface of its
-// own.
-bool another_surface(Vec3f position, Vec3f normal, Vec3f other, Vec3f other_normal) {
-    const bool outside = dot(normal, normal) < 0.5f, there = dot(other_normal, other_normal) < 0.5f;
-    if (outside || there) return outside != there;
-    const Vec3f to = other - position;
-    const float off = dot(to, normal);
-    return !(dot(other_normal, normal) > 0.9f && off * off < 0.04f * dot(to, to) + 1e-6f);
-}
-
-// What some of a pixel's rays found on one surface, that of the first of them.
-struct SurfaceSum {
-    int count = 0;
-    Vec3f color{}, radiance{}, diffuse{}, specular{}, position{}, normal{};
-    std::array<LightSum, 3> lights;  // diffuse, sun, specular
-    MeanError texture;
-
-    bool takes(const Shaded& s) const { return count == 0 || !another_surface(position, normal, s.position, s.normal); }
-    void add(const Shaded& s, Vec3f developed) {
-        if (count++ == 0) position = s.position, normal = s.normal;
-        color += developed;
-        radiance += s.radiance;
-        diffuse += s.diffuse;
-        specular += s.specular;
-        lights[0].add(s.light, luminance(s.diffuse));
-        lights[1].add(s.sun, luminance(s.diffuse));
-        lights[2].add(s.mirrored, luminance(s.specular));
-        texture.add(luminance(s.diffuse + s.specular));
-    }
-    Vec3f through(std::size_t k) const { return (k < 2 ? diffuse : specular) / static_cast<float>(count); }
-    Vec3f light(std::size_t k) const { return ratio(lights[k].seen, k < 2 ? diffuse : specular); }
-    // Whether the light is noisy, not just the texture it falls on.
-    bool noisy(float tolerated) const {
-        float error = 0, level = 0;
-        for (std::size_t k = 0; k < lights.size(); ++k) {
-            const float by = luminance(through(k));
-            error += lights[k].arriving.variance() * by * by;
-            level += luminance(lights[k].seen) / static_cast<float>(count);
-        }
-        return error > tolerated * tolerated * level * level;
-    }
-};
-
-// Everything that a pixel's rays returned. The surface hit by the first ray, and the first different one (at an
-// outline), are kept apart from the rest, since their light can be compared with that of neighbours.
-struct PixelSum {
-    int taken = 0;
-    SurfaceSum own, second;
-    Vec3f rest_color{}, all_albedo{};
-    MeanError shown;
-
-    void add(const Shaded& s, Vec3f developed) {
-        ++taken;
-        all_albedo += s.albedo;
-        shown.add(luminance(developed));
-        if (own.takes(s)) own.add(s, developed);
-        else if (second.takes(s)) second.add(s, developed);
-        else rest_color += developed;
-    }
-    bool mixed() const { return own.count < taken; }
-    Vec3f color() const { return (own.color + second.color + rest_color) / static_cast<float>(taken); }
-    Vec3f albedo() const { return all_albedo / static_cast<float>(taken); }
-};
 
 // The second surface of a pixel, until its neighbours' light is known.
 struct SecondSurface {
@@ -294,31 +198,24 @@ struct NoisyPicture {
     }
 };
 
-// Whether a pixel needs another round of rays. When denoising, an even texture needs a few more, an outline some, and
-// most go to pixels whose light itself is noisy, as in soft shadows: from too few rays the denoiser makes ragged edges.
-bool needs_more(const PixelSum& pixel, const ShotParts& parts, int samples) {
-    if (pixel.taken >= samples) return false;
-    const float error = pixel.shown.of_srgb_mean();
-    if (!parts.denoise) return error > parts.noise;
-    if (!(error > parts.noise)) return false;
-    if (pixel.own.noisy(kNoisy)) return pixel.taken < samples / 2;
-    if (pixel.mixed()) return pixel.taken < samples / 4 || (pixel.taken < samples / 2 && error > 2 * parts.noise);
-    return pixel.taken < samples / 4 && pixel.own.texture.of_srgb_mean() > parts.noise;
-}
-
 }  // namespace
 
-RayCamera panorama_camera(const Rigid& world_from_pano, EquirectSize size) {
-    return {world_from_pano,
-            size.width,
-            size.height,
-            [size](Vec2f p) { return direction_at(p, size); },
-            kPi / static_cast<float>(size.height),
-            true};
+RayCamera panorama_camera(const Rigid& world_from_pano, EquirectSize size, float eye_m) {
+    RayCamera camera{world_from_pano,
+                     size.width,
+                     size.height,
+                     [size](Vec2f p) { return direction_at(p, size); },
+                     kPi / static_cast<float>(size.height),
+                     true};
+    camera.eye_m = eye_m;
+    if (eye_m != 0) camera.offset = [size, eye_m](Vec2f pixel) { return eye_offset(pixel, size, eye_m); };
+    return camera;
 }
 RayCamera perspective_camera(const Rigid& world_from_camera, const Pinhole& camera) {
-    return {world_from_camera, camera.width, camera.height, [camera](Vec2f p) { return camera.direction_at(p); },
-            1.f / camera.fx};
+    RayCamera out{world_from_camera, camera.width, camera.height, [camera](Vec2f p) { return camera.direction_at(p); },
+                  1.f / camera.fx};
+    out.pinhole = camera;
+    return out;
 }
 Vec3f world_direction(const RayCamera& camera, Vec2f pixel) {
     return normalize(camera.world_from_camera.rotation * camera.direction(pixel));
@@ -327,8 +224,82 @@ Vec3f world_origin(const RayCamera& camera, Vec2f pixel) {
     return camera.offset ? camera.world_from_camera * camera.offset(pixel) : camera.world_from_camera.translation;
 }
 
+namespace {
+
+std::uint64_t key_of_pixel(const Run& run, int x, int y) {
+    return picture_key(run.seed) ^ (static_cast<std::uint64_t>(y) << 32 | static_cast<std::uint64_t>(x));
+}
+Vec2f point_in(int x, int y, Sampler& sampler) {
+    const Vec2f offset = sampler.next2();
+    return {static_cast<float>(x) + offset.x, static_cast<float>(y) + offset.y};
+}
+
+// With Embree.
+class ProcessorPixels : public PixelTracer {
+  public:
+    ProcessorPixels(const ShadeScene& scene, const PixelPlan& plan) : scene_(scene), plan_(plan) {}
+
+    void trace(const PixelRows& pixels, int least, const Done& done, Progress* progress) override {
+        parallel_for(static_cast<std::int64_t>(pixels.size()), 4, [&](std::int64_t begin, std::int64_t end) {
+            plan_.run.check_stop();
+            for (auto y = static_cast<int>(begin); y < end; ++y)
+                for (const int x : pixels[static_cast<std::size_t>(y)]) done(x, y, pixel(x, y, least));
+            if (progress) progress->advance(end - begin);
+        });
+    }
+    PixelRows meeting_others(const PixelRows& pixels, int first, int end, const Guides& guides) override {
+        PixelRows out(pixels.size());
+        parallel_for(static_cast<std::int64_t>(pixels.size()), 4, [&](std::int64_t top, std::int64_t bottom) {
+            plan_.run.check_stop();
+            for (auto y = static_cast<int>(top); y < bottom; ++y)
+                for (const int x : pixels[static_cast<std::size_t>(y)])
+                    if (meets_another(x, y, first, end, guides)) out[static_cast<std::size_t>(y)].push_back(x);
+        });
+        return out;
+    }
+
+  private:
+    PixelSum pixel(int x, int y, int least) const {
+        const RayCamera& camera = plan_.camera;
+        PixelSum sum;
+        do {
+            for (int s = 0; s < plan_.round; ++s) {
+                Sampler sampler(key_of_pixel(plan_.run, x, y), static_cast<std::uint32_t>(sum.taken));
+                const Vec2f point = point_in(x, y, sampler);
+                const Shaded shaded = shade_ray(scene_, world_origin(camera, point), world_direction(camera, point),
+                                                plan_.ray_angle, sampler);
+                // Samples are tone mapped before averaging, so that edges against a bright window stay antialiased.
+                sum.add(shaded, plan_.look ? develop(*plan_.look, shaded.radiance) : shaded.radiance);
+            }
+        } while (sum.taken < least || needs_more(sum, plan_.parts, plan_.samples));
+        return sum;
+    }
+    bool meets_another(int x, int y, int first, int end, const Guides& guides) const {
+        for (int s = first; s < end; ++s) {
+            Sampler sampler(key_of_pixel(plan_.run, x, y), static_cast<std::uint32_t>(s));
+            const Vec2f point = point_in(x, y, sampler);
+            const Met met = met_by_ray(scene_, world_origin(plan_.camera, point), world_direction(plan_.camera, point));
+            if (another_surface(guides.position.at(x, y), guides.normal.at(x, y), met.position, met.normal))
+                return true;
+        }
+        return false;
+    }
+
+    const ShadeScene& scene_;
+    const PixelPlan& plan_;
+};
+
+}  // namespace
+
+std::unique_ptr<PixelTracer> processor_pixels(const ShadeScene& scene, const PixelPlan& plan) {
+    return std::make_unique<ProcessorPixels>(scene, plan);
+}
+
+std::uint64_t picture_key(std::uint64_t seed) { return mix64(seed ^ 0x9a7e1ull); }
+std::uint64_t path_picture_key(std::uint64_t seed) { return mix64(seed ^ 0x70a7ull); }
+
 ImageColor cached_picture(const ShadeScene& scene, const RayCamera& camera, const ShotParts& parts, int samples,
-                          const Look* look, ImageColor* albedo, const Run& run) {
+                          const Look* look, ImageColor* albedo, const Run& run, const MakePixelTracer& make) {
     const int round = parts.denoise     ? std::max(kLeastRound, samples / 16)
                       : parts.noise > 0 ? std::min(16, samples)
                                         : samples;
@@ -336,31 +307,13 @@ ImageColor cached_picture(const ShadeScene& scene, const RayCamera& camera, cons
     if (albedo) *albedo = out;
     std::optional<NoisyPicture> noisy;
     if (parts.denoise) noisy.emplace(camera);
-    const auto key_of_pixel = [&](int x, int y) {
-        return mix64(run.seed ^ 0x9a7e1ull) ^ (static_cast<std::uint64_t>(y) << 32 | static_cast<std::uint64_t>(x));
-    };
-    const auto point_in = [&](int x, int y, Sampler& sampler) {
-        const Vec2f offset = sampler.next2();
-        return Vec2f{static_cast<float>(x) + offset.x, static_cast<float>(y) + offset.y};
-    };
     // Each ray covers its share of the pixel: filtering textures over the whole pixel would blur them twice.
-    const float ray_angle = camera.pixel_angle / std::sqrt(static_cast<float>(round));
-    // At least `least` rays.
-    const auto trace = [&](int x, int y, int least) {
-        PixelSum pixel;
-        do {
-            for (int s = 0; s < round; ++s) {
-                Sampler sampler(key_of_pixel(x, y), static_cast<std::uint32_t>(pixel.taken));
-                const Vec2f point = point_in(x, y, sampler);
-                const Shaded shaded = shade_ray(scene, world_origin(camera, point), world_direction(camera, point),
-                                                ray_angle, sampler);
-                // Samples are tone mapped before averaging, so that edges against a bright window stay antialiased.
-                pixel.add(shaded, look ? develop(*look, shaded.radiance) : shaded.radiance);
-            }
-        } while (pixel.taken < least || needs_more(pixel, parts, samples));
+    const PixelPlan plan{camera, parts, samples, round, camera.pixel_angle / std::sqrt(static_cast<float>(round)), look,
+                         run};
+    const std::unique_ptr<PixelTracer> tracer = make ? make(plan) : processor_pixels(scene, plan);
+    const auto show = [&](int x, int y, const PixelSum& pixel) {
         out.at(x, y) = pixel.color();
         if (albedo) albedo->at(x, y) = pixel.albedo();
-        return pixel;
     };
     // In a partial picture the denoiser also sees the nearest pixels outside the mask.
     constexpr int kContext = 2;
@@ -368,64 +321,71 @@ ImageColor cached_picture(const ShadeScene& scene, const RayCamera& camera, cons
     const auto is_traced = [&](int x, int y) {
         return context.empty() ? is_asked_for(parts, x, y) : context.at(x, y) != 0;
     };
-    Progress progress(run, "picture", camera.height);
-    parallel_for(camera.height, 4, [&](std::int64_t begin, std::int64_t end) {
-        run.check_stop();
-        for (auto y = static_cast<int>(begin); y < end; ++y)
-            for (int x = 0; x < camera.width; ++x) {
-                if (!is_traced(x, y)) continue;
-                const PixelSum pixel = trace(x, y, round);
-                if (noisy) noisy->set(x, y, pixel);
-            }
-        progress.advance(end - begin);
-    });
-    // Sends more rays to selected pixels. doubtful_in(y) selects in a row; all rows are evaluated before
-    // refine_pixel(x, y) changes any pixel.
-    const auto refine = [&](const auto& doubtful_in, const auto& refine_pixel) {
-        std::vector<std::vector<int>> doubtful(static_cast<std::size_t>(camera.height));
+    // Columns by row; of all rows before any pixel changes.
+    const auto selected = [&](const auto& in_row) {
+        PixelRows rows(static_cast<std::size_t>(camera.height));
         parallel_for(camera.height, 8, [&](std::int64_t begin, std::int64_t end) {
-            for (auto y = static_cast<int>(begin); y < end; ++y) doubtful[static_cast<std::size_t>(y)] = doubtful_in(y);
+            for (auto y = static_cast<int>(begin); y < end; ++y) rows[static_cast<std::size_t>(y)] = in_row(y);
         });
-        parallel_for(camera.height, 4, [&](std::int64_t begin, std::int64_t end) {
-            run.check_stop();
-            for (auto y = static_cast<int>(begin); y < end; ++y)
-                for (const int x : doubtful[static_cast<std::size_t>(y)]) refine_pixel(x, y);
-        });
+        return rows;
+    };
+    Progress progress(run, "picture", camera.height);
+    tracer->trace(selected([&](int y) {
+                      std::vector<int> columns;
+                      for (int x = 0; x < camera.width; ++x)
+                          if (is_traced(x, y)) columns.push_back(x);
+                      return columns;
+                  }),
+                  round,
+                  [&](int x, int y, const PixelSum& pixel) {
+                      show(x, y, pixel);
+                      if (noisy) noisy->set(x, y, pixel);
+                  },
+                  &progress);
+    if (!noisy) return out;
+    // Sends more rays to selected pixels.
+    const auto refine = [&](const PixelRows& pixels, int least) {
+        tracer->trace(pixels, least,
+                      [&](int x, int y, const PixelSum& pixel) {
+                          show(x, y, pixel);
+                          noisy->set_again(x, y, pixel);
+                      },
+                      nullptr);
     };
     // Texture edges first: all of the four initial rays may lie on one side.
-    if (noisy)
-        refine([&](int y) { return noisy->beside_pattern_edges(y, round); },
-               [&](int x, int y) { noisy->set_again(x, y, trace(x, y, samples / 4)); });
+    refine(selected([&](int y) { return noisy->beside_pattern_edges(y, round); }), samples / 4);
     // Then edges of sun shadows: all rays may see the sun although a fifth of it is hidden, which would leave ragged
     // edges.
     constexpr int kShadowRounds = 2;
-    for (int look_number = 0; noisy && look_number < kShadowRounds; ++look_number)
-        refine([&](int y) { return noisy->beside_shadow_edges(y, round); },
-               [&](int x, int y) { noisy->set_again(x, y, trace(x, y, samples / 4)); });
+    for (int look_number = 0; look_number < kShadowRounds; ++look_number)
+        refine(selected([&](int y) { return noisy->beside_shadow_edges(y, round); }), samples / 4);
     // Then beside outlines: where they cover a part of the pixel that all initial rays missed, lines would break. It is
     // cheap to test whether further rays hit another surface; where they do, the next pixel along is tested too.
     constexpr int kOutlineRounds = 4;
     const int next = samples / 2;
-    Image<std::uint8_t> looked(noisy ? camera.width : 0, noisy ? camera.height : 0);
-    const auto meets_another = [&](int x, int y) {
-        for (int s = round; s < next; ++s) {
-            Sampler sampler(key_of_pixel(x, y), static_cast<std::uint32_t>(s));
-            const Vec2f point = point_in(x, y, sampler);
-            const Met met = met_by_ray(scene, world_origin(camera, point), world_direction(camera, point));
-            if (another_surface(noisy->guides.position.at(x, y), noisy->guides.normal.at(x, y), met.position,
-                                met.normal))
-                return true;
-        }
-        return false;
-    };
-    for (int look_number = 0; noisy && look_number < kOutlineRounds; ++look_number)
-        refine([&](int y) { return noisy->beside_outlines(y, round, look_number == 0); },
-               [&](int x, int y) {
-                   if (!std::exchange(looked.at(x, y), std::uint8_t{1}) && meets_another(x, y))
-                       noisy->set_again(x, y, trace(x, y, next));
-               });
-    if (noisy) noisy->denoise_into(out, look);
+    Image<std::uint8_t> looked(camera.width, camera.height);
+    for (int look_number = 0; look_number < kOutlineRounds; ++look_number) {
+        const PixelRows doubtful = selected([&](int y) {
+            std::vector<int> columns = noisy->beside_outlines(y, round, look_number == 0);
+            std::erase_if(columns, [&](int x) { return std::exchange(looked.at(x, y), std::uint8_t{1}) != 0; });
+            return columns;
+        });
+        refine(tracer->meeting_others(doubtful, round, next, noisy->guides), next);
+    }
+    noisy->denoise_into(out, look);
     return out;
+}
+
+ImageColor developed_paths(ImageColor sums, const ShotParts& parts, int samples, const Look* look) {
+    parallel_for(sums.height, 16, [&](std::int64_t begin, std::int64_t end) {
+        for (auto y = static_cast<int>(begin); y < end; ++y)
+            for (int x = 0; x < sums.width; ++x) {
+                if (!is_asked_for(parts, x, y)) continue;
+                const Vec3f mean = sums.at(x, y) / static_cast<float>(samples);
+                sums.at(x, y) = look ? develop(*look, mean) : mean;
+            }
+    });
+    return sums;
 }
 
 ImageColor path_traced_picture(const PathScene& scene, const RayCamera& camera, const ShotParts& parts, int samples,
@@ -437,13 +397,12 @@ ImageColor path_traced_picture(const PathScene& scene, const RayCamera& camera, 
         for (auto y = static_cast<int>(begin); y < end; ++y)
             for (int x = 0; x < camera.width; ++x) {
                 if (!is_asked_for(parts, x, y)) continue;
-                const std::uint64_t key = mix64(run.seed ^ 0x70a7ull) ^
+                const std::uint64_t key = path_picture_key(run.seed) ^
                                           (static_cast<std::uint64_t>(y) << 32 | static_cast<std::uint64_t>(x));
                 Vec3f sum{};
                 for (int s = 0; s < samples; ++s) {
                     Sampler sampler(key, static_cast<std::uint32_t>(s));
-                    const Vec2f offset = sampler.next2();
-                    const Vec2f point{static_cast<float>(x) + offset.x, static_cast<float>(y) + offset.y};
+                    const Vec2f point = point_in(x, y, sampler);
                     sum += path_radiance(scene, world_origin(camera, point), world_direction(camera, point),
                                          camera.pixel_angle, sampler);
                 }

@@ -19,13 +19,17 @@ class SkyDome {
     // The same without clouds and stars.
     Vec3f air(Vec3f direction) const;
 
-  private:
     static constexpr int kAround = 32, kUp = 32;
+    // Relative to the mean at equal height, by angle from the sun's azimuth and by height.
+    using Course = std::array<std::array<Vec3f, kAround + 1>, kUp + 1>;
+    const Course& course() const { return course_; }
+    Vec3f sunward() const { return sunward_; }
+
+  private:
     Vec3f clouded(Vec3f direction, Vec3f behind) const;
     Sky sky_;
     Vec3f sunward_;  // horizontal
-    // Relative to the mean at equal height, by angle from the sun's azimuth and by height.
-    std::array<std::array<Vec3f, kAround + 1>, kUp + 1> course_{};
+    Course course_{};
 };
 
 }  // namespace fastscene

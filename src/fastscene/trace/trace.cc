@@ -9,7 +9,7 @@
 #include "fastscene/base/check.h"
 #include "fastscene/base/parallel.h"
 #include "fastscene/base/random.h"
-#include "fastscene/geometry/eyes.h"
+#include "fastscene/trace/backend.h"
 #include "fastscene/trace/film.h"
 #include "fastscene/trace/irradiance.h"
 #include "fastscene/trace/lights.h"
@@ -60,6 +60,10 @@ struct TracedRoom::Impl {
     mutable std::once_flag lights_once_;
     mutable std::optional<Lights> lights_;
 
+    // Another processor that renders this room, if one was asked for; one picture at a time.
+    std::unique_ptr<RoomTracer> card;
+    mutable std::mutex card_mutex;
+
     explicit Impl(Room r) : room(std::move(r)), bvh(room) {
         for (const Mesh& mesh : room.meshes) {
             closed.push_back(is_closed(mesh));
@@ -70,10 +74,14 @@ struct TracedRoom::Impl {
     ImageColor color(const RayCamera& camera, const ShotParts& parts, const Look* look, ImageColor* albedo,
                      const Run& run) const {
         const int samples = parts.pixel_samples > 0 ? parts.pixel_samples : params.pixel_samples;
+        std::unique_lock<std::mutex> lock(card_mutex, std::defer_lock);
+        if (card) lock.lock();
+        if (parts.paths && card)
+            return developed_paths(card->path_sums(camera, parts, samples, run), parts, samples, look);
         if (parts.paths) return path_traced_picture({room, bvh, lights()}, camera, parts, samples, look, run);
         FASTSCENE_CHECK(light.has_value());
         return cached_picture({room, bvh, lights(), *light, parts.contacts, parts.frugal, parts.min_alpha}, camera,
-                              parts, samples, look, albedo, run);
+                              parts, samples, look, albedo, run, card ? card->pixels(parts) : MakePixelTracer{});
     }
 
     // Metres along the ray to the virtual image, followed through all flat mirrors on the way.
@@ -132,7 +140,11 @@ TracedRoom& TracedRoom::operator=(TracedRoom&&) noexcept = default;
 
 void TracedRoom::gather_light(const TraceParams& params, const Run& run, const std::vector<Vec3f>& viewpoints) {
     impl_->params = params;
-    impl_->light = IrradianceCache::gather(impl_->room, impl_->bvh, impl_->lights(), params, run, viewpoints);
+    impl_->card = nullptr;
+    if (const auto make = registered_entry<TraceBackendEntry>("--trace-backend", params.backend.name).make)
+        impl_->card = make(params.backend.device, impl_->room, impl_->lights());
+    impl_->light = IrradianceCache::gather(impl_->room, impl_->bvh, impl_->lights(), params, run, viewpoints,
+                                           impl_->card ? &impl_->card->gatherer() : nullptr);
     const Run quiet{run.seed, nullptr, run.stop};
     ImageColor albedo;
     const ImageColor small = impl_->color(panorama_camera({}, {128, 64}), {.pixel_samples = 4}, nullptr, &albedo,
@@ -142,6 +154,7 @@ void TracedRoom::gather_light(const TraceParams& params, const Run& run, const s
     impl_->room.look.transform = static_cast<ViewTransform>(name - kViewTransforms.begin());
     impl_->room.look = automatic_look(impl_->room.look, impl_->room.sky, small, albedo,
                                       impl_->lights().outdoors().brightness());
+    if (impl_->card) impl_->card->set_look(impl_->room.look, impl_->room.sky);
 }
 
 Shot TracedRoom::panorama(const Rigid& world_from_pano, EquirectSize size, const ShotParts& parts,
@@ -151,9 +164,7 @@ Shot TracedRoom::panorama(const Rigid& world_from_pano, EquirectSize size, const
 
 Shot TracedRoom::eye_panorama(const Rigid& world_from_pano, EquirectSize size, float eye_m, const ShotParts& parts,
                               const Run& run) const {
-    RayCamera camera = panorama_camera(world_from_pano, size);
-    camera.offset = [size, eye_m](Vec2f pixel) { return eye_offset(pixel, size, eye_m); };
-    return impl_->shoot(camera, parts, run);
+    return impl_->shoot(panorama_camera(world_from_pano, size, eye_m), parts, run);
 }
 
 Shot TracedRoom::perspective(const Rigid& world_from_camera, const Pinhole& camera, const ShotParts& parts,
@@ -235,5 +246,7 @@ float TracedRoom::clearance(Vec3f point, float limit_m) const {
 }
 
 const Room& TracedRoom::room() const { return impl_->room; }
+
+std::string TracedRoom::device() const { return impl_->card ? impl_->card->device() : std::string(); }
 
 }  // namespace fastscene

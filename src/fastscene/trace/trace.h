@@ -18,6 +18,23 @@
 
 namespace fastscene {
 
+// The backends that there are (trace/trace_backends/), and a sentence about each for --help.
+std::vector<std::string> trace_backend_names();
+const std::string& about_trace_backends();
+
+// What renders rooms.
+struct TraceBackend {
+    std::string name = "cpu";
+    std::string device = "auto";  // of vulkan (gpu::choose_device)
+};
+template <class V>
+void visit_fields(TraceBackend& b, V&& v) {
+    v("trace-backend", b.name, Choices{trace_backend_names()}, about_trace_backends());
+    v("trace-device", b.device,
+      "vulkan: the graphics card, by number or part of its name; auto: the one with the most memory; list: names "
+      "them.");
+}
+
 struct TraceParams {
     float cell_m = 0.03f;         // size of an irradiance cache cell
     int cell_samples = 192;       // paths gathered per cell
@@ -25,6 +42,7 @@ struct TraceParams {
     bool keep_noise = false;      // leave panoramas undenoised
     float outside_detail = 10.f;  // pixels per degree of the view through the windows, at the horizon
     std::string view_transform = "photo";
+    TraceBackend backend;
 };
 // Names of ViewTransform, in its order.
 inline constexpr std::array<const char*, 3> kViewTransforms{"photo", "soft", "linear"};
@@ -39,6 +57,7 @@ void visit_fields(TraceParams& p, V&& v) {
     v("view-transform", p.view_transform, Choices{{kViewTransforms.begin(), kViewTransforms.end()}},
       "How scene light becomes display color. photo: a photograph's contrast, with highlights that roll off into "
       "white; soft: less contrast, for editing afterwards; linear: clipped at white.");
+    visit_fields(p.backend, v);
 }
 
 // Per-pixel results of a rendering. Each image is empty unless requested in ShotParts.
@@ -127,6 +146,8 @@ class TracedRoom {
     float clearance(Vec3f point, float limit_m) const;
 
     const Room& room() const;
+    // What gathered the light and renders pictures: a graphics card with its driver; empty: the processor.
+    std::string device() const;
 
   private:
     struct Impl;

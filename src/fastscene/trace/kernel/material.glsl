@@ -17,6 +17,13 @@ const uint Pattern_plain = 0, Pattern_plaster = 1, Pattern_wood = 2, Pattern_pla
            Pattern_peeling = 46, Pattern_image = 47;
 const int kArtDesigns = 8;
 
+// A bit a pattern: drivers leave out those that a room does not have, which are most, and are done sooner.
+layout(constant_id = 0) const uint kPatternsInUse = 0xffffffffu;
+layout(constant_id = 1) const uint kMorePatternsInUse = 0xffffffffu;
+bool is_in_use(uint pattern) {
+    return ((pattern < 32 ? kPatternsInUse >> pattern : kMorePatternsInUse >> (pattern - 32)) & 1) != 0;
+}
+
 // A picture and its mip levels: their number, three words a level (where its texels begin, width, height), and the
 // texels, red in the lowest byte.
 layout(buffer_reference, std430, buffer_reference_align = 4) readonly buffer TextureWords { uint at[]; };

@@ -8,9 +8,11 @@
 #ifdef __cplusplus
 #include "fastscene/scene/room.h"
 #define PATTERN(name) Pattern::name
+#define IN_USE(name) true
 #else
 #include "fastscene/trace/kernel/material.glsl"
 #define PATTERN(name) Pattern_##name
+#define IN_USE(name) is_in_use(Pattern_##name)
 #endif
 
 KERNEL_BEGIN

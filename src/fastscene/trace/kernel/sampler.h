@@ -19,6 +19,7 @@ struct Sampler {
     uint index, dimension;
 };
 
+#ifdef __cplusplus
 inline uint reversed_bits(uint x) {
     x = x << 16 | x >> 16;
     x = (x & 0x00ff00ffu) << 8 | (x & 0xff00ff00u) >> 8;
@@ -26,6 +27,9 @@ inline uint reversed_bits(uint x) {
     x = (x & 0x33333333u) << 2 | (x & 0xccccccccu) >> 2;
     return (x & 0x55555555u) << 1 | (x & 0xaaaaaaaau) >> 1;
 }
+#else
+uint reversed_bits(uint x) { return bitfieldReverse(x); }
+#endif
 // Laine and Karras' permutation: each bit is flipped by a hash of the bits below it.
 inline uint scrambled(uint x, uint seed) {
     x ^= x * 0x3d20adeau;
