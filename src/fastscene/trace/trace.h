@@ -42,7 +42,7 @@ struct TraceParams {
     bool keep_noise = false;      // leave panoramas undenoised
     float outside_detail = 10.f;  // pixels per degree of the view through the windows, at the horizon
     std::string view_transform = "photo";
-    TraceBackend backend;
+    TraceBackend backend = {};
 };
 // Names of ViewTransform, in its order.
 inline constexpr std::array<const char*, 3> kViewTransforms{"photo", "soft", "linear"};
