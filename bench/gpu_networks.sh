@@ -115,6 +115,11 @@ run paint_half 40 --part paint --precision $half --runs 5 --keep "$build/half.rg
 run enlarge_half 60 --part enlarge --precision $half --runs 1
 run paint_float 40 --part paint --precision float --runs 2 --keep "$build/float.rgb" --against "$build/half.rgb"
 run depth 40 --part depth --runs 3
+wanted_width=$width
+[ "$width" = 1024 ] && width=1092  # the size of DA-2's published evaluation
+run da2_float 40 --part da2 --precision float --runs 3
+run da2_bf16 40 --part da2 --precision bf16 --runs 3
+width=$wanted_width
 run inpaint 60 --part inpaint --runs 2
 FASTSCENE_CUDA_KERNELS=0 run paint_half_no_kernels 40 --part paint --precision $half --runs 3 --against "$build/float.rgb"
 FASTSCENE_CUDA_GRAPHS=0 run paint_half_no_graphs 40 --part paint --precision $half --runs 3 --against "$build/float.rgb"
