@@ -87,8 +87,9 @@ int main(int argc, char** argv) try {
     const Run run{seed, nullptr, {}};
     Json parts, json;
     const auto start = std::chrono::steady_clock::now();
-    const RoomPanorama made = timed(parts, "panorama",
-                                    [&] { return panorama_of_room({prompt, {}}, params.panorama, run); });
+    const RoomPanorama made = timed(parts, "panorama", [&] {
+        return panorama_of_room({prompt, {}}, params.panorama, run);
+    });
     const StandableFloor floor = passable_floor(*made.room);
     std::vector<Panorama> panoramas = timed(parts, "walk", [&] { return walk(made, floor, params, run); });
     const Outside outside = timed(parts, "outside", [&] {

@@ -77,8 +77,9 @@ Pictures render(const Asked& asked, const TraceBackend& backend, Json& out) {
             const Rigid pose{Mat3f::from_columns({std::cos(turn), 0, -std::sin(turn)}, {0, 1, 0},
                                                  {std::sin(turn), 0, std::cos(turn)}),
                              at};
-            views.push_back(room->perspective(pose, Pinhole::with_fov(asked.view_size, asked.view_size, 80), view_parts,
-                                              run).color);
+            views.push_back(
+                room->perspective(pose, Pinhole::with_fov(asked.view_size, asked.view_size, 80), view_parts, run)
+                    .color);
         }
         return views;
     });
@@ -99,12 +100,10 @@ Json kernel_times(const Asked& asked, const std::string& device) {
     const Room room = room_of(known);
     Json out, seconds;
     const auto bvh = timed(seconds, "embree_trees", [&] { return std::make_unique<SceneBvh>(room); });
-    const auto lights = timed(seconds, "lights", [&] {
-        return std::make_unique<Lights>(room, asked.params.trace.outside_detail);
-    });
-    const auto tracer = timed(seconds, "to_card", [&] {
-        return std::make_unique<vulkan::Tracer>(device, "--trace-device", room, *lights);
-    });
+    const auto lights = timed(seconds, "lights",
+                              [&] { return std::make_unique<Lights>(room, asked.params.trace.outside_detail); });
+    const auto tracer = timed(
+        seconds, "to_card", [&] { return std::make_unique<vulkan::Tracer>(device, "--trace-device", room, *lights); });
     vulkan::CardGatherer gatherer(*tracer);
     tracer->device().kernel_times();
     const IrradianceCache light = timed(seconds, "gather", [&] {
@@ -117,7 +116,8 @@ Json kernel_times(const Asked& asked, const std::string& device) {
     };
     const EquirectSize size{asked.params.width, asked.params.width / 2};
     timed(seconds, "panorama", [&] {
-        return cached_picture(scene, panorama_camera({}, size), parts, parts.pixel_samples, &room.look, nullptr, run, make);
+        return cached_picture(scene, panorama_camera({}, size), parts, parts.pixel_samples, &room.look, nullptr, run,
+                              make);
     });
     std::size_t triangles = 0;
     for (const Mesh& m : room.meshes) triangles += m.triangles.size() / 3;

@@ -47,14 +47,14 @@ std::string instruction_set_in_use() {
     return fmt::format("{} in use, {}; compiled for {} and above", isa_name(isa()), why, isa_name(compiled_isa()));
 }
 
-// Listed with the number that --splat-device takes.
+// Listed with the number that --splat-device and --panorama-trace-device take.
 Finding graphics_card(const gpu::DeviceInfo& d) {
     const std::string state = fmt::format("{}: {}, {:.1f} GiB, {}{}", d.index, d.name,
                                           static_cast<double>(d.memory) / (1 << 30), d.driver,
                                           d.is_card ? "" : "; a processor, used only if asked for by number or name");
     if (d.missing.empty()) return {"graphics card", state, ""};
     return {"graphics card", fmt::format("{}; lacks {}", state, fmt::join(d.missing, ", ")),
-            "install a newer driver; --splat-backend cpu works without"};
+            "install a newer driver; --splat-backend cpu and --panorama-trace-backend cpu work without"};
 }
 
 double memory_gib(const std::string& field) {

@@ -92,6 +92,9 @@ Json report_of(const std::vector<StageRecord>& stages, const SceneRequest& reque
     report["peak_memory_bytes"] = total.peak_memory_bytes;
     if (const std::string device = device_of_fit(folder.stage("splat")); !device.empty() && costs.contains("splat"))
         costs["splat"]["device"] = device;
+    for (const char* const stage : {"panorama", "walk"})
+        if (const std::string device = device_of_stage(folder.stage(stage)); !device.empty() && costs.contains(stage))
+            costs[stage]["device"] = device;
     report["stages"] = costs;
     Json made = Json::array();
     for (const std::string& name : RunFolder::owned())

@@ -92,4 +92,9 @@ std::vector<Panorama> load_walk(const RunFolder& folder) {
     return panoramas;
 }
 
+std::string device_of_stage(const std::filesystem::path& stage) {
+    if (!std::filesystem::exists(stage / kAboutName)) return {};
+    return read_json(stage / kAboutName).value("device", "");
+}
+
 }  // namespace fastscene

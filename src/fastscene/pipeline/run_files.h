@@ -21,6 +21,10 @@ std::vector<Panorama> load_walk(const RunFolder& folder);
 // world_from_pano of every panorama of the walk, without loading pictures.
 std::vector<Rigid> load_walk_poses(const RunFolder& folder);
 
+// What a stage tells of itself; "device": the graphics card that it ran on, if any.
+inline constexpr const char* kAboutName = "about.json";
+std::string device_of_stage(const std::filesystem::path& stage);
+
 // An 8-bit picture in linear color.
 ImageColor load_color(const std::filesystem::path& path);
 

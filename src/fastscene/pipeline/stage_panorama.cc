@@ -118,6 +118,8 @@ std::shared_ptr<const TracedRoom> make_panorama(const SceneSource& source, const
         save_more_panoramas(list, {made.color.width, made.color.height}, filler, files, out / "more", run);
     write_json(out / "prompt.json", made.prompt);
     write_json(out / "room.json", made.room);
+    if (made.traced && !made.traced->device().empty())
+        write_json(out / kAboutName, Json{{"device", made.traced->device()}});
     return made.traced;
 }
 

@@ -85,7 +85,8 @@ void make_walk(const SceneSource& source, const PanoramaParams& panorama, const 
     write_json(out / folder.walkable_json().filename(),
                walkable_json(stands ? walkable_room(floor) : walkable_of(inventions, floor_below(first))));
     save_viewpoints(out / "poses.json", viewpoints);
-    write_json(out / "about.json", about);
+    if (room && looks_into_room(params) && !room->device().empty()) about["device"] = room->device();
+    write_json(out / kAboutName, about);
 }
 
 }  // namespace fastscene

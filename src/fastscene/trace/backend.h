@@ -30,8 +30,8 @@ class RoomTracer {
 struct TraceBackendEntry {
     std::string name = {};   // as its source file
     std::string about = {};  // half a sentence, for --help
-    // `device`: TraceBackend::device. Throws UsageError for a device that there is not. `room` and `lights` must live as
-    // long. Null: Embree.
+    // `device`: TraceBackend::device. Throws UsageError for a device that there is not. `room` and `lights` must live
+    // as long. Null: Embree.
     std::unique_ptr<RoomTracer> (*make)(const std::string& device, const Room& room, const Lights& lights) = nullptr;
 };
 

@@ -28,7 +28,7 @@ class Gatherer {
         Vec3f irradiance;
         float error = 0;  // standard
         LightDirection directed;
-        float nearness = 0;       // mean inverse distance, 1/m
+        float nearness = 0;         // mean inverse distance, 1/m
         std::uint32_t reached = 0;  // a bit a sample point
     };
     // `seed`, `pass`: of the random numbers (IrradianceCache::random_key).

@@ -118,8 +118,8 @@ class IrradianceCache {
         const std::vector<Vec3f>& reflectances;  // by material: diffuse albedo for secondary bounces
         const std::vector<Coat>& coats;          // by material: specular coat, for its reflection of the sun
         const std::vector<Cell>& cells;
-        const std::vector<std::uint64_t>& keys;           // of cells, ascending
-        const std::vector<std::uint32_t>& first_sample;   // offsets into samples, one more than cells; empty when done
+        const std::vector<std::uint64_t>& keys;          // of cells, ascending
+        const std::vector<std::uint32_t>& first_sample;  // offsets into samples, one more than cells; empty when done
         const std::vector<Place>& samples;
         const std::vector<Slot>& slots;  // open-addressing hash table over keys
         const std::vector<SunPatch>& sun_patches;
@@ -127,8 +127,8 @@ class IrradianceCache {
         const std::vector<float>& sun_powers;  // cumulative, by patch
     };
     Tables tables() const {
-        return {cell_m_, origin_,  reflectances_, coats_,       cells_,      keys_,
-                first_sample_, samples_, slots_, sun_patches_, sun_places_, sun_powers_};
+        return {cell_m_,       origin_,  reflectances_, coats_,       cells_,      keys_,
+                first_sample_, samples_, slots_,        sun_patches_, sun_places_, sun_powers_};
     }
 
   private:

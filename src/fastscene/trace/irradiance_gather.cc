@@ -19,7 +19,7 @@ using namespace irradiance;
 namespace {
 
 constexpr int kPasses = 6;
-constexpr int kUnseenShare = 3;  // unseen cells get this fraction of the paths …
+constexpr int kUnseenShare = 3;                     // unseen cells get this fraction of the paths …
 constexpr int kLeastDirect = 8, kLeastBounced = 2;  // … and at least these
 // Harmonic mean distance to the surroundings, in cells: below the first an entry lies in a corner, above the second in
 // the open.
@@ -115,32 +115,33 @@ void IrradianceCache::gather_direct(const Room& room, const SceneBvh& bvh, const
             error[c] = found[c].error;
         }
         progress.advance(blocks_of(cells_.size()));
-    } else parallel_for(static_cast<std::int64_t>(cells_.size()), 1024, [&](std::int64_t begin, std::int64_t end) {
-        run.check_stop();
-        for (std::int64_t i = begin; i < end; ++i) {
-            const auto c = static_cast<std::size_t>(i);
-            Cell& cell = cells_[c];
-            Random random(random_key(c, 0, run.seed));
-            const Vec2f shift{random.uniform(), random.uniform()};
-            const int asked = cell.seen ? samples : std::max(kLeastDirect, samples / kUnseenShare);
-            Vec3f sum{};
-            Spread spread;
-            for (int s = 0; s < asked; ++s) {
-                const Vec2f uv = r2_point(static_cast<std::uint32_t>(s), shift);
-                const float which = (static_cast<float>(s) + random.uniform()) / static_cast<float>(asked);
-                const Place& at = place(c, s);
-                const Direct found = direct(room, bvh, lights, at, which, uv);
-                sum += found.irradiance();
-                spread.add(luminance(found.irradiance()));
-                const float share = 1 / static_cast<float>(asked);
-                for (const DirectedLight& light : {found.lights, found.sunlit})
-                    cell.directed.add(light.irradiance * share, light.direction, at.normal);
+    } else
+        parallel_for(static_cast<std::int64_t>(cells_.size()), 1024, [&](std::int64_t begin, std::int64_t end) {
+            run.check_stop();
+            for (std::int64_t i = begin; i < end; ++i) {
+                const auto c = static_cast<std::size_t>(i);
+                Cell& cell = cells_[c];
+                Random random(random_key(c, 0, run.seed));
+                const Vec2f shift{random.uniform(), random.uniform()};
+                const int asked = cell.seen ? samples : std::max(kLeastDirect, samples / kUnseenShare);
+                Vec3f sum{};
+                Spread spread;
+                for (int s = 0; s < asked; ++s) {
+                    const Vec2f uv = r2_point(static_cast<std::uint32_t>(s), shift);
+                    const float which = (static_cast<float>(s) + random.uniform()) / static_cast<float>(asked);
+                    const Place& at = place(c, s);
+                    const Direct found = direct(room, bvh, lights, at, which, uv);
+                    sum += found.irradiance();
+                    spread.add(luminance(found.irradiance()));
+                    const float share = 1 / static_cast<float>(asked);
+                    for (const DirectedLight& light : {found.lights, found.sunlit})
+                        cell.directed.add(light.irradiance * share, light.direction, at.normal);
+                }
+                error[c] = spread.of_mean();
+                cell.direct = sum / static_cast<float>(asked);
             }
-            error[c] = spread.of_mean();
-            cell.direct = sum / static_cast<float>(asked);
-        }
-        progress.advance();
-    });
+            progress.advance();
+        });
     despeckle(false);
     error = pooled(error);
     for (const int step : {1, 2}) smooth(false, step, error);
@@ -245,8 +246,8 @@ void IrradianceCache::gather_indirect(const Room& room, const SceneBvh& bvh, con
 }
 
 IrradianceCache IrradianceCache::gather(const Room& room, const SceneBvh& bvh, const Lights& lights,
-                                        const TraceParams& params, const Run& run,
-                                        const std::vector<Vec3f>& viewpoints, Gatherer* gatherer) {
+                                        const TraceParams& params, const Run& run, const std::vector<Vec3f>& viewpoints,
+                                        Gatherer* gatherer) {
     using Changed = Gatherer::Changed;
     IrradianceCache cache;
     cache.cell_m_ = params.cell_m;

@@ -308,8 +308,8 @@ ImageColor cached_picture(const ShadeScene& scene, const RayCamera& camera, cons
     std::optional<NoisyPicture> noisy;
     if (parts.denoise) noisy.emplace(camera);
     // Each ray covers its share of the pixel: filtering textures over the whole pixel would blur them twice.
-    const PixelPlan plan{camera, parts, samples, round, camera.pixel_angle / std::sqrt(static_cast<float>(round)), look,
-                         run};
+    const PixelPlan plan{camera, parts, samples, round, camera.pixel_angle / std::sqrt(static_cast<float>(round)),
+                         look,   run};
     const std::unique_ptr<PixelTracer> tracer = make ? make(plan) : processor_pixels(scene, plan);
     const auto show = [&](int x, int y, const PixelSum& pixel) {
         out.at(x, y) = pixel.color();
@@ -330,27 +330,29 @@ ImageColor cached_picture(const ShadeScene& scene, const RayCamera& camera, cons
         return rows;
     };
     Progress progress(run, "picture", camera.height);
-    tracer->trace(selected([&](int y) {
-                      std::vector<int> columns;
-                      for (int x = 0; x < camera.width; ++x)
-                          if (is_traced(x, y)) columns.push_back(x);
-                      return columns;
-                  }),
-                  round,
-                  [&](int x, int y, const PixelSum& pixel) {
-                      show(x, y, pixel);
-                      if (noisy) noisy->set(x, y, pixel);
-                  },
-                  &progress);
+    tracer->trace(
+        selected([&](int y) {
+            std::vector<int> columns;
+            for (int x = 0; x < camera.width; ++x)
+                if (is_traced(x, y)) columns.push_back(x);
+            return columns;
+        }),
+        round,
+        [&](int x, int y, const PixelSum& pixel) {
+            show(x, y, pixel);
+            if (noisy) noisy->set(x, y, pixel);
+        },
+        &progress);
     if (!noisy) return out;
     // Sends more rays to selected pixels.
     const auto refine = [&](const PixelRows& pixels, int least) {
-        tracer->trace(pixels, least,
-                      [&](int x, int y, const PixelSum& pixel) {
-                          show(x, y, pixel);
-                          noisy->set_again(x, y, pixel);
-                      },
-                      nullptr);
+        tracer->trace(
+            pixels, least,
+            [&](int x, int y, const PixelSum& pixel) {
+                show(x, y, pixel);
+                noisy->set_again(x, y, pixel);
+            },
+            nullptr);
     };
     // Texture edges first: all of the four initial rays may lie on one side.
     refine(selected([&](int y) { return noisy->beside_pattern_edges(y, round); }), samples / 4);

@@ -33,11 +33,12 @@ class CardRoom : public RoomTracer {
 }  // namespace
 
 TraceBackendEntry vulkan() {
-    return {.name = "vulkan",
-            .about = "a graphics card",
-            .make = [](const std::string& device, const Room& room, const Lights& lights) -> std::unique_ptr<RoomTracer> {
-                return std::make_unique<CardRoom>(device, room, lights);
-            }};
+    return {
+        .name = "vulkan",
+        .about = "a graphics card",
+        .make = [](const std::string& device, const Room& room, const Lights& lights) -> std::unique_ptr<RoomTracer> {
+            return std::make_unique<CardRoom>(device, room, lights);
+        }};
 }
 
 }  // namespace fastscene::trace_backends

@@ -82,8 +82,7 @@ class Builder {
                 if (cost < best) best = cost, best_axis = axis, best_bin = static_cast<int>(k);
             }
         }
-        if (count <= kLeafTriangles &&
-            !(best + kCostOfNode * box.area() < static_cast<float>(count) * box.area()))
+        if (count <= kLeafTriangles && !(best + kCostOfNode * box.area() < static_cast<float>(count) * box.area()))
             return begin;
         if (best_bin >= 0) {
             const float low = middles.low[best_axis], extent = middles.high[best_axis] - low;
@@ -133,8 +132,8 @@ std::vector<Binary> build_binary(std::vector<Part>& parts) {
         int depth;
     };
     std::vector<Job> open{{0, 0}}, jobs;
-    nodes.push_back({top.box_of(0, static_cast<std::uint32_t>(parts.size())), -1, -1, 0,
-                     static_cast<std::uint32_t>(parts.size())});
+    nodes.push_back(
+        {top.box_of(0, static_cast<std::uint32_t>(parts.size())), -1, -1, 0, static_cast<std::uint32_t>(parts.size())});
     while (!open.empty()) {
         const Job job = open.back();
         open.pop_back();
@@ -240,7 +239,8 @@ class Widener {
         std::array<std::int32_t, 8> child_of{};
         child_of.fill(-1);
         for (int c = 0; c < count; ++c)
-            child_of[static_cast<std::size_t>(slot[static_cast<std::size_t>(c)])] = children[static_cast<std::size_t>(c)];
+            child_of[static_cast<std::size_t>(slot[static_cast<std::size_t>(c)])] =
+                children[static_cast<std::size_t>(c)];
 
         BvhNode n{};
         std::array<float, 3> step{};

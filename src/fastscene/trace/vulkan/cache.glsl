@@ -93,7 +93,8 @@ Reading read_cache(World w, vec3 position, vec3 normal) {
         const Entry e = cache_entry(w, c);
         const float aside = dot(e.center - position, e.normal) / (0.2f * cache.w);
         const float same = 1 / (1 + aside * aside * aside * aside);
-        const float near = (step.x != 0 ? f.x : 1 - f.x) * (step.y != 0 ? f.y : 1 - f.y) * (step.z != 0 ? f.z : 1 - f.z);
+        const vec3 weights = mix(1 - f, f, notEqual(step, ivec3(0)));
+        const float near = weights.x * weights.y * weights.z;
         const float v = share * same * near * max(0.02f, dot(e.normal, normal)) + 1e-6f * share;
         sum.irradiance += e.light * v;
         sum.sun += e.sun * v;
@@ -193,9 +194,9 @@ Bounce bounce_of(World w, Hit hit, vec3 from, vec3 direction) {
     vec3 irradiance = m.reflectance * (both[0].light * (1 - m.transmission) + both[1].light * m.transmission);
     if (hit.distance <= kNearSun * world_cache(w).w) {
         const vec3 sun = world_sun(w).xyz;
-        irradiance += (both[0].sun * sun_reflected(sun, m.reflectance, m.coat, m.transmission, normal, direction, false) +
-                       both[1].sun * sun_reflected(sun, m.reflectance, m.coat, m.transmission, normal, direction, true)) *
-                      kPi;
+        for (int side = 0; side < sides; ++side)
+            irradiance += both[side].sun * kPi *
+                          sun_reflected(sun, m.reflectance, m.coat, m.transmission, normal, direction, side == 1);
     }
     if ((mesh.y & kLarge) != 0) irradiance += m.emission * kPi;
     return Bounce(irradiance, direction, hit.distance, false);

@@ -20,7 +20,8 @@ Ray camera_ray(Lens c, vec2 p) {
         const float lon = (p.x / c.lens.x - 0.5f) * 2 * kPi, lat = (0.5f - p.y / c.lens.y) * kPi;
         way = vec3(cos(lat) * sin(lon), -sin(lat), cos(lat) * cos(lon));
         if (c.lens.z != 0) {  // geometry/eyes.h
-            const float t = clamp((abs(lat) * 180 / kPi - 60) / 15, 0.0, 1.0), aside = c.lens.z * (1 - t * t * (3 - 2 * t));
+            const float t = clamp((abs(lat) * 180 / kPi - 60) / 15, 0.0, 1.0);
+            const float aside = c.lens.z * (1 - t * t * (3 - 2 * t));
             start = vec3(cos(lon) * aside, 0, -sin(lon) * aside);
         }
     } else way = vec3((p.x - c.lens.z) / c.lens.x, (p.y - c.lens.w) / c.lens.y, 1);

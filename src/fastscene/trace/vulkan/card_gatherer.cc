@@ -23,8 +23,9 @@ void CardGatherer::update(const IrradianceCache::Tables& cache, Changed what) {
             std::vector<Uvec4> entries(count);
             for (std::size_t c = 0; c < count; ++c) {
                 const std::uint32_t first = cache.first_sample[c], points = cache.first_sample[c + 1] - first;
-                entries[c] = {static_cast<std::uint32_t>(cache.keys[c]), static_cast<std::uint32_t>(cache.keys[c] >> 32),
-                              first, points | (cache.cells[c].seen ? 1u << 31 : 0u)};
+                entries[c] = {static_cast<std::uint32_t>(cache.keys[c]),
+                              static_cast<std::uint32_t>(cache.keys[c] >> 32), first,
+                              points | (cache.cells[c].seen ? 1u << 31 : 0u)};
             }
             std::vector<Vec4> points(2 * cache.samples.size());
             for (std::size_t i = 0; i < cache.samples.size(); ++i)
@@ -67,7 +68,8 @@ void CardGatherer::update(const IrradianceCache::Tables& cache, Changed what) {
             std::vector<Uvec4> slots;
             slots.reserve(cache.slots.size());
             for (const IrradianceCache::Slot& s : cache.slots)
-                slots.push_back({static_cast<std::uint32_t>(s.key), static_cast<std::uint32_t>(s.key >> 32), s.cell, 0});
+                slots.push_back(
+                    {static_cast<std::uint32_t>(s.key), static_cast<std::uint32_t>(s.key >> 32), s.cell, 0});
             scene.tables().slot_mask = static_cast<std::uint32_t>(cache.slots.size() - 1);
             scene.set_cache(CardScene::kSlots, slots);
             std::vector<Vec4> coats;
@@ -85,8 +87,8 @@ void CardGatherer::update(const IrradianceCache::Tables& cache, Changed what) {
             std::vector<Vec4> patches, places;
             for (const IrradianceCache::SunPatch& p : cache.sun_patches) {
                 patches.push_back(vec4(p.sun, p.area));
-                patches.push_back({bits(p.first), bits(p.count), luminance(p.leaving) * p.area * p.useful,
-                                   bits(p.behind ? 1u : 0u)});
+                patches.push_back(
+                    {bits(p.first), bits(p.count), luminance(p.leaving) * p.area * p.useful, bits(p.behind ? 1u : 0u)});
             }
             for (const IrradianceCache::SunPlace& p : cache.sun_places) {
                 places.push_back(vec4(p.at.position, bits(static_cast<std::uint32_t>(p.material))));

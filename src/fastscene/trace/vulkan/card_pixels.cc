@@ -30,8 +30,7 @@ SurfaceSum surface_sum(const CardSurface& s) {
     out.color = rgb(s.color_count), out.radiance = rgb(s.radiance_texture), out.diffuse = rgb(s.diffuse_texture2);
     out.specular = rgb(s.specular_light2), out.position = rgb(s.position_sun2), out.normal = rgb(s.normal_mirrored2);
     const std::array<float, 3> squares{s.specular_light2.w, s.position_sun2.w, s.normal_mirrored2.w};
-    for (std::size_t k = 0; k < 3; ++k)
-        out.lights[k] = {rgb(s.lights[k]), MeanError(count, s.lights[k].w, squares[k])};
+    for (std::size_t k = 0; k < 3; ++k) out.lights[k] = {rgb(s.lights[k]), MeanError(count, s.lights[k].w, squares[k])};
     out.texture = MeanError(count, s.radiance_texture.w, s.diffuse_texture2.w);
     return out;
 }
@@ -115,24 +114,23 @@ void CardPixels::trace_band(const Band& band, int least, const Done& done) {
                                   (plan_.parts.denoise ? 4u : 0u) | (plan_.look ? 8u : 0u);
     while (!list.empty()) {
         put(device, list_, list);
-        tracer_.run_in_pieces(
-            tracer_.kernels().shade, static_cast<std::int64_t>(list.size()), plan_.run,
-            [&](std::int64_t first, std::uint32_t items) {
-                return Push{tracer_.scene().world(),
-                            camera_.address(),
-                            list_.address() + 4 * static_cast<std::uint64_t>(first),
-                            pixels_.address(),
-                            sums_.address(),
-                            more_.address() + 4 * static_cast<std::uint64_t>(first),
-                            items,
-                            static_cast<std::uint32_t>(plan_.round),
-                            static_cast<std::uint32_t>(plan_.samples),
-                            static_cast<std::uint32_t>(least),
-                            options,
-                            plan_.ray_angle,
-                            plan_.parts.noise,
-                            options_.min_alpha};
-            });
+        tracer_.run_in_pieces(tracer_.kernels().shade, static_cast<std::int64_t>(list.size()), plan_.run,
+                              [&](std::int64_t first, std::uint32_t items) {
+                                  return Push{tracer_.scene().world(),
+                                              camera_.address(),
+                                              list_.address() + 4 * static_cast<std::uint64_t>(first),
+                                              pixels_.address(),
+                                              sums_.address(),
+                                              more_.address() + 4 * static_cast<std::uint64_t>(first),
+                                              items,
+                                              static_cast<std::uint32_t>(plan_.round),
+                                              static_cast<std::uint32_t>(plan_.samples),
+                                              static_cast<std::uint32_t>(least),
+                                              options,
+                                              plan_.ray_angle,
+                                              plan_.parts.noise,
+                                              options_.min_alpha};
+                              });
         const auto more = take<std::uint32_t>(device, more_, list.size());
         std::size_t kept = 0;
         for (std::size_t i = 0; i < list.size(); ++i)
@@ -170,10 +168,14 @@ PixelRows CardPixels::meeting_others(const PixelRows& pixels, int first, int end
     tracer_.run_in_pieces(tracer_.kernels().meets, static_cast<std::int64_t>(list.size()), plan_.run,
                           [&](std::int64_t at, std::uint32_t items) {
                               const auto skipped = static_cast<std::uint64_t>(at);
-                              return Push{tracer_.scene().world(),         camera_.address(),
-                                          pixels_.address() + 4 * skipped, on_card.address() + 32 * skipped,
-                                          more_.address() + 4 * skipped,   items,
-                                          static_cast<std::uint32_t>(first), static_cast<std::uint32_t>(end),
+                              return Push{tracer_.scene().world(),
+                                          camera_.address(),
+                                          pixels_.address() + 4 * skipped,
+                                          on_card.address() + 32 * skipped,
+                                          more_.address() + 4 * skipped,
+                                          items,
+                                          static_cast<std::uint32_t>(first),
+                                          static_cast<std::uint32_t>(end),
                                           0};
                           });
     const auto found = take<std::uint32_t>(device, more_, list.size());

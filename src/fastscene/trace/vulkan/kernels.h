@@ -1,8 +1,9 @@
 // The compute kernels of path tracing. Patterns are long, and drivers take seconds to compile them: each kernel is made
-// when it is first used, with the patterns of its room alone.
+// when it is first used, with the patterns of its room alone, or ahead of that beside other work.
 #pragma once
 
 #include <array>
+#include <future>
 #include <optional>
 #include <span>
 #include <utility>
@@ -18,8 +19,17 @@ using PatternsInUse = std::array<std::uint32_t, 2>;
 class LazyKernel {
   public:
     LazyKernel(const char* name, const std::span<const std::uint32_t>& words) : name_(name), words_(words) {}
+    // Has the driver begin, on a thread of its own. Device and patterns must live as long.
+    void prepare(gpu::Device& device, const PatternsInUse& patterns) {
+        if (kernel_ || coming_.valid()) return;
+        coming_ = std::async(std::launch::async,
+                             [this, &device, patterns] { return gpu::Kernel(device, name_, words_, patterns); });
+    }
     const gpu::Kernel& on(gpu::Device& device, const PatternsInUse& patterns) {
-        if (!kernel_) kernel_.emplace(device, name_, words_, patterns);
+        if (!kernel_) {
+            prepare(device, patterns);
+            kernel_ = coming_.get();
+        }
         return *kernel_;
     }
 
@@ -33,6 +43,7 @@ class LazyKernel {
     const char* name_;
     const std::span<const std::uint32_t>& words_;  // set up at the program's start
     std::optional<gpu::Kernel> kernel_;
+    std::future<gpu::Kernel> coming_;
     bool is_new_ = true;
 };
 

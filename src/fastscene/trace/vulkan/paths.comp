@@ -78,8 +78,7 @@ void main() {
             mis_weight = power_heuristic(arrival_pdf, light_pdf(w, arrival_from, arrival_normal, direction, on.triangle,
                                                                 on.mesh, on.normal, on.back, hit.distance));
         if (hit.place == kNone) {
-            total += sum + throughput * (clearly ? outside_of_camera(w, direction) : outside_light(w, direction)) *
-                               mis_weight;
+            total += sum + throughput * outside_of(w, direction, clearly) * mis_weight;
             alive = false;
             continue;
         }

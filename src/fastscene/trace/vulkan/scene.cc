@@ -47,8 +47,8 @@ void CardScene::set_cache(CacheTable which, const void* from, std::int64_t bytes
         buffer = gpu::Buffer(device_, bytes, gpu::Memory::device, "the light of a room");
     }
     gpu::upload(device_, buffer, 0, from, bytes);
-    const std::array<std::uint64_t*, kCacheTables> addresses{&world_.cells,       &world_.slots,      &world_.coats,
-                                                             &world_.sun_patches, &world_.sun_places, &world_.sun_powers};
+    const std::array<std::uint64_t*, kCacheTables> addresses{
+        &world_.cells, &world_.slots, &world_.coats, &world_.sun_patches, &world_.sun_places, &world_.sun_powers};
     *addresses[which] = buffer.address();
     write();
 }
@@ -76,9 +76,10 @@ void CardScene::add_geometry(const Room& room, const Lights& lights) {
         const Mesh& mesh = room.meshes[m];
         const auto first_triangle = static_cast<std::uint32_t>(corners.size()),
                    first_vertex = static_cast<std::uint32_t>(vertices.size() / 3);
-        meshes.push_back({static_cast<std::uint32_t>(mesh.material),
-                          (lights.is_watertight(m) ? kClosed : 0u) | (lights.is_large(static_cast<int>(m)) ? kLarge : 0u),
-                          static_cast<std::uint32_t>(lights.first_of_mesh(m)), first_triangle});
+        meshes.push_back(
+            {static_cast<std::uint32_t>(mesh.material),
+             (lights.is_watertight(m) ? kClosed : 0u) | (lights.is_large(static_cast<int>(m)) ? kLarge : 0u),
+             static_cast<std::uint32_t>(lights.first_of_mesh(m)), first_triangle});
         for (std::size_t t = 0; t + 2 < mesh.triangles.size(); t += 3)
             corners.push_back({first_vertex + mesh.triangles[t], first_vertex + mesh.triangles[t + 1],
                                first_vertex + mesh.triangles[t + 2], static_cast<std::uint32_t>(m)});
@@ -99,7 +100,8 @@ void CardScene::add_lights(const Room& room, const Lights& lights) {
     for (const Lights::Emitter& e : lights.emitters()) {
         if (e.portal >= 0) {
             const Portal& p = room.portals[static_cast<std::size_t>(e.portal)];
-            emitters.push_back(vec4(p.corner, bits(0u))), emitters.push_back(vec4(p.edge_u, bits(std::uint32_t{kWindow})));
+            emitters.push_back(vec4(p.corner, bits(0u))),
+                emitters.push_back(vec4(p.edge_u, bits(std::uint32_t{kWindow})));
             emitters.push_back(vec4(p.edge_v, length(cross(p.edge_u, p.edge_v))));
             ++world_.windows;
             continue;

@@ -88,18 +88,20 @@ void main() {
         bool shades = false;  // the view's surface is complete but for its glossy reflection
         bool has_gloss = false;
         if (!met) {
+            const vec3 outside = outside_of(w, direction, is_view || sharp);
             if (is_view) {
                 seen = nothing_shaded();
-                seen.radiance = outside_of_camera(w, direction);
+                seen.radiance = outside;
                 ends = true;
             } else {
-                found_light = sharp ? outside_of_camera(w, direction) : outside_light(w, direction);
+                found_light = outside;
                 is_reflected = true;
             }
         } else {
             on = hit_surface(w, hit, direction);
             const float slant = max(0.08f, abs(dot(on.normal, direction)));
-            const float footprint = is_view ? ray_angle * (travelled + hit.distance) / sqrt(slant) : angle * hit.distance;
+            const float footprint = is_view ? ray_angle * (travelled + hit.distance) / sqrt(slant)
+                                            : angle * hit.distance;
             Material m = w.materials.at[w.meshes.at[on.mesh].x];
             const SurfacePoint s = surface_at(w, m, hit, on, origin, direction, footprint, is_view);
             const bool clear = is_clear(m);
@@ -171,7 +173,8 @@ void main() {
                     if (has_gloss) {
                         const vec3 between = ggx_half(s.bumped, r.alpha, next2(random));
                         mirror = direction - between * (2 * dot(direction, between));
-                        if (!(dot(mirror, s.normal) > 0.01f)) mirror = direction - s.normal * (2 * dot(direction, s.normal));
+                        if (!(dot(mirror, s.normal) > 0.01f))
+                            mirror = direction - s.normal * (2 * dot(direction, s.normal));
                         mirror = normalize(mirror);
                         if (r.alpha != 0) {
                             which[1] = next(random);
@@ -201,7 +204,8 @@ void main() {
                 const vec3 to_sun = sun_direction(w, disc);
                 rays[3] = ShadowRay(s.position + s.bumped * kSurfaceOffset, to_sun, kFar, sun_unblocked(w, s.bumped));
                 if (m.transmission > 0)
-                    rays[4] = ShadowRay(s.position - s.normal * kSurfaceOffset, to_sun, kFar, sun_unblocked(w, -s.normal));
+                    rays[4] = ShadowRay(s.position - s.normal * kSurfaceOffset, to_sun, kFar,
+                                        sun_unblocked(w, -s.normal));
                 for (int k = 0; k < 5; ++k)
                     if (max_component(rays[k].irradiance) > 0 &&
                         is_blocked(w, rays[k].origin, rays[k].direction, rays[k].far))

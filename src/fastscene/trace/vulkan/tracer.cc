@@ -35,6 +35,7 @@ Tracer::Tracer(const std::string& device, const std::string& flag, const Room& r
         const auto pattern = static_cast<std::uint32_t>(m.pattern);
         patterns_[pattern / 32] |= 1u << pattern % 32;
     }
+    kernels_.shade.prepare(device_, patterns_);  // done while the light is gathered
 }
 
 void Tracer::set_look(const Look& look, const Sky& sky) {
@@ -76,18 +77,21 @@ ImageColor Tracer::path_sums(const RayCamera& camera, const ShotParts& parts, in
         for (int first = 0; first < samples; first += kPathsASubmission) {
             const auto now = static_cast<std::uint32_t>(std::min(kPathsASubmission, samples - first));
             run_in_pieces(kernels_.paths, count, run, [&](std::int64_t at, std::uint32_t items) {
-                return Push{scene_.world(),   lens.address(),
+                return Push{scene_.world(),
+                            lens.address(),
                             list.address() + static_cast<std::uint64_t>(at) * 4,
                             sums.address() + static_cast<std::uint64_t>(at) * sizeof(Vec4),
-                            items,            static_cast<std::uint32_t>(first),
-                            now,              camera.pixel_angle};
+                            items,
+                            static_cast<std::uint32_t>(first),
+                            now,
+                            camera.pixel_angle};
             });
         }
         std::vector<Vec4> found(pixels.size());
         gpu::download(device_, sums, 0, found.data(), count * static_cast<std::int64_t>(sizeof(Vec4)));
         for (std::size_t i = 0; i < pixels.size(); ++i)
             out.at(static_cast<int>(pixels[i] & 0xffff), static_cast<int>(pixels[i] >> 16)) = {found[i].x, found[i].y,
-                                                                                              found[i].z};
+                                                                                               found[i].z};
         progress.advance(bottom - top);
     }
     return out;

@@ -49,8 +49,8 @@ Hit trace_ray(World w, vec3 origin, vec3 direction, float far, uint kind) {
             const uint low_x = part == 0 ? n2.x : n2.y, low_y = part == 0 ? n2.z : n2.w,
                        low_z = part == 0 ? n3.x : n3.y, high_x = part == 0 ? n3.z : n3.w,
                        high_y = part == 0 ? n4.x : n4.y, high_z = part == 0 ? n4.z : n4.w;
-            const uvec3 near = uvec3(forward.x ? low_x : high_x, forward.y ? low_y : high_y, forward.z ? low_z : high_z),
-                        away = uvec3(forward.x ? high_x : low_x, forward.y ? high_y : low_y, forward.z ? high_z : low_z);
+            const uvec3 low = uvec3(low_x, low_y, low_z), high = uvec3(high_x, high_y, high_z),
+                        near = mix(high, low, forward), away = mix(low, high, forward);
             [[unroll]] for (int k = 0; k < 4; ++k) {
                 const uint m = meta >> (8 * k) & 255;
                 const vec3 enter = vec3(near >> (8 * k) & 255) * scale + base,

@@ -6,6 +6,7 @@
 #include <cstdlib>
 
 #include "fastscene/trace/path.h"
+#include "fastscene/trace/trace.h"
 #include "fastscene/trace/vulkan/card_gatherer.h"
 #include "fastscene/trace/vulkan/card_pixels.h"
 #include "fastscene/trace/vulkan/test_rooms.h"
@@ -21,7 +22,8 @@ std::string device_name() {
 
 // Everything that one room needs on both sides.
 struct Both {
-    explicit Both(Room r) : room(std::move(r)), bvh(room), lights(room, 2, &bvh), card(device_name(), "--device", room, lights) {}
+    explicit Both(Room r)
+        : room(std::move(r)), bvh(room), lights(room, 2, &bvh), card(device_name(), "--device", room, lights) {}
     ~Both() { EXPECT_EQ(card.device().validation_messages(), std::vector<std::string>{}); }
     Room room;
     SceneBvh bvh;
@@ -81,8 +83,8 @@ TEST_F(VulkanTrace, RaysMeetWhatEmbreesMeet) {
         hits += truth ? 1 : 0;
         const bool same = mine.mesh == truth.mesh &&
                           (!truth ||
-                           mine.triangle == static_cast<int>(first_triangle[static_cast<std::size_t>(truth.mesh)]) +
-                                                truth.triangle);
+                           mine.triangle ==
+                               static_cast<int>(first_triangle[static_cast<std::size_t>(truth.mesh)]) + truth.triangle);
         if (!same) {
             ++others;
             // An edge hit by one and missed by the other, or two triangles at one place.
@@ -130,8 +132,8 @@ TEST_F(VulkanTrace, PathsAreThoseOfTheProcessor) {
         // A path that rounding sends elsewhere differs wholly: most pixels must not.
         std::vector<double> off;
         for (std::size_t i = 0; i < mine.size(); ++i)
-            off.push_back(static_cast<double>(length(mine.pixels[i] - truth.pixels[i]) /
-                                              (0.01f + length(truth.pixels[i]))));
+            off.push_back(
+                static_cast<double>(length(mine.pixels[i] - truth.pixels[i]) / (0.01f + length(truth.pixels[i]))));
         std::sort(off.begin(), off.end());
         EXPECT_LT(off[off.size() / 2], 1e-4);
         EXPECT_LT(off[off.size() * 9 / 10], 1e-2);
@@ -143,8 +145,8 @@ TEST_F(VulkanTrace, PathsAreThoseOfTheProcessor) {
 
 // How far two caches of a room are apart.
 struct Apart {
-    int others = 0;  // cells that only one of them has: the last hidden, the first in sight
-    int unlike = 0;  // cells whose light differs by more than 2 percent
+    int others = 0;                            // cells that only one of them has: the last hidden, the first in sight
+    int unlike = 0;                            // cells whose light differs by more than 2 percent
     double light = 0, sun = 0, direction = 0;  // mean relative differences
     double level = 1;                          // all light, relative
 };
@@ -163,7 +165,8 @@ Apart apart(const IrradianceCache& mine, const IrradianceCache& truth) {
         out.unlike += length(e - f) > 0.02f * (length(f) + 0.05f);
         mine_light += static_cast<double>(luminance(e)), light += static_cast<double>(luminance(f));
         out.light += static_cast<double>(std::fabs(luminance(e - f)));
-        sun += static_cast<double>(luminance(q.sun)), out.sun += static_cast<double>(std::fabs(luminance(p.sun - q.sun)));
+        sun += static_cast<double>(luminance(q.sun)),
+            out.sun += static_cast<double>(std::fabs(luminance(p.sun - q.sun)));
         out.direction += static_cast<double>(length(p.directed.gradient() - q.directed.gradient()));
     }
     out.light /= light, out.level = mine_light / light, out.direction /= static_cast<double>(k);
@@ -185,8 +188,8 @@ TEST_F(VulkanTrace, TheCacheIsThatOfTheProcessor) {
         SCOPED_TRACE(sunny);
         CardGatherer gatherer(both->card);
         const IrradianceCache truth = IrradianceCache::gather(both->room, both->bvh, both->lights, params, run),
-                              mine = IrradianceCache::gather(both->room, both->bvh, both->lights, params, run, {Vec3f{}},
-                                                             &gatherer);
+                              mine = IrradianceCache::gather(both->room, both->bvh, both->lights, params, run,
+                                                             {Vec3f{}}, &gatherer);
         const Apart found = apart(mine, truth);
         const auto cells = static_cast<double>(truth.size());
         EXPECT_GT(cells, 5000);
@@ -234,15 +237,55 @@ TEST_F(VulkanTrace, CachedPicturesAreThoseOfTheProcessor) {
         };
         ImageColor truth_albedo, albedo;
         const Look* const shown = c.develops ? &look : nullptr;
-        const ImageColor truth = cached_picture(scene, camera, c.parts, c.parts.pixel_samples, shown, &truth_albedo, run),
-                         mine = cached_picture(scene, camera, c.parts, c.parts.pixel_samples, shown, &albedo, run, make);
+        const ImageColor truth = cached_picture(scene, camera, c.parts, c.parts.pixel_samples, shown, &truth_albedo,
+                                                run),
+                         mine = cached_picture(scene, camera, c.parts, c.parts.pixel_samples, shown, &albedo, run,
+                                               make);
         EXPECT_GT(psnr(mine, truth), 50);
         EXPECT_GT(psnr(albedo, truth_albedo), 50);
         // Again: the same bytes.
-        const ImageColor again = cached_picture(scene, camera, c.parts, c.parts.pixel_samples, shown, &albedo, run, make);
+        const ImageColor again = cached_picture(scene, camera, c.parts, c.parts.pixel_samples, shown, &albedo, run,
+                                                make);
         EXPECT_EQ(again.pixels, mine.pixels);
     }
     both.card.set_look(both.room.look, both.room.sky);
+}
+
+// As users get there: by the settings.
+TEST(TraceBackend, ARoomOnACardLooksAsOnTheProcessor) {
+    TraceParams params;
+    params.cell_m = 0.2f, params.cell_samples = 32, params.outside_detail = 2;
+    const fastscene::Run run{5, nullptr, {}};
+    ImageColor pictures[2], paths[2];
+    for (const bool on_card : {false, true}) {
+        TracedRoom room(everything_room());
+        if (on_card) params.backend = {"vulkan", device_name()};
+        room.gather_light(params, run);
+        EXPECT_EQ(room.device().empty(), !on_card);
+        EXPECT_TRUE(!on_card || gpu::has_card() || room.device().find("llvmpipe") != std::string::npos)
+            << room.device();
+        pictures[on_card] = room.eye_panorama({}, {64, 32}, 0.03f, {.pixel_samples = 8, .contacts = true}, run).color;
+        paths[on_card] = room.perspective({}, Pinhole::with_fov(24, 16, 70), {.pixel_samples = 8, .paths = true}, run)
+                             .color;
+    }
+    EXPECT_GT(psnr(pictures[1], pictures[0]), 38);  // sun patches are asked differently: two seeds' noise of the light
+    EXPECT_GT(psnr(paths[1], paths[0]), 38);        // the exposure differs by as much
+}
+
+TEST(TraceBackend, UnknownOnesAreNamed) {
+    TraceParams params;
+    const auto refusal = [&](const std::string& name, const std::string& device) {
+        params.backend = {name, device};
+        TracedRoom room(everything_room());
+        try {
+            room.gather_light(params, {});
+        } catch (const UsageError& e) {
+            return std::string(e.what());
+        }
+        return std::string("none");
+    };
+    EXPECT_EQ(refusal("cuda", "auto"), "--trace-backend: expected cpu or vulkan, found \"cuda\"");
+    EXPECT_NE(refusal("vulkan", "voodoo").find("--trace-device voodoo: expected"), std::string::npos);
 }
 
 }  // namespace
