@@ -17,6 +17,7 @@
 #include "fastscene/rooms/pack.h"
 #include "fastscene/pipeline/claim.h"
 #include "fastscene/pipeline/resolve.h"
+#include "fastscene/pipeline/run_files.h"
 #include "fastscene/pipeline/share.h"
 #include "fastscene/pipeline/source_check.h"
 #include "fastscene/pipeline/splat_settings.h"

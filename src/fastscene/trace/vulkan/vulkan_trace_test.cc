@@ -118,6 +118,19 @@ TEST_F(VulkanTrace, NoRayLeavesAClosedRoomThroughItsEdges) {
     for (const RayHit& hit : both.card.hits(rays)) ASSERT_TRUE(hit);
 }
 
+// In a closed room with albedo 1/2 and emission 1/2 the radiance is 1 in all directions.
+TEST_F(VulkanTrace, Furnace) {
+    Room room;
+    room.min_corner = kLow, room.max_corner = kHigh;
+    room.materials = {diffuse({0.5f, 0.5f, 0.5f}, {0.5f, 0.5f, 0.5f})};
+    room.meshes = {box_mesh(kLow, kHigh, 0, -1, true)};
+    room.look.automatic = false, room.look.exposure_ev = -4;  // lamps are not compressed
+    Both both(std::move(room));
+    const ImageColor sums = both.card.path_sums(panorama_camera({}, {32, 16}), {}, 64, {});
+    const Vec3d mean = mean_of(sums) / 64.;
+    for (std::size_t k = 0; k < 3; ++k) EXPECT_NEAR(mean[k], 1, 0.01);
+}
+
 TEST_F(VulkanTrace, PathsAreThoseOfTheProcessor) {
     Both& both = everything();
     const fastscene::Run run{7, nullptr, {}};
@@ -275,7 +288,7 @@ TEST(TraceBackend, ARoomOnACardLooksAsOnTheProcessor) {
 TEST(TraceBackend, UnknownOnesAreNamed) {
     TraceParams params;
     const auto refusal = [&](const std::string& name, const std::string& device) {
-        params.backend = {name, device};
+        params.backend = {name, device}, params.outside_detail = 0;
         TracedRoom room(everything_room());
         try {
             room.gather_light(params, {});
