@@ -51,9 +51,9 @@ TEST(Crossings, ASheetHasNoInside) {
 // What boxes cannot tell.
 TEST(Crossings, NothingReachesIntoAnotherOver60Rooms) {
     const std::vector<std::string> rooms = room_types(), all = styles();
-    constexpr int kRooms = 60;
-    std::vector<std::string> lists(kRooms);
-    parallel_for(kRooms, 1, [&](std::int64_t begin, std::int64_t) {
+    constexpr int kSeeds = 60;
+    std::vector<std::string> lists(kSeeds);
+    parallel_for(kSeeds, 1, [&](std::int64_t begin, std::int64_t) {
         const auto seed = static_cast<std::uint64_t>(begin);
         PromptSpec spec = understand_prompt(
             "a " + all[(seed + seed / 60) % all.size()] + " " + room_title(rooms[seed % rooms.size()]), false);
