@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <bit>
 #include <cstdlib>
 #include <cstring>
 #include <mutex>
@@ -273,6 +274,37 @@ struct DeviceHandles {
     }
 };
 
+// Mapped memory on the way between host and device, a piece a direction. It is kept, and grows up to kMostBytes: to
+// allocate it takes longer than most copies.
+class Transfers {
+  public:
+    static constexpr std::int64_t kMostBytes = 64 << 20;
+
+    explicit Transfers(Device& device) : device_(device), commands_(device) {}
+    const Buffer& up(std::int64_t bytes) { return reserved(up_, bytes, Memory::upload); }
+    const Buffer& down(std::int64_t bytes) { return reserved(down_, bytes, Memory::readback); }
+    void copy(const Buffer& from, std::int64_t from_byte, const Buffer& to, std::int64_t to_byte, std::int64_t bytes) {
+        commands_.begin();
+        commands_.copy(from, from_byte, to, to_byte, bytes);
+        commands_.submit();
+        commands_.wait();
+    }
+
+  private:
+    const Buffer& reserved(Buffer& buffer, std::int64_t bytes, Memory memory) {
+        const std::int64_t wanted = std::min(bytes, kMostBytes);
+        if (buffer.bytes() < wanted) {
+            const auto grown = static_cast<std::int64_t>(std::bit_ceil(static_cast<std::uint64_t>(wanted)));
+            buffer = {};  // before the next is allocated
+            buffer = Buffer(device_, grown, memory, "a transfer");
+        }
+        return buffer;
+    }
+    Device& device_;
+    Commands commands_;
+    Buffer up_, down_;
+};
+
 Device::Device(const DeviceInfo& info) : info_(info), handles_(std::make_unique<DeviceHandles>()) {
     const std::vector<VkPhysicalDevice> all = instance().devices();
     FASTSCENE_CHECK(info.index >= 0 && static_cast<std::size_t>(info.index) < all.size() && info.missing.empty());
@@ -316,6 +348,7 @@ Device::~Device() {
     DeviceHandles& h = *handles_;
     if (!h.device) return;
     h.f.vkDeviceWaitIdle(h.device);
+    transfers_ = {};
     h.f.vkDestroySemaphore(h.device, h.timeline, nullptr);
     h.f.vkDestroyCommandPool(h.device, h.pool, nullptr);
     h.f.vkDestroyDevice(h.device, nullptr);
@@ -593,8 +626,9 @@ void Commands::wait() {
     read_times();
 }
 
-namespace {
-constexpr std::int64_t kStagingBytes = 64 << 20;
+Transfers& Device::transfers() {
+    if (!transfers_) transfers_ = std::make_unique<Transfers>(*this);
+    return *transfers_;
 }
 
 void upload(Device& device, const Buffer& to, std::int64_t to_byte, const void* from, std::int64_t bytes) {
@@ -603,34 +637,45 @@ void upload(Device& device, const Buffer& to, std::int64_t to_byte, const void* 
         std::memcpy(static_cast<char*>(to.mapped()) + to_byte, from, static_cast<std::size_t>(bytes));
         return;
     }
-    Buffer staging(device, std::min(bytes, kStagingBytes), Memory::upload, "a transfer");
-    Commands commands(device);
-    for (std::int64_t done = 0; done < bytes; done += kStagingBytes) {
-        const std::int64_t now = std::min(kStagingBytes, bytes - done);
+    Transfers& transfers = device.transfers();
+    const Buffer& staging = transfers.up(bytes);
+    for (std::int64_t done = 0; done < bytes; done += Transfers::kMostBytes) {
+        const std::int64_t now = std::min(Transfers::kMostBytes, bytes - done);
         std::memcpy(staging.mapped(), static_cast<const char*>(from) + done, static_cast<std::size_t>(now));
-        commands.begin();
-        commands.copy(staging, 0, to, to_byte + done, now);
-        commands.submit();
-        commands.wait();
+        transfers.copy(staging, 0, to, to_byte + done, now);
     }
 }
 
-void download(Device& device, const Buffer& from, std::int64_t from_byte, void* to, std::int64_t bytes) {
+namespace {
+
+void take_pieces(Device& device, const Buffer& from, std::int64_t from_byte, std::int64_t bytes,
+                 std::int64_t item_bytes, const TakePiece& take) {
     if (bytes == 0) return;
     if (from.mapped()) {
-        std::memcpy(to, static_cast<const char*>(from.mapped()) + from_byte, static_cast<std::size_t>(bytes));
+        take(static_cast<const char*>(from.mapped()) + from_byte, 0, bytes);
         return;
     }
-    Buffer staging(device, std::min(bytes, kStagingBytes), Memory::readback, "a transfer");
-    Commands commands(device);
-    for (std::int64_t done = 0; done < bytes; done += kStagingBytes) {
-        const std::int64_t now = std::min(kStagingBytes, bytes - done);
-        commands.begin();
-        commands.copy(from, from_byte + done, staging, 0, now);
-        commands.submit();
-        commands.wait();
-        std::memcpy(static_cast<char*>(to) + done, staging.mapped(), static_cast<std::size_t>(now));
+    Transfers& transfers = device.transfers();
+    const Buffer& staging = transfers.down(bytes);
+    const std::int64_t piece = Transfers::kMostBytes / item_bytes * item_bytes;
+    for (std::int64_t done = 0; done < bytes; done += piece) {
+        const std::int64_t now = std::min(piece, bytes - done);
+        transfers.copy(from, from_byte + done, staging, 0, now);
+        take(staging.mapped(), done, now);
     }
+}
+
+}  // namespace
+
+void download(Device& device, const Buffer& from, std::int64_t from_byte, void* to, std::int64_t bytes) {
+    take_pieces(device, from, from_byte, bytes, 1, [&](const void* piece, std::int64_t at, std::int64_t size) {
+        std::memcpy(static_cast<char*>(to) + at, piece, static_cast<std::size_t>(size));
+    });
+}
+
+void download_in_pieces(Device& device, const Buffer& from, std::int64_t bytes, std::int64_t item_bytes,
+                        const TakePiece& take) {
+    take_pieces(device, from, 0, bytes, item_bytes, take);
 }
 
 }  // namespace fastscene::gpu

@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <memory>
 #include <span>
@@ -37,6 +38,7 @@ struct DeviceLost : Error {
 };
 
 struct DeviceHandles;  // device.cc
+class Transfers;
 
 class Device {
   public:
@@ -56,10 +58,12 @@ class Device {
     std::vector<std::string> validation_messages() const;
 
     DeviceHandles& handles() const { return *handles_; }
+    Transfers& transfers();
 
   private:
     DeviceInfo info_;
     std::unique_ptr<DeviceHandles> handles_;
+    std::unique_ptr<Transfers> transfers_;  // of upload() and download()
 };
 
 enum class Memory {
@@ -148,5 +152,10 @@ class Commands {
 // Copies between host and device memory, through a mapped buffer of limited size. They wait for the device.
 void upload(Device& device, const Buffer& to, std::int64_t to_byte, const void* from, std::int64_t bytes);
 void download(Device& device, const Buffer& from, std::int64_t from_byte, void* to, std::int64_t bytes);
+// The first `bytes` of a buffer, without a copy of them on the host: `take(piece, from_byte, bytes)` sees piece after
+// piece, each of whole items of `item_bytes`.
+using TakePiece = std::function<void(const void* piece, std::int64_t from_byte, std::int64_t bytes)>;
+void download_in_pieces(Device& device, const Buffer& from, std::int64_t bytes, std::int64_t item_bytes,
+                        const TakePiece& take);
 
 }  // namespace fastscene::gpu

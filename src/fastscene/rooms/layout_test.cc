@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 
 #include "fastscene/rooms/catalogue.h"
@@ -53,16 +54,18 @@ TEST(Footprint, DistanceToABox) {
 
 TEST(Layout, NothingIsWrongOver500SeedsOfAllRoomsAndStyles) {
     const std::vector<std::string> rooms = room_types(), all = styles();
-    int pieces = 0;
-    for (std::uint64_t seed = 0; seed < 500; ++seed) {
-        // 12 and 10 share the factor 2: the shift by whole rounds meets every pair.
-        const std::string &room = rooms[seed % rooms.size()], &style = all[(seed + seed / 60) % all.size()];
-        const CheckReport report = check_rooms({room}, {style}, 1, false, {seed, nullptr, {}});
-        pieces += report.pieces;
-        for (const CheckedRoom& c : report.faulty)
-            for (const Fault& fault : c.faults)
-                ADD_FAILURE() << c.prompt << ", seed " << c.seed << ": " << fault.kind << ": " << fault.text;
-    }
+    std::atomic<int> pieces = 0;
+    parallel_for(500, 4, [&](std::int64_t begin, std::int64_t end) {
+        for (auto seed = static_cast<std::uint64_t>(begin); seed < static_cast<std::uint64_t>(end); ++seed) {
+            // 12 and 10 share the factor 2: the shift by whole rounds meets every pair.
+            const std::string &room = rooms[seed % rooms.size()], &style = all[(seed + seed / 60) % all.size()];
+            const CheckReport report = check_rooms({room}, {style}, 1, false, {seed, nullptr, {}});
+            pieces += report.pieces;
+            for (const CheckedRoom& c : report.faulty)
+                for (const Fault& fault : c.faults)
+                    ADD_FAILURE() << c.prompt << ", seed " << c.seed << ": " << fault.kind << ": " << fault.text;
+        }
+    });
     EXPECT_GT(pieces, 500 * 15) << "rooms are bare";
 }
 

@@ -1,5 +1,6 @@
 #include "fastscene/trace/vulkan/card_pixels.h"
 
+#include <algorithm>
 #include <numeric>
 
 #include "fastscene/base/parallel.h"
@@ -137,13 +138,20 @@ void CardPixels::trace_band(const Band& band, int least, const Done& done) {
             if (more[i]) list[kept++] = list[i];
         list.resize(kept);
     }
-    const auto sums = take<CardSum>(device, sums_, count);
-    parallel_for(static_cast<std::int64_t>(band.rows.size()) - 1, 4, [&](std::int64_t begin, std::int64_t end) {
-        for (auto row = static_cast<std::size_t>(begin); row < static_cast<std::size_t>(end); ++row)
-            for (std::size_t i = band.rows[row]; i < band.rows[row + 1]; ++i)
-                done(static_cast<int>(band.pixels[i] & 0xffff), static_cast<int>(band.pixels[i] >> 16),
-                     pixel_sum(sums[i]));
-    });
+    // A row is one thread's: what comes of its pixels goes to one list.
+    const auto take_sums = [&](const void* piece, std::int64_t from_byte, std::int64_t bytes) {
+        const auto* sums = static_cast<const CardSum*>(piece);
+        const std::size_t first = static_cast<std::size_t>(from_byte) / sizeof(CardSum),
+                          last = first + static_cast<std::size_t>(bytes) / sizeof(CardSum);
+        parallel_for(static_cast<std::int64_t>(band.rows.size()) - 1, 4, [&](std::int64_t begin, std::int64_t end) {
+            for (auto row = static_cast<std::size_t>(begin); row < static_cast<std::size_t>(end); ++row)
+                for (std::size_t i = std::max(first, band.rows[row]); i < std::min(last, band.rows[row + 1]); ++i)
+                    done(static_cast<int>(band.pixels[i] & 0xffff), static_cast<int>(band.pixels[i] >> 16),
+                         pixel_sum(sums[i - first]));
+        });
+    };
+    gpu::download_in_pieces(device, sums_, static_cast<std::int64_t>(count * sizeof(CardSum)), sizeof(CardSum),
+                            take_sums);
 }
 
 PixelRows CardPixels::meeting_others(const PixelRows& pixels, int first, int end, const Guides& guides) {
