@@ -29,6 +29,15 @@ says "--device auto: expected a graphics card with a Vulkan driver"
 says "llvmpipe"
 expect 2 "$fastscene" splat run "${short[@]}" --splat-backend vulkan --splat-device 7
 says "--splat-device 7: expected auto, a number or part of a name"
+# … before the first stage begins.
+expect 2 "$fastscene" make "$prompt" -o p --panorama-trace-backend vulkan
+says "--panorama-trace-device auto: expected a graphics card with a Vulkan driver"
+expect 2 "$fastscene" make "$prompt" -o p --panorama-trace-device list
+says "--panorama-trace-device list: found"
+says "llvmpipe"
+expect 2 "$fastscene" make "$prompt" -o p --splat-device list
+says "--splat-device list: found"
+lacks p
 expect 2 "$fastscene" render run --of room --backend vulkan
 says "--backend: expected with --of splats"
 VK_DRIVER_FILES=/nonexistent VK_ICD_FILENAMES=/nonexistent expect 2 "$fastscene" render run --backend vulkan --device 0

@@ -29,6 +29,8 @@
 #include "fastscene/pipeline/stage_views.h"
 #include "fastscene/pipeline/stage_walk.h"
 #include "fastscene/scene/walkable_json.h"
+#include "fastscene/splat/backend.h"
+#include "fastscene/trace/backend.h"
 
 namespace fastscene {
 namespace fs = std::filesystem;
@@ -143,6 +145,14 @@ void check_later_stages(const SceneRequest& request, const RunFolder& folder) {
         return std::find(std::begin(kStages), std::end(kStages), stage) <=
                std::find(std::begin(kStages), std::end(kStages), request.last_stage);
     };
+    // Finished stages may come from a machine with another card.
+    const auto is_made = [&](const char* stage) {
+        return reaches(stage) && (request.start_over || !fs::exists(folder.stage(stage)));
+    };
+    const TraceBackend& tracer = params.panorama.trace.backend;
+    if (tracer.device == "list" || (has_room(request.source) && is_made("panorama")))
+        check_device(tracer, "--panorama-trace-device");
+    if (params.splat.backend.device == "list" || is_made("splat")) check_device(params.splat.backend, "--splat-device");
     if (reaches("depth") && !params.depth.weights.empty() && is_estimated(request.source, params.depth) &&
         !depth_backends_with_models(params.depth).empty())
         load_weights(params.depth.weights);

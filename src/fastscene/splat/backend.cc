@@ -29,6 +29,12 @@ const std::string& about_splat_backends() {
     return text;
 }
 
+void check_device(const SplatBackend& backend, const std::string& flag) {
+    for (const SplatBackendEntry& e : registered<SplatBackendEntry>())
+        if (e.check_device && (e.name == backend.name || backend.device == "list"))
+            e.check_device(backend.device, flag);
+}
+
 SplatRenderer::SplatRenderer(const Splats& splats, const SplatBackend& backend)
     : renderer_(registered_entry<SplatBackendEntry>("--backend", backend.name).make_renderer(splats, backend.device)) {}
 SplatRenderer::~SplatRenderer() = default;

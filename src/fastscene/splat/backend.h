@@ -65,10 +65,16 @@ namespace fastscene {
 struct SplatBackendEntry {
     std::string name = {};   // as its source file
     std::string about = {};  // half a sentence, for --help
+    // Throws UsageError naming `flag` for a device that there is not, and with all of them for "list". Null: there is
+    // no choice.
+    void (*check_device)(const std::string& device, const std::string& flag) = nullptr;
     // `device`: SplatBackend::device. Throw UsageError for a device that there is not; the splats must live as long as
     // their renderer.
     std::unique_ptr<splat::Stepper> (*make_stepper)(const std::string& device) = nullptr;
     std::unique_ptr<splat::Renderer> (*make_renderer)(const Splats& splats, const std::string& device) = nullptr;
 };
+
+// Throws UsageError naming `flag` for a device that the backend has not, and with all devices for "list".
+void check_device(const SplatBackend& backend, const std::string& flag);
 
 }  // namespace fastscene

@@ -16,4 +16,10 @@ const std::string& about_trace_backends() {
     return text;
 }
 
+void check_device(const TraceBackend& backend, const std::string& flag) {
+    for (const TraceBackendEntry& e : registered<TraceBackendEntry>())
+        if (e.check_device && (e.name == backend.name || backend.device == "list"))
+            e.check_device(backend.device, flag);
+}
+
 }  // namespace fastscene

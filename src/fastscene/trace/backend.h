@@ -30,9 +30,15 @@ class RoomTracer {
 struct TraceBackendEntry {
     std::string name = {};   // as its source file
     std::string about = {};  // half a sentence, for --help
+    // Throws UsageError naming `flag` for a device that there is not, and with all of them for "list". Null: there is
+    // no choice.
+    void (*check_device)(const std::string& device, const std::string& flag) = nullptr;
     // `device`: TraceBackend::device. Throws UsageError for a device that there is not. `room` and `lights` must live
     // as long. Null: Embree.
     std::unique_ptr<RoomTracer> (*make)(const std::string& device, const Room& room, const Lights& lights) = nullptr;
 };
+
+// Throws UsageError naming `flag` for a device that the backend has not, and with all devices for "list".
+void check_device(const TraceBackend& backend, const std::string& flag);
 
 }  // namespace fastscene

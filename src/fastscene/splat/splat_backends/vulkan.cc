@@ -45,6 +45,8 @@ struct VulkanRenderer : Renderer {
 SplatBackendEntry vulkan() {
     return {.name = "vulkan",
             .about = "a graphics card",
+            .check_device = [](const std::string& device,
+                               const std::string& flag) { (void)gpu::choose_device(device, flag); },
             .make_stepper = [](const std::string& device) -> std::unique_ptr<Stepper> {
                 return std::make_unique<VulkanStepper>(device);
             },

@@ -36,6 +36,8 @@ TraceBackendEntry vulkan() {
     return {
         .name = "vulkan",
         .about = "a graphics card",
+        .check_device = [](const std::string& device,
+                           const std::string& flag) { (void)gpu::choose_device(device, flag); },
         .make = [](const std::string& device, const Room& room, const Lights& lights) -> std::unique_ptr<RoomTracer> {
             return std::make_unique<CardRoom>(device, room, lights);
         }};
