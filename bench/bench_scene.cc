@@ -46,8 +46,8 @@ std::vector<Panorama> walk(const RoomPanorama& made, const StandableFloor& floor
     return all;
 }
 
-// As `fastscene metrics --truth --where room` measures: at poses anywhere on the floor, against the room itself, lit with
-// more paths.
+// As `fastscene metrics --truth --where room` measures: at poses anywhere on the floor, against the room itself, lit
+// with more paths.
 Json truth_of(const std::string& prompt, PanoramaParams panorama, const Panorama& first, const Splats& splats,
               const TruthParams& asked, const std::filesystem::path& dir, const Run& run) {
     panorama.trace.cell_samples = std::max(panorama.trace.cell_samples, asked.samples);

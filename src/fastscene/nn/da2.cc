@@ -98,8 +98,7 @@ ImageF Da2::relative_range(const ImageColor& color, Da2Resize resize, int turns,
     if (resize == Da2Resize::evaluation)
         seen = at::_upsample_bilinear2d_aa(seen, {kEvaluatedHeight, kEvaluatedWidth}, false);
     seen = seen.to(state_->device);
-    Progress progress(run, "range",
-                      turns * static_cast<std::int64_t>(nn::da2_parameters(state_->shape).size()));
+    Progress progress(run, "range", turns * static_cast<std::int64_t>(nn::da2_parameters(state_->shape).size()));
     nn::StoppableWeights weights(state_->weights, run, &progress);
     const Tensor found = nn::over_turns(seen, turns,
                                         [&](const Tensor& turned) {

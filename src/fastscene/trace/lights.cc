@@ -41,8 +41,8 @@ Vec3f emission_of(const Room& room, int mesh) { return material_of(room, mesh).e
 // Share of an emissive triangle's light that gets away from it. It only weights samples, so a few rays will do.
 float openness(const SceneBvh& bvh, const std::array<Vec3f, 3>& abc, Vec3f normal, bool two_sided) {
     constexpr std::uint32_t kRays = 16;
-    constexpr float kAway_m = 0.3f;   // what is caught within this distance lights nothing but the lamp itself
-    constexpr float kLeast = 0.1f;    // rays may have missed a gap, and light through it is rare but bright
+    constexpr float kAway_m = 0.3f;  // what is caught within this distance lights nothing but the lamp itself
+    constexpr float kLeast = 0.1f;   // rays may have missed a gap, and light through it is rare but bright
     std::uint32_t open = 0;
     for (std::uint32_t i = 0; i < kRays; ++i) {
         const Vec2f on = irradiance::r2_point(i, {0.25f, 0.75f});

@@ -143,8 +143,7 @@ void TracedRoom::gather_light(const TraceParams& params, const Run& run, const s
     impl_->card = nullptr;
     const auto& backend = registered_entry<TraceBackendEntry>("--trace-backend", params.backend.name);
     check_device(params.backend, "--trace-device");  // before the outside is built
-    if (const auto make = backend.make)
-        impl_->card = make(params.backend.device, impl_->room, impl_->lights());
+    if (const auto make = backend.make) impl_->card = make(params.backend.device, impl_->room, impl_->lights());
     impl_->light = IrradianceCache::gather(impl_->room, impl_->bvh, impl_->lights(), params, run, viewpoints,
                                            impl_->card ? &impl_->card->gatherer() : nullptr);
     const Run quiet{run.seed, nullptr, run.stop};
