@@ -140,6 +140,8 @@ try {
     await page.keyboard.press('Enter');
     await until('a first picture', async () => (await page.locator('.job img').count()) > 0);
     await shot(page, 'making');
+    await until('the splats while they are trained', async () => (await page.locator('.job img.splats').count()) > 0, 90);
+    await shot(page, 'training');
     await until('the scene is finished', async () => (await page.locator('.job.is-finished').count()) > 0, 120);
     await page.click('.job.is-finished .primary');
 

@@ -12,12 +12,14 @@
 #include "fastscene/io/splat_io.h"
 #include "fastscene/pipeline/fit_report.h"
 #include "fastscene/pipeline/health.h"
+#include "fastscene/pipeline/best_view.h"
 #include "fastscene/pipeline/build_info.h"
 #include "fastscene/pipeline/claim.h"
 #include "fastscene/pipeline/share.h"
 #include "fastscene/pipeline/source_json.h"
 #include "fastscene/pipeline/stage_cache.h"
 #include "fastscene/pipeline/stage_splat.h"
+#include "fastscene/pipeline/training_picture.h"
 
 namespace fastscene {
 namespace fs = std::filesystem;
@@ -108,6 +110,18 @@ Json json_of(const Rigid& pose) {
     return {{"position_m", {p.x, p.y, p.z}}, {"forward", {forward.x, forward.y, forward.z}}};
 }
 
+// What the first view shows, for pictures during training.
+PictureCamera first_camera(const View& first) {
+    if (first.model == CameraModel::equirectangular)
+        return {Pinhole::with_fov(kTrainingWidth, kTrainingHeight, kPreviewFovDeg), first.world_from_camera};
+    Pinhole camera = first.camera;
+    const float scale = kTrainingWidth / static_cast<float>(std::max(camera.width, kTrainingWidth));
+    camera.width = static_cast<int>(scale * static_cast<float>(camera.width));
+    camera.height = std::max(1, static_cast<int>(scale * static_cast<float>(camera.height)));
+    camera.fx *= scale, camera.fy *= scale, camera.cx *= scale, camera.cy *= scale;
+    return {camera, first.world_from_camera};
+}
+
 // Checks memory from the pictures' sizes and the number of Gaussians, before hours of loading and training.
 void check_memory(const CaptureRequest& request, const Capture& capture) {
     const std::int64_t have = available_memory();
@@ -136,7 +150,8 @@ void make_capture_splat(const CaptureRequest& request, const Capture& capture, c
     const PhotoViews photos = views_of_capture(capture, request.photos, run);
     run.note(fmt::format("{} views of {} photographs, {} initial points", photos.set.views.size(),
                          capture.photos.size(), photos.set.points.size()));
-    FittedSplats fitted = fit_and_keep_place(photos.set, request.splat, folder, run);
+    FittedSplats fitted = fit_and_keep_place(photos.set, request.splat, folder, run,
+                                             pictures_of_training(folder, first_camera(photos.set.views.front()), run));
     Splats own = fitted.splats;
     transform(own, inverse(photos.world_from_capture));
     std::swap(own, fitted.splats);

@@ -28,6 +28,7 @@
 #include "fastscene/pipeline/stage_splat.h"
 #include "fastscene/pipeline/stage_views.h"
 #include "fastscene/pipeline/stage_walk.h"
+#include "fastscene/pipeline/training_picture.h"
 #include "fastscene/scene/walkable_json.h"
 #include "fastscene/splat/backend.h"
 #include "fastscene/trace/backend.h"
@@ -240,8 +241,10 @@ Json make_scene(const SceneRequest& request, const RunFolder& folder, const Run&
     stream.stage("views", fields_json(params.views),
                  [&](const fs::path& out, const Run& r) { make_views(folder, params.views, out, r); });
     const SplatParams splat = splat_of(source, params.depth, params.walk, params.splat);
-    stream.stage("splat", fields_json(splat),
-                 [&](const fs::path& out, const Run& r) { make_splat(folder, splat, out, r); });
+    stream.stage("splat", fields_json(splat), [&](const fs::path& out, const Run& r) {
+        make_splat(folder, splat, out, r,
+                   pictures_of_training(folder, preview_camera(folder, kTrainingWidth, kTrainingHeight), r));
+    });
 
     const std::vector<StageRecord>& done = stream.done();
     if (done.back().name == "splat" && !is_shared(folder, done.back())) {

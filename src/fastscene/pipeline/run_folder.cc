@@ -3,8 +3,8 @@
 namespace fastscene {
 
 std::vector<std::string> RunFolder::owned() {
-    std::vector<std::string> names{"run.json",     "report.json", "viewer.html", "preview.jpg",
-                                   "painting.png", "painting",    "credits.txt", "metrics"};
+    std::vector<std::string> names{"run.json", "report.json",  "viewer.html", "preview.jpg", "painting.png",
+                                   "painting", "training.jpg", "credits.txt", "metrics"};
     for (const std::string_view stage : kStages) names.emplace_back(stage);
     return names;
 }

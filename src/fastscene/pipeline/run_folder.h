@@ -42,6 +42,8 @@ struct RunFolder {
     std::filesystem::path views() const { return root / "views"; }
     // Checkpoint of an interrupted training; deleted when it is complete.
     std::filesystem::path splat_place() const { return root / ".splat.unfinished"; }
+    // What the splats look like while they are trained; deleted when they are complete.
+    std::filesystem::path training_jpg() const { return root / "training.jpg"; }
     std::filesystem::path scene_ply() const { return root / "splat" / "scene.ply"; }
     std::filesystem::path scene_compressed_ply() const { return root / "splat" / "scene.compressed.ply"; }
     std::filesystem::path metrics() const { return root / "metrics"; }

@@ -72,12 +72,15 @@ std::string viewer_remedy() {
            "their folder in FASTSCENE_VIEWER_DIR";
 }
 
+PictureCamera preview_camera(const RunFolder& folder, int width, int height) {
+    const float yaw_deg = best_yaw_deg(load_first_panorama(folder), requested_directions(folder));
+    return {Pinhole::with_fov(width, height, kPreviewFovDeg), world_from_camera_at({}, yaw_deg, kPreviewPitchDeg)};
+}
+
 void share_scene(const RunFolder& folder, const std::string& title, const Run& run) {
     const Splats splats = load_splat_ply(folder.scene_ply());
-    const float yaw_deg = best_yaw_deg(load_first_panorama(folder), requested_directions(folder));
-    const Rigid world_from_camera = world_from_camera_at({}, yaw_deg, kPreviewPitchDeg);
-    const Pinhole camera = Pinhole::with_fov(kPreviewWidth, kPreviewHeight, kPreviewFovDeg);
-    save_jpeg(folder.preview_jpg(), picture_of(splats, camera, world_from_camera));
+    const auto [lens, world_from_camera] = preview_camera(folder, kPreviewWidth, kPreviewHeight);
+    save_jpeg(folder.preview_jpg(), picture_of(splats, lens, world_from_camera));
 
     const auto viewer_dir = find_viewer_dir();
     if (viewer_dir)

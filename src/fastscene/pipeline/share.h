@@ -24,6 +24,14 @@ std::optional<std::filesystem::path> find_viewer_dir();
 // How to install it, as a sentence for users.
 std::string viewer_remedy();
 
+// A camera and where it stands.
+struct PictureCamera {
+    Pinhole lens;
+    Rigid world_from_camera;
+};
+// The view that preview.jpg shows, of the size given: the room at its best from panorama 0.
+PictureCamera preview_camera(const RunFolder& folder, int width, int height);
+
 // Writes credits.txt for the panorama's contents, if a run ends before there is a scene to share.
 void write_credits(const RunFolder& folder);
 // Writes viewer.html, preview.jpg and credits.txt. A missing viewer is only a warning.

@@ -8,7 +8,8 @@
 namespace fastscene {
 namespace fs = std::filesystem;
 
-void make_splat(const RunFolder& folder, const SplatParams& params, const fs::path& out, const Run& run) {
+void make_splat(const RunFolder& folder, const SplatParams& params, const fs::path& out, const Run& run,
+                const StepListener& on_step) {
     const ViewSet views = load_views(folder.views());
     SplatParams sized = params;
     sized.count = count_for(views.points, params);
@@ -20,21 +21,25 @@ void make_splat(const RunFolder& folder, const SplatParams& params, const fs::pa
         run.note(fmt::format("splat: {} Gaussians for the size of the room", sized.count));
     else if (params.per_m2 > 0)
         run.note(fmt::format("splat: {} Gaussians, the most that --splat-count allows", sized.count));
-    save_fit(fit_and_keep_place(views, sized, folder, run), out);
+    save_fit(fit_and_keep_place(views, sized, folder, run, on_step), out);
     forget_place(folder);
 }
 
-FittedSplats fit_and_keep_place(const ViewSet& views, SplatParams params, const RunFolder& folder, const Run& run) {
-    if (!params.checkpoint.empty()) return fit_splats(views, params, run);
+FittedSplats fit_and_keep_place(const ViewSet& views, SplatParams params, const RunFolder& folder, const Run& run,
+                                const StepListener& on_step) {
+    if (!params.checkpoint.empty()) return fit_splats(views, params, run, on_step);
     // a folder, so that temporary files of a killed process are deleted with it
     const fs::path place = folder.splat_place();
     params.checkpoint = (place / "checkpoint").string();
     if (!is_checkpoint_of(params.checkpoint, views, params, run.seed)) fs::remove_all(place);  // from other settings
     make_directories(place);
-    return fit_splats(views, params, run);
+    return fit_splats(views, params, run, on_step);
 }
 
-void forget_place(const RunFolder& folder) { fs::remove_all(folder.splat_place()); }
+void forget_place(const RunFolder& folder) {
+    fs::remove_all(folder.splat_place());
+    fs::remove(folder.training_jpg());
+}
 
 void save_fit(const FittedSplats& fitted, const fs::path& out, Vec3d offset_m) {
     save_splat_ply(out / "scene.ply", fitted.splats, PlyBands::all, offset_m);

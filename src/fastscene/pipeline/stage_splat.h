@@ -8,10 +8,13 @@
 
 namespace fastscene {
 
-void make_splat(const RunFolder& folder, const SplatParams& params, const std::filesystem::path& out, const Run& run);
+void make_splat(const RunFolder& folder, const SplatParams& params, const std::filesystem::path& out, const Run& run,
+                const StepListener& on_step = {});
 // Like fit_splats, but if the user named no checkpoint, an interrupted training resumes from one in the run's folder,
 // which is deleted once the splats are saved.
-FittedSplats fit_and_keep_place(const ViewSet& views, SplatParams params, const RunFolder& folder, const Run& run);
+FittedSplats fit_and_keep_place(const ViewSet& views, SplatParams params, const RunFolder& folder, const Run& run,
+                                const StepListener& on_step = {});
+// Deletes what only an unfinished training needs.
 void forget_place(const RunFolder& folder);
 
 // Writes scene.ply, scene.compressed.ply and curve.json.

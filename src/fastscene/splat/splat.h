@@ -162,6 +162,7 @@ inline Splats initial_splats(const std::vector<SurfacePoint>& points, int count,
 struct StepReport {
     int step, steps;   // from 1; of how many
     float loss, psnr;  // of the step's view
+    std::function<Splats()> splats;  // as trained so far; a graphics card first completes its steps
 };
 using StepListener = std::function<void(const StepReport&)>;
 FittedSplats fit_splats(const ViewSet& views, const SplatParams& params, const Run& run,

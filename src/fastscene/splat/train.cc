@@ -274,8 +274,14 @@ class Training {
         for (const LossSums& sums : stepper_->losses()) {
             state_.loss_sum += sums.loss, state_.squared_error_sum += sums.squared_error, ++state_.sum_steps;
             if (++summed_ % kCurveSteps == 0) close_curve(state_.curve, summed_);
-            if (on_step_) on_step_({summed_, last_, static_cast<float>(sums.loss), psnr_of(sums.squared_error)});
+            if (on_step_)
+                on_step_({summed_, last_, static_cast<float>(sums.loss), psnr_of(sums.squared_error),
+                          [this] { return splats_now(); }});
         }
+    }
+    Splats splats_now() {
+        stepper_->store(state_.cloud);
+        return state_.cloud.splats();
     }
     // All of the state on the host.
     void bring_back() {

@@ -200,7 +200,8 @@ ApiAnswer Api::get(const std::vector<std::string>& path) {
     }
     if (path.size() == 3 && what == "jobs" && path[2] == "picture") {
         const RunFolder folder{library_.root() / path[1]};
-        if (const auto made = library_.file(path[1], "panorama/color.png")) return {200, {}, *made, {}};
+        for (const char* const name : {"training.jpg", "panorama/color.png"})
+            if (const auto made = library_.file(path[1], name)) return {200, {}, *made, {}};
         if (is_scene_name(path[1]))
             if (const fs::path look = queue_.look(path[1]); !look.empty()) return {200, {}, look, {}};
         throw Refusal(404, "there is no picture yet");

@@ -186,7 +186,11 @@ Json JobQueue::jobs() const {
         if (e.job.state == JobState::running) json["seconds"] = steady_seconds() - e.started;
         const RunFolder folder{library_.root() / e.job.id};
         const bool looked = !e.job.look.empty() && !looks_.picture(Looks::key_of(e.job.look)).empty();
-        json["picture"] = fs::exists(folder.panorama_color()) ? "panorama" : looked ? "look" : "";
+        std::error_code none;
+        const auto trained = fs::last_write_time(folder.training_jpg(), none);
+        json["picture"] = !none ? "splats" : fs::exists(folder.panorama_color()) ? "panorama" : looked ? "look" : "";
+        json["picture_version"] = none ? 0
+                                       : trained.time_since_epoch().count() / 1'000'000;  // ms; a new one, a new number
         out.push_back(std::move(json));
     }
     return out;

@@ -44,7 +44,8 @@ export interface Job {
     seconds_left: number;
     seconds: number;
     warnings: string[];
-    picture: '' | 'look' | 'panorama';
+    picture: '' | 'look' | 'panorama' | 'splats';
+    picture_version: number;
     request: { title: string; seed: number; quality: string; from: string; command: string; changes?: Change[] };
 }
 export interface Cost {

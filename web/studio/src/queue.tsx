@@ -17,8 +17,8 @@ const Picture = ({ job }: { job: Job }) => {
         <img
             key={job.picture}
             class={job.picture}
-            src={`/api/jobs/${part(job.id)}/picture?${job.picture}`}
-            alt={job.picture === 'look' ? t.look_alt : t.panorama_alt}
+            src={`/api/jobs/${part(job.id)}/picture?${job.picture}-${job.picture_version}`}
+            alt={t[`${job.picture}_alt`]}
         />
     );
 };

@@ -63,6 +63,7 @@ const en = {
     retry: 'Try again',
     look_alt: 'A first, coarse look at the room',
     panorama_alt: 'The panorama of the room',
+    splats_alt: 'The splats as trained so far',
     works: {
         look: 'a first look',
         panorama: 'light is traced',
@@ -214,6 +215,7 @@ const de: typeof en = {
     retry: 'Noch einmal',
     look_alt: 'Ein erster, grober Blick in den Raum',
     panorama_alt: 'Das Panorama des Raums',
+    splats_alt: 'Die Splats, so weit sie trainiert sind',
     works: {
         look: 'ein erster Blick',
         panorama: 'Licht wird verfolgt',
