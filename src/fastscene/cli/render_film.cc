@@ -7,11 +7,9 @@
 #include "fastscene/base/writable.h"
 #include "fastscene/cli/render.h"
 #include "fastscene/film/encode.h"
-#include "fastscene/film/plan.h"
-#include "fastscene/film/subjects.h"
 #include "fastscene/io/camera_path_io.h"
 #include "fastscene/io/image_io.h"
-#include "fastscene/pipeline/room_of_run.h"
+#include "fastscene/pipeline/film_of_run.h"
 #include "fastscene/pipeline/share.h"
 #include "fastscene/pipeline/splat_files.h"
 
@@ -19,19 +17,6 @@ namespace fastscene::cli {
 namespace {
 
 namespace fs = std::filesystem;
-
-// A film shows a handful of things; more would be hurried past.
-constexpr std::size_t kMostSubjects = 5;
-
-// Rays into the run's room, if it has a known one that this program still makes.
-FilmSight sight_in(const RunFolder& folder, const Run& run) {
-    try {
-        const auto room = unlit_room_of_run(folder, recorded_run(folder), {run.seed, nullptr, run.stop});
-        return [room](Vec3f from, Vec3f direction) { return room->distance(from, direction); };
-    } catch (const Error&) {
-        return {};  // a scene from a picture: nothing is known of what hides what
-    }
-}
 
 PathFormat format_of(const RenderFlags& flags) {
     for (std::size_t i = 0; i < std::size(kPathFormats); ++i)
@@ -119,11 +104,8 @@ CameraPath planned_path(const RenderFlags& flags, int width, int height, const S
     if (!area)
         throw UsageError("--path {}: expected a run that knows where one can walk, found no {}", flags.path,
                          folder.walkable_json().string());
-    std::vector<FilmSubject> subjects;
-    if (fs::exists(folder.room_json()))
-        subjects = film_subjects(read_json(folder.room_json()), kMostSubjects, folder.room_json().string());
-    CameraPath camera = plan_film(*area, subjects, {flags.path, flags.seconds, flags.fps, flags.fov_deg, width, height},
-                                  sight_in(folder, run));
+    CameraPath camera = film_of_run(folder, *area, {flags.path, flags.seconds, flags.fps, flags.fov_deg, width, height},
+                                    run);
     // Who watches a sphere turns by himself: a world that turns as well makes him ill.
     if (flags.sphere)
         for (CameraKey& key : camera.keys) key.yaw_deg = camera.keys.front().yaw_deg, key.pitch_deg = 0;

@@ -6,9 +6,7 @@
 #include "fastscene/base/error.h"
 #include "fastscene/base/file.h"
 #include "fastscene/io/viewer.h"
-#include "fastscene/pipeline/best_view.h"
 #include "fastscene/pipeline/request.h"
-#include "fastscene/pipeline/run_files.h"
 #include "fastscene/pipeline/share.h"
 #include "fastscene/studio/local_request.h"
 #include "fastscene/studio/send_file.h"
@@ -16,15 +14,11 @@
 namespace fastscene::cli {
 namespace {
 
-std::string settings_of(const RunFolder& folder) {
-    if (const auto glance = first_glance_of_capture(folder))
-        return viewer_settings({folder.root.filename().string(), glance->position_m,
-                                glance->position_m + glance->forward, glance->fov_deg});
-    const Vec3f target = world_from_camera_at({},
-                                              best_yaw_deg(load_first_panorama(folder), requested_directions(folder)),
-                                              kPreviewPitchDeg) *
-                         Vec3f{0, 0, 1};
-    return viewer_settings({title_of(recorded_run(folder).request.source), {}, target, 75.f});
+std::string settings_of(const RunFolder& folder, const std::stop_token& stop) {
+    const bool captured = first_glance_of_capture(folder).has_value();
+    const std::string title = captured ? folder.root.filename().string()
+                                       : title_of(recorded_run(folder).request.source);
+    return viewer_settings(viewer_scene(folder, title, {0, nullptr, stop}));
 }
 
 // The run's own page, which holds visitors to the walkable floor. The viewer's folder shows splats that were trained
@@ -78,13 +72,13 @@ void serve_scene(const RunFolder& folder, const std::optional<std::filesystem::p
     studio::limit_clients(server);
     server.set_payload_max_length(0);  // nothing is sent here
     refuse_other_sites(server);
-    const std::string settings = viewer_dir ? settings_of(folder) : "";
+    const std::string settings = viewer_dir && !own_page_is_current(folder) ? settings_of(folder, stop) : "";
     server.Get("/", [&](const httplib::Request&, httplib::Response& response) {
         // Splats of photographs are shown upright, whatever the axes of their model.
         const std::string splats = first_glance_of_capture(folder) ? "/splat/viewer.compressed.ply"
                                                                    : "/splat/scene.compressed.ply";
         response.set_redirect(viewer_dir && !own_page_is_current(folder)
-                                  ? "/viewer/index.html?settings=/settings.json&content=" + splats
+                                  ? "/viewer/index.html?noanim&settings=/settings.json&content=" + splats
                                   : "/viewer.html");
     });
     server.Get("/settings.json", [&](const httplib::Request&, httplib::Response& response) {

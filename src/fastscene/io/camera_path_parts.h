@@ -17,6 +17,8 @@ CameraPath path_from_supersplat(const Json& json, const CameraPath& otherwise, c
 Json nerfstudio_from_path(const CameraPath& camera);
 std::string chan_from_path(const CameraPath& camera);
 Json supersplat_from_path(const CameraPath& camera);
+// An entry of animTracks.
+Json supersplat_track(const CameraPath& camera);
 
 // A matrix that has to be a rotation, rows in order, up to a scale. Throws Error.
 Mat3f rotation_from(Vec3d row0, Vec3d row1, Vec3d row2, const std::string& where);

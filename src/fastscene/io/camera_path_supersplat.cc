@@ -1,6 +1,5 @@
-// SuperSplat: a camera track in the viewer's settings (animTracks: times in frames, place, target and vertical angle a
-// key), or the poses of an editor's document (poseSets: frame, place and target a pose). In the viewer's frame; no
-// roll.
+// SuperSplat: a camera track in the viewer's settings (animTracks: times in frames, place, target and angle a key), or
+// the poses of an editor's document (poseSets: frame, place and target a pose). In the viewer's frame; no roll.
 #include <algorithm>
 #include <cmath>
 
@@ -14,6 +13,15 @@ namespace {
 
 Vec3f world_point(const Json& list, std::size_t at) {
     return {-list.at(at).get<float>(), -list.at(at + 1).get<float>(), list.at(at + 2).get<float>()};
+}
+
+// The viewer's angle is that over the longer side of the picture.
+float viewer_fov_deg(float horizontal_deg, const CameraPath& camera) {
+    return camera.width > camera.height ? horizontal_deg
+                                        : vertical_fov_deg(horizontal_deg, camera.width, camera.height);
+}
+float horizontal_of_viewer_deg(float viewer_deg, const CameraPath& camera) {
+    return camera.width > camera.height ? viewer_deg : horizontal_fov_deg(viewer_deg, camera.width, camera.height);
 }
 
 CameraKey key_looking_at(float time_s, Vec3f position, Vec3f target, const std::string& where) {
@@ -34,7 +42,7 @@ CameraPath path_from_track(const Json& track, CameraPath camera, const std::stri
         CameraKey key = key_looking_at(times[i].get<float>() / camera.fps, world_point(values.at("position"), 3 * i),
                                        world_point(values.at("target"), 3 * i),
                                        where + ": key " + std::to_string(i + 1));
-        if (has_fov) key.fov_deg = horizontal_fov_deg(values["fov"][i].get<float>(), camera.width, camera.height);
+        if (has_fov) key.fov_deg = horizontal_of_viewer_deg(values["fov"][i].get<float>(), camera);
         camera.keys.push_back(key);
     }
     return camera;
@@ -64,33 +72,34 @@ CameraPath path_from_supersplat(const Json& json, const CameraPath& otherwise, c
     return camera;
 }
 
-Json supersplat_from_path(const CameraPath& camera) {
+Json supersplat_track(const CameraPath& camera) {
     Json times = Json::array(), positions = Json::array(), targets = Json::array(), fovs = Json::array();
     const auto add = [](Json& list, Vec3f world) {
         for (const float v : {-world.x, -world.y, world.z}) list.push_back(shortest(v));
     };
-    ViewerScene start;
     for (int i = 0; i < camera.frames(); ++i) {
         const CameraKey key = camera.at(camera.time_of(i));
-        const Vec3f target = world_from_camera(key) * Vec3f{0, 0, 1};
-        const float fov = vertical_fov_deg(key.fov_deg, camera.width, camera.height);
-        if (i == 0) start.camera_position_m = key.position_m, start.camera_target_m = target, start.fov_deg = fov;
         times.push_back(i);
         add(positions, key.position_m);
-        add(targets, target);
-        fovs.push_back(shortest(fov));
+        add(targets, world_from_camera(key) * Vec3f{0, 0, 1});
+        fovs.push_back(shortest(viewer_fov_deg(key.fov_deg, camera)));
     }
-    Json settings = Json::parse(viewer_settings(start));
-    settings["animTracks"].push_back(
-        {{"name", "path"},
-         {"duration", shortest(static_cast<float>(camera.frames() - 1) / camera.fps)},
-         {"frameRate", shortest(camera.fps)},
-         {"loopMode", "none"},
-         {"interpolation", "spline"},
-         {"smoothness", 1},
-         {"keyframes", {{"times", times}, {"values", {{"position", positions}, {"target", targets}, {"fov", fovs}}}}}});
-    settings["startMode"] = "animTrack";
-    return settings;
+    return {
+        {"name", "path"},
+        {"duration", shortest(static_cast<float>(camera.frames() - 1) / camera.fps)},
+        {"frameRate", shortest(camera.fps)},
+        {"loopMode", "none"},
+        {"interpolation", "spline"},
+        {"smoothness", 1},
+        {"keyframes", {{"times", times}, {"values", {{"position", positions}, {"target", targets}, {"fov", fovs}}}}}};
+}
+
+Json supersplat_from_path(const CameraPath& camera) {
+    const CameraKey first = camera.at(0);
+    ViewerScene scene{"", first.position_m, world_from_camera(first) * Vec3f{0, 0, 1},
+                      viewer_fov_deg(first.fov_deg, camera)};
+    scene.tour = camera;
+    return Json::parse(viewer_settings(scene));
 }
 
 }  // namespace fastscene

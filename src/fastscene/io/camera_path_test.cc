@@ -72,6 +72,15 @@ TEST(CameraPathFile, AxesAreThoseOfTheOtherPrograms) {
     EXPECT_EQ(read_json(file)["startMode"], "animTrack");
     EXPECT_NEAR(values["position"][4].get<double>(), 0.5, 1e-6);  // the second key's height, y up
     EXPECT_NEAR(values["target"][3].get<double>() - values["position"][3].get<double>(), -1, 1e-6);  // x left
+    // Its angle is that over the picture's longer side.
+    CameraPath wide = path, tall = path;
+    wide.width = 200, tall.height = 200;
+    for (const CameraPath& shape : {wide, tall}) {
+        save_camera_path(file, shape, PathFormat::supersplat);
+        const float longer = shape.width > shape.height ? 90 : vertical_fov_deg(90, shape.width, shape.height);
+        EXPECT_NEAR(read_json(file)["animTracks"][0]["keyframes"]["values"]["fov"][0].get<float>(), longer, 1e-3);
+        EXPECT_NEAR(load_camera_path(file, shape).fov_deg, 90, 1e-3);
+    }
     save_camera_path(scratch("axes.chan"), path, PathFormat::blender);
     // Blender's y-up file: the frame of our GLB, x left; the camera looks along its own -z, so it is turned by half a
     // turn to look along +z, then by a quarter to the right, which is -x.

@@ -313,7 +313,7 @@ fs::path small_viewer(const std::string& script) {
 const std::string kControllers =
     "setCameraBasis(this._angles, forward$2, right$2, up$1);\nthis.update = (deltaTime, frame) => {\n"
     "controller.update(dt, frame, target);\nlastPosition.copy(this.camera.position);\nsource.navigateTo(position, "
-    "speedMul);\nexport { createViewer };";
+    "speedMul);\nstate.cameraMode = state.hasAnimation ? 'anim' : 'fly';\nexport { createViewer };";
 
 TEST(Viewer, TheWalkableAreaIsTurnedIntoTheViewersFrameAndHeldByTheScript) {
     ViewerScene scene;
@@ -331,6 +331,20 @@ TEST(Viewer, TheWalkableAreaIsTurnedIntoTheViewersFrameAndHeldByTheScript) {
     scene.walkable.reset();
     save_viewer_html(page, some_splats(3, 0), scene, small_viewer(kControllers));
     EXPECT_EQ(read_file(page).find("walkBounds"), std::string::npos);
+}
+
+TEST(Viewer, ATourWaitsForItsButton) {
+    ViewerScene scene;
+    EXPECT_TRUE(Json::parse(viewer_settings(scene))["animTracks"].empty());
+    scene.tour = CameraPath{10, 75, 1280, 720, {{0, {}, 0, 0}, {2, {1, 0, 0}, 90, 0}}};
+    const Json settings = Json::parse(viewer_settings(scene));
+    EXPECT_EQ(settings["animTracks"][0]["keyframes"]["times"].size(), 21u);
+    EXPECT_EQ(settings["startMode"], "animTrack");
+    const fs::path page = scratch("tour.html");
+    save_viewer_html(page, some_splats(3, 0), scene, small_viewer(kControllers));
+    const std::string text = read_file(page);
+    EXPECT_NE(text.find("state.hasAnimation && !global.config.noanim ? 'anim'"), std::string::npos);
+    EXPECT_NE(text.find("noanim: !url.searchParams.has('anim')"), std::string::npos);
 }
 
 TEST(Viewer, AViewerWhoseCamerasCannotBeHeldIsRefused) {

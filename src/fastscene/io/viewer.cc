@@ -8,6 +8,7 @@
 #include "fastscene/base/error.h"
 #include "fastscene/base/file.h"
 #include "fastscene/base/json.h"
+#include "fastscene/io/camera_path_parts.h"
 #include "fastscene/io/splat_io.h"
 
 namespace fastscene {
@@ -115,10 +116,10 @@ std::string viewer_settings(const ViewerScene& scene) {
                            {"highPrecisionRendering", false},
                            {"background", {{"color", {0, 0, 0}}}},
                            {"postEffectSettings", effects},
-                           {"animTracks", Json::array()},
+                           {"animTracks", scene.tour ? Json::array({supersplat_track(*scene.tour)}) : Json::array()},
                            {"cameras", Json::array({Json{{"initial", camera}}})},
                            {"annotations", Json::array()},
-                           {"startMode", "default"}};
+                           {"startMode", scene.tour ? "animTrack" : "default"}};
     return settings.dump();
 }
 
@@ -145,8 +146,10 @@ void save_viewer_html(const fs::path& path, const Splats& splats, const ViewerSc
     replace_once(page, "<link rel=\"stylesheet\" href=\"./index.css\" />", "<style>" + css + "</style>", index);
     replace_once(page, "<title>SuperSplat Viewer</title>",
                  "<title>" + html_escaped(scene.title) + "</title>\n<!--\n" + notices(viewer_dir) + "-->", index);
-    // Without our camera tracks, the viewer would animate the camera; visitors should start at rest.
+    // Visitors start at rest and free to walk; a tour waits for its button.
     replace_once(page, "noanim: url.searchParams.has('noanim')", "noanim: !url.searchParams.has('anim')", index);
+    replace_once(script, "state.cameraMode = state.hasAnimation ? 'anim' :",
+                 "state.cameraMode = state.hasAnimation && !global.config.noanim ? 'anim' :", viewer_dir / "index.js");
     if (splats.antialias) replace_once(page, "aa: url.searchParams.has('aa')", "aa: true", index);
     const std::size_t import_at = page.find("import { createViewer } from './index.js';");
     if (import_at == std::string::npos) replace_once(page, "import { createViewer } from './index.js';", "", index);

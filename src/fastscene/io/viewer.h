@@ -6,6 +6,7 @@
 #include <string>
 
 #include "fastscene/image/image.h"
+#include "fastscene/scene/camera_path.h"
 #include "fastscene/scene/splats.h"
 #include "fastscene/scene/walkable.h"
 
@@ -18,6 +19,8 @@ struct ViewerScene {
     float fov_deg = 75;
     // Limits of the visitor's position: walks level and slides along the boundary. Empty: free flight.
     std::optional<WalkableArea> walkable = {};
+    // What the play button shows. Empty: the viewer's own, a gentle sway.
+    std::optional<CameraPath> tour = {};
 };
 // Settings JSON of @playcanvas/supersplat-viewer (schema 2), with cameras in the viewer's frame (-x, -y, z).
 std::string viewer_settings(const ViewerScene& scene);

@@ -11,9 +11,9 @@
 #include "fastscene/image/color.h"
 #include "fastscene/io/image_io.h"
 #include "fastscene/io/splat_io.h"
-#include "fastscene/io/viewer.h"
 #include "fastscene/pipeline/best_view.h"
 #include "fastscene/pipeline/build_info.h"
+#include "fastscene/pipeline/film_of_run.h"
 #include "fastscene/pipeline/run_files.h"
 #include "fastscene/scene/walkable_json.h"
 #include "fastscene/splat/splat.h"
@@ -23,6 +23,7 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr int kPreviewWidth = 1280, kPreviewHeight = 720;
+constexpr float kViewerFovDeg = 75;
 
 std::set<std::string> sources_of(const RunFolder& folder) {
     std::set<std::string> sources;
@@ -52,6 +53,19 @@ std::string credits_of(const RunFolder& folder, const std::optional<fs::path>& v
     return text;
 }
 
+// Around a room of ours; of other rooms it is not known what stands where.
+std::optional<CameraPath> tour_of(const RunFolder& folder, const std::optional<WalkableArea>& area, const Run& run) {
+    if (!area || !fs::exists(folder.room_json())) return {};
+    FilmWish wish;
+    wish.fps = 10;  // of its keys: the viewer interpolates
+    wish.fov_deg = kViewerFovDeg;
+    try {
+        return film_of_run(folder, *area, wish, run);
+    } catch (const Error&) {
+        return {};  // too little floor to go anywhere
+    }
+}
+
 }  // namespace
 
 ImageRgb8 picture_of(const Splats& splats, const Pinhole& camera, const Rigid& world_from_camera) {
@@ -77,15 +91,22 @@ PictureCamera preview_camera(const RunFolder& folder, int width, int height) {
     return {Pinhole::with_fov(width, height, kPreviewFovDeg), world_from_camera_at({}, yaw_deg, kPreviewPitchDeg)};
 }
 
+ViewerScene viewer_scene(const RunFolder& folder, const std::string& title, const Run& run) {
+    if (const auto glance = first_glance_of_capture(folder))
+        return {title, glance->position_m, glance->position_m + normalize(glance->forward), glance->fov_deg};
+    const Rigid start = preview_camera(folder, kPreviewWidth, kPreviewHeight).world_from_camera;
+    ViewerScene scene{title, {}, start * Vec3f{0, 0, 1}, kViewerFovDeg, walkable_in(folder)};
+    scene.tour = tour_of(folder, scene.walkable, run);
+    return scene;
+}
+
 void share_scene(const RunFolder& folder, const std::string& title, const Run& run) {
     const Splats splats = load_splat_ply(folder.scene_ply());
     const auto [lens, world_from_camera] = preview_camera(folder, kPreviewWidth, kPreviewHeight);
     save_jpeg(folder.preview_jpg(), picture_of(splats, lens, world_from_camera));
 
     const auto viewer_dir = find_viewer_dir();
-    if (viewer_dir)
-        save_viewer_html(folder.viewer_html(), splats,
-                         {title, {}, world_from_camera * Vec3f{0, 0, 1}, 75.f, walkable_in(folder)}, *viewer_dir);
+    if (viewer_dir) save_viewer_html(folder.viewer_html(), splats, viewer_scene(folder, title, run), *viewer_dir);
     else run.warn("viewer.html was not made: " + viewer_remedy() + "; then run the same command again");
     write_credits(folder);
 }
@@ -122,9 +143,7 @@ void share_capture(const RunFolder& folder, const std::string& title, const Run&
     save_jpeg(folder.preview_jpg(),
               picture_of(splats, Pinhole::with_fov(kPreviewWidth, kPreviewHeight, glance->fov_deg), pose));
     const auto viewer_dir = find_viewer_dir();
-    if (viewer_dir)
-        save_viewer_html(folder.viewer_html(), splats,
-                         {title, glance->position_m, glance->position_m + f, glance->fov_deg}, *viewer_dir);
+    if (viewer_dir) save_viewer_html(folder.viewer_html(), splats, viewer_scene(folder, title, run), *viewer_dir);
     else run.warn("viewer.html was not made: " + viewer_remedy() + "; then run the same command again");
     write_credits(folder);
 }

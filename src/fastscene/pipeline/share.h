@@ -8,6 +8,7 @@
 #include "fastscene/base/run.h"
 #include "fastscene/geometry/pinhole.h"
 #include "fastscene/image/image.h"
+#include "fastscene/io/viewer.h"
 #include "fastscene/pipeline/run_folder.h"
 #include "fastscene/scene/camera_path.h"
 #include "fastscene/scene/splats.h"
@@ -31,6 +32,9 @@ struct PictureCamera {
 };
 // The view that preview.jpg shows, of the size given: the room at its best from panorama 0.
 PictureCamera preview_camera(const RunFolder& folder, int width, int height);
+
+// What the viewer shows of a run, with a tour where the room is known.
+ViewerScene viewer_scene(const RunFolder& folder, const std::string& title, const Run& run);
 
 // Writes credits.txt for the panorama's contents, if a run ends before there is a scene to share.
 void write_credits(const RunFolder& folder);
