@@ -172,6 +172,31 @@ try {
     await page.keyboard.up('s');
     await shot(page, 'walk');
 
+    // A film: its path on the plan, a key that is moved, what the camera sees, and the film itself.
+    await page.click('#tab-film');
+    await page.waitForSelector('.film-picture img');
+    const keys = await page.locator('.film-key').count();
+    expect(keys >= 2 && keys <= 40, `a tour of ${keys} keys`);
+    const seen = () => page.locator('.film-picture img').getAttribute('src');
+    const first = await seen();
+    await page.locator('.film-key circle').nth(1).focus();
+    await until('what the camera sees from another key', async () => (await seen()) !== first);
+    const line = () => page.locator('.film-line').first().getAttribute('d');
+    const drawn = await line();
+    await page.keyboard.press('ArrowUp');
+    await until('a key that is moved moves the path', async () => (await line()) !== drawn);
+    await usable(page, 'film');
+    await legible(page, 'film');
+    await shot(page, 'film');
+    await page.getByLabel('Length (s)').fill('1');
+    await page.getByLabel('Length (s)').press('Tab');
+    await until('a shorter film', async () => /\/ 1\.0 s/.test(await page.locator('.film-clock').innerText()));
+    await page.getByText('.webm', { exact: true }).click();
+    await until('the film is made', async () => (await page.locator('video.film-made').count()) > 0, 120);
+    await page.waitForFunction(() => document.querySelector('video.film-made').readyState >= 1);
+    const length_s = await page.evaluate(() => document.querySelector('video.film-made').duration);
+    expect(Math.abs(length_s - 1) < 0.1, `the film takes ${length_s} s`);
+
     await page.click('#tab-panorama');
     await page.waitForSelector('canvas[data-ready]');
     await page.focus('canvas');

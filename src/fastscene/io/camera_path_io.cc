@@ -81,24 +81,6 @@ CameraPath path_from_own(const Json& json, CameraPath camera, const std::string&
     return camera;
 }
 
-Json own_from_path(const CameraPath& camera) {
-    Json keys = Json::array();
-    for (const CameraKey& key : camera.keys) {
-        const Vec3f p = key.position_m;
-        Json json{{"time_s", shortest(key.time_s)},
-                  {"position_m", {shortest(p.x), shortest(p.y), shortest(p.z)}},
-                  {"yaw_deg", shortest(key.yaw_deg)},
-                  {"pitch_deg", shortest(key.pitch_deg)}};
-        if (key.roll_deg != 0) json["roll_deg"] = shortest(key.roll_deg);
-        if (key.fov_deg != 0) json["fov_deg"] = shortest(key.fov_deg);
-        keys.push_back(std::move(json));
-    }
-    return {{"fps", shortest(camera.fps)},
-            {"fov_deg", shortest(camera.fov_deg)},
-            {"size", {camera.width, camera.height}},
-            {"keys", std::move(keys)}};
-}
-
 void check_path(const CameraPath& camera, const std::string& where) {
     if (camera.keys.empty()) throw Error("{}: expected at least one key, found none", where);
     for (std::size_t i = 1; i < camera.keys.size(); ++i)
@@ -133,7 +115,31 @@ CameraPath path_from_json(const Json& json, const CameraPath& otherwise, const s
     return path_from_own(json, otherwise, where);
 }
 
+CameraPath checked(CameraPath camera, const std::string& where) {
+    check_path(camera, where);
+    unwrap_angles(camera.keys);
+    return camera;
+}
+
 }  // namespace
+
+Json camera_path_json(const CameraPath& camera) {
+    Json keys = Json::array();
+    for (const CameraKey& key : camera.keys) {
+        const Vec3f p = key.position_m;
+        Json json{{"time_s", shortest(key.time_s)},
+                  {"position_m", {shortest(p.x), shortest(p.y), shortest(p.z)}},
+                  {"yaw_deg", shortest(key.yaw_deg)},
+                  {"pitch_deg", shortest(key.pitch_deg)}};
+        if (key.roll_deg != 0) json["roll_deg"] = shortest(key.roll_deg);
+        if (key.fov_deg != 0) json["fov_deg"] = shortest(key.fov_deg);
+        keys.push_back(std::move(json));
+    }
+    return {{"fps", shortest(camera.fps)},
+            {"fov_deg", shortest(camera.fov_deg)},
+            {"size", {camera.width, camera.height}},
+            {"keys", std::move(keys)}};
+}
 
 Mat3f rotation_from(Vec3d row0, Vec3d row1, Vec3d row2, const std::string& where) {
     const Mat3d m{row0, row1, row2};
@@ -156,16 +162,23 @@ PathFormat path_format_of(const std::filesystem::path& path) {
 
 CameraPath load_camera_path(const std::filesystem::path& path, const CameraPath& otherwise) {
     const std::string where = path.string();
-    CameraPath camera = path_format_of(path) == PathFormat::blender ? path_from_chan(read_file(path), otherwise, where)
-                                                                    : path_from_json(read_json(path), otherwise, where);
-    check_path(camera, where);
-    unwrap_angles(camera.keys);
-    return camera;
+    return checked(path_format_of(path) == PathFormat::blender ? path_from_chan(read_file(path), otherwise, where)
+                                                               : path_from_json(read_json(path), otherwise, where),
+                   where);
+}
+
+CameraPath read_camera_path(const std::string& text, const CameraPath& otherwise, const std::string& where) {
+    const std::size_t begin = text.find_first_not_of(" \t\r\n");
+    if (begin == std::string::npos) throw Error("{}: expected a camera path, found an empty file", where);
+    if (text[begin] != '{') return checked(path_from_chan(text, otherwise, where), where);
+    const Json json = Json::parse(text, nullptr, false);
+    if (json.is_discarded()) throw Error("{}: expected JSON, found a damaged file", where);
+    return checked(path_from_json(json, otherwise, where), where);
 }
 
 void save_camera_path(const std::filesystem::path& path, const CameraPath& camera, PathFormat format) {
     switch (format) {
-        case PathFormat::fastscene: return write_json(path, own_from_path(camera));
+        case PathFormat::fastscene: return write_json(path, camera_path_json(camera));
         case PathFormat::nerfstudio: return write_json(path, nerfstudio_from_path(camera));
         case PathFormat::blender: return write_file(path, chan_from_path(camera));
         case PathFormat::supersplat: return write_json(path, supersplat_from_path(camera));

@@ -13,6 +13,7 @@
 #include <string>
 #include <string_view>
 
+#include "fastscene/base/json.h"
 #include "fastscene/scene/camera_path.h"
 
 namespace fastscene {
@@ -23,6 +24,10 @@ inline constexpr std::string_view kPathFormats[] = {"fastscene", "nerfstudio", "
 // The format is known by the content. `otherwise` gives fps, angle and size where a file has none. Throws Error naming
 // the file and the problem.
 CameraPath load_camera_path(const std::filesystem::path& path, const CameraPath& otherwise = {});
+// The same of a file's text, for JSON formats or Blender's lines.
+CameraPath read_camera_path(const std::string& text, const CameraPath& otherwise, const std::string& where);
+// Our own format.
+Json camera_path_json(const CameraPath& camera);
 // Our own format keeps the keys; the others get a pose a frame.
 void save_camera_path(const std::filesystem::path& path, const CameraPath& camera, PathFormat format);
 // blender for .chan, else fastscene.

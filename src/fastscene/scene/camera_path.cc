@@ -14,6 +14,8 @@ float nearest_turn(float angle_deg, float reference_deg) {
     return angle_deg - 360.f * std::round((angle_deg - reference_deg) / 360.f);
 }
 
+float turn_between(float a_deg, float b_deg) { return std::fabs(nearest_turn(a_deg, b_deg) - b_deg); }
+
 // Cubic Hermite between b and c; a and d are the keys around them. Slopes are those of the neighbours' difference over
 // its time, so that keys at uneven times make no jerk; at the ends they are zero.
 template <class Value>
@@ -97,6 +99,30 @@ float vertical_fov_deg(float horizontal_deg, int width, int height) {
 }
 float horizontal_fov_deg(float vertical_deg, int width, int height) {
     return vertical_fov_deg(vertical_deg, height, width);
+}
+
+CameraPath with_fewer_keys(const CameraPath& path, float slack_m, float slack_deg) {
+    if (path.keys.size() < 3) return path;
+    std::vector<std::size_t> kept{0, path.keys.size() - 1};
+    CameraPath out = path;
+    while (true) {
+        out.keys.clear();
+        for (const std::size_t i : kept) out.keys.push_back(path.keys[i]);
+        // The worst key left out, in units of what is allowed, comes back.
+        std::size_t worst = 0;
+        float most = 1;
+        for (std::size_t i = 0; i < path.keys.size(); ++i) {
+            const CameraKey key = path.at(path.keys[i].time_s), now = out.at(key.time_s);
+            const float off = std::max({length(now.position_m - key.position_m) / slack_m,
+                                        turn_between(now.yaw_deg, key.yaw_deg) / slack_deg,
+                                        std::fabs(now.pitch_deg - key.pitch_deg) / slack_deg,
+                                        turn_between(now.roll_deg, key.roll_deg) / slack_deg,
+                                        std::fabs(now.fov_deg - key.fov_deg) / slack_deg});
+            if (off > most) most = off, worst = i;
+        }
+        if (most <= 1) return out;
+        kept.insert(std::lower_bound(kept.begin(), kept.end(), worst), worst);
+    }
 }
 
 }  // namespace fastscene

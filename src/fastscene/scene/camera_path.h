@@ -32,6 +32,9 @@ struct CameraPath {
     float time_of(int frame) const;    // of a frame, on the keys' clock
     CameraKey at(float time_s) const;  // clamped to the first and last key; fov_deg is never 0
 };
+// The same path with as few keys as keep it, at every key left out, within `slack_m` and `slack_deg`: keys that a
+// person can edit, out of a pose a frame.
+CameraPath with_fewer_keys(const CameraPath& path, float slack_m, float slack_deg);
 // Adds full turns so that the yaw and roll of neighbouring keys differ by at most half a turn.
 void unwrap_angles(std::vector<CameraKey>& keys);
 

@@ -72,5 +72,22 @@ TEST(CameraPath, UnevenTimesMakeNoJumpOfSpeed) {
     }
 }
 
+// A pose a frame becomes few keys that give the same film.
+TEST(CameraPath, FewerKeysKeepThePath) {
+    CameraPath drawn{30, 75, 1280, 720, {{0, {}, 0, 0}, {2, {1, 0, 1}, 90, -10}, {4, {1, 0.2f, 3}, 200, 5}}};
+    CameraPath dense = drawn;
+    dense.keys.clear();
+    for (int i = 0; i < drawn.frames(); ++i) dense.keys.push_back(drawn.at(drawn.time_of(i)));
+    const CameraPath few = with_fewer_keys(dense, 0.05f, 4);
+    EXPECT_LT(few.keys.size(), dense.keys.size() / 10);
+    EXPECT_GE(few.keys.size(), 3u);
+    for (int i = 0; i < dense.frames(); ++i) {
+        const CameraKey a = dense.at(dense.time_of(i)), b = few.at(dense.time_of(i));
+        EXPECT_LE(length(a.position_m - b.position_m), 0.0501f) << i;
+        EXPECT_LE(std::fabs(std::remainder(a.yaw_deg - b.yaw_deg, 360.f)), 4.01f) << i;
+    }
+    EXPECT_EQ(with_fewer_keys(few, 1e-6f, 1e-4f).keys.size(), few.keys.size());
+}
+
 }  // namespace
 }  // namespace fastscene

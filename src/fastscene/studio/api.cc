@@ -1,5 +1,8 @@
 #include "fastscene/studio/api.h"
 
+#include <algorithm>
+
+#include "fastscene/base/base64.h"
 #include "fastscene/base/memory.h"
 #include "fastscene/base/parallel.h"
 #include "fastscene/pipeline/build_info.h"
@@ -122,7 +125,8 @@ Api::Api(Library& library, Board& board, ApiParams params)
       downloads_(library, params_.program),
       uploads_(library),
       looks_(library, board, params_.program),
-      queue_(library, board, looks_, {params_.program, params_.threads}) {}
+      queue_(library, board, looks_, {params_.program, params_.threads}),
+      films_(library, board, params_.program) {}
 
 void Api::warm_up() {
     guarded([&]() -> ApiAnswer { return {200, planner_.plan("a bedroom", 0), {}, {}}; });
@@ -152,7 +156,9 @@ ApiAnswer Api::upload(const std::string& kind, const std::string& name,
     });
 }
 
-Json Api::live() const { return {{"jobs", queue_.jobs()}, {"version", board_.version()}, {"look", looks_.latest()}}; }
+Json Api::live() const {
+    return {{"jobs", queue_.jobs()}, {"version", board_.version()}, {"look", looks_.latest()}, {"film", films_.live()}};
+}
 
 ApiAnswer Api::state() {
     const Json scenes = library_.scenes();
@@ -194,6 +200,7 @@ ApiAnswer Api::get(const std::vector<std::string>& path) {
     if (path.size() == 1 && what == "live") return {200, live(), {}, {}};
     if (path.size() == 2 && what == "scenes") return {200, scene(path[1]), {}, {}};
     if (path.size() == 3 && what == "scenes" && path[2] == "draft") return {200, drafts_.draft(path[1]), {}, {}};
+    if (path.size() >= 3 && what == "scenes" && path[2] == "film") return get_film(path[1], path);
     if (path.size() == 4 && what == "scenes" && path[2] == "download") {
         const fs::path file = downloads_.make(path[1], path[3]);
         return {200, {}, file, path[1] + "-" + file.filename().string()};
@@ -228,6 +235,7 @@ ApiAnswer Api::post(const std::vector<std::string>& path, const Json& body) {
     if (path.size() == 1 && what == "jobs") return {200, create(body), {}, {}};
     if (path.size() == 3 && what == "jobs") return post_job(path[1], path[2]);
     if (path.size() == 3 && what == "scenes") return post_scene(path[1], path[2], body);
+    if (path.size() == 4 && what == "scenes" && path[2] == "film") return post_film(path[1], path[3], body);
     if (path.size() == 3 && what == "trash" && path[2] == "restore") {
         const std::string name = library_.restore(path[1]);
         board_.changed();
@@ -243,6 +251,36 @@ ApiAnswer Api::post_job(const std::string& id, const std::string& what) {
     else if (what == "first") queue_.move_first(id);
     else throw Refusal(404, "the studio knows no such address");
     return {200, {{"jobs", queue_.jobs()}}, {}, {}};
+}
+
+// scenes/NAME/film: the path; …/film/made: the film; …/film/FORMAT: the path for other programs.
+ApiAnswer Api::get_film(const std::string& scene, const std::vector<std::string>& path) {
+    if (path.size() == 3) {
+        Json film = films_.film(scene);
+        film["view"] = fs::exists(library_.folder(scene).room_json()) ? drafts_.scene_view(scene) : Json(nullptr);
+        return {200, std::move(film), {}, {}};
+    }
+    if (path.size() != 4) throw Refusal(404, "the studio knows no such address");
+    const fs::path file = path[3] == "made" ? films_.made(scene) : films_.written(scene, path[3]);
+    return {200, {}, file, scene + "-" + file.filename().string()};
+}
+
+ApiAnswer Api::post_film(const std::string& scene, const std::string& what, const Json& body) {
+    if (what == "plan")
+        return {200,
+                films_.plan(scene, field<std::string>(body, "kind", "tour"), field<float>(body, "seconds", 0)),
+                {},
+                {}};
+    if (what == "path") return {200, films_.save(scene, field<Json>(body, "path", Json::object())), {}, {}};
+    if (what == "read") return {200, films_.read(scene, field<std::string>(body, "text", "")), {}, {}};
+    if (what == "frame") {
+        const int width = std::clamp(field<int>(body, "width", 480), 16, 1920);
+        return {200, {{"jpeg", base64(films_.frame(scene, field<float>(body, "time_s", 0), width))}}, {}, {}};
+    }
+    if (what == "make") films_.make(scene, field<std::string>(body, "ending", "mp4"));
+    else if (what == "stop") films_.stop();
+    else throw Refusal(404, "the studio knows no such address");
+    return {200, films_.live(), {}, {}};
 }
 
 ApiAnswer Api::post_scene(const std::string& scene, const std::string& what, const Json& body) {

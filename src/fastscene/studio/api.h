@@ -11,6 +11,7 @@
 #include "fastscene/studio/board.h"
 #include "fastscene/studio/downloads.h"
 #include "fastscene/studio/drafts.h"
+#include "fastscene/studio/films.h"
 #include "fastscene/studio/job_queue.h"
 #include "fastscene/studio/library.h"
 #include "fastscene/studio/looks.h"
@@ -58,6 +59,8 @@ class Api {
     ApiAnswer post_scene(const std::string& scene, const std::string& what, const Json& body);
     ApiAnswer post_job(const std::string& id, const std::string& what);
     ApiAnswer state();
+    ApiAnswer post_film(const std::string& scene, const std::string& what, const Json& body);
+    ApiAnswer get_film(const std::string& scene, const std::vector<std::string>& path);
     Json scene(const std::string& name);
     Json create(const Json& body);
     Json remake(const std::string& scene, const Json& body);
@@ -73,6 +76,7 @@ class Api {
     Uploads uploads_;
     Looks looks_;
     JobQueue queue_;
+    Films films_;
 };
 
 }  // namespace fastscene::studio

@@ -114,6 +114,11 @@ Json Drafts::answer(const std::string& scene, const State& state) {
             {"can_redo", !state.future.empty()}};
 }
 
+Json Drafts::scene_view(const std::string& scene) {
+    const std::lock_guard lock(mutex_);
+    return answer(scene, {}).at("view");
+}
+
 Json Drafts::draft(const std::string& scene) {
     const std::lock_guard lock(mutex_);
     return answer(scene, load(scene));

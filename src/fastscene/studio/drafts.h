@@ -19,6 +19,8 @@ class Drafts {
 
     // {revision, view, changes: [{id, what}], can_undo, can_redo}; revision 0: nothing was changed.
     Json draft(const std::string& scene);
+    // The room as the scene has it, without edits (plan_view.h).
+    Json scene_view(const std::string& scene);
     // `step`: {op: move|turn|recolor|remove|add|style|time|say|undo|redo|reset, …}. Throws Refusal 409 unless
     // `revision` is the draft's; UsageError and Error as edit_document does.
     Json edit(const std::string& scene, int revision, const Json& step);

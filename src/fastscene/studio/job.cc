@@ -1,6 +1,8 @@
 #include "fastscene/studio/job.h"
 
 #include <algorithm>
+#include <fstream>
+#include <iterator>
 
 #include "fastscene/base/error.h"
 
@@ -57,13 +59,29 @@ void read_line_of_log(std::string_view line, Job& job) {
     const std::string event = json.value("event", "");
     if (event == "progress") {
         job.work = json.value("work", "");
-        job.overall = json.value("overall", job.overall);
+        // A single piece of work has no share in a whole: it is the whole.
+        const double total = json.value("total", 0.0);
+        job.overall = json.value("overall", total > 0 ? json.value("done", 0.0) / total : job.overall);
         job.seconds_left = json.value("seconds_left", -1.0);
     } else if (event == "warning" && job.warnings.size() < kMostWarnings) {
         const std::string text = json.value("text", "");
         if (std::find(job.warnings.begin(), job.warnings.end(), text) == job.warnings.end())
             job.warnings.push_back(text);
     }
+}
+
+bool read_more_of_log(const std::filesystem::path& log, std::streamoff& read, Job& job) {
+    std::ifstream in(log, std::ios::binary);
+    in.seekg(read);
+    const std::string text(std::istreambuf_iterator<char>(in), {});
+    const std::size_t whole = text.rfind('\n') + 1;  // npos + 1 = 0
+    for (std::size_t at = 0; at < whole;) {
+        const std::size_t line = text.find('\n', at);
+        read_line_of_log(std::string_view(text).substr(at, line - at), job);
+        at = line + 1;
+    }
+    read += static_cast<std::streamoff>(whole);
+    return whole > 0;
 }
 
 }  // namespace fastscene::studio

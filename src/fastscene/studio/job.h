@@ -3,6 +3,8 @@
 
 #include <array>
 #include <cstdint>
+#include <filesystem>
+#include <ios>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -35,5 +37,7 @@ Job job_from_record(const Json& record, const std::string& file);
 
 // What a line of `--progress json` says; other lines are the program's own words, and an error begins with its name.
 void read_line_of_log(std::string_view line, Job& job);
+// What a log says from `read` on, up to its last whole line; moves `read`. Returns whether there was anything.
+bool read_more_of_log(const std::filesystem::path& log, std::streamoff& read, Job& job);
 
 }  // namespace fastscene::studio

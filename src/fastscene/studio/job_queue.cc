@@ -304,20 +304,12 @@ void JobQueue::follow_log(Entry& e, const std::stop_token& end) {
     std::streamoff read = 0;
     for (bool last = false; !last;) {
         last = end.stop_requested();
-        std::ifstream in(log(e.job.id), std::ios::binary);
-        in.seekg(read);
-        const std::string text(std::istreambuf_iterator<char>(in), {});
-        const std::size_t whole = text.rfind('\n') + 1;  // npos + 1 = 0
-        if (whole > 0) {
+        bool more = false;
+        {
             const std::lock_guard lock(mutex_);
-            for (std::size_t at = 0; at < whole;) {
-                const std::size_t line = text.find('\n', at);
-                read_line_of_log(std::string_view(text).substr(at, line - at), e.job);
-                at = line + 1;
-            }
-            read += static_cast<std::streamoff>(whole);
+            more = read_more_of_log(log(e.job.id), read, e.job);
         }
-        if (whole > 0) board_.changed();
+        if (more) board_.changed();
         if (!last) std::this_thread::sleep_for(kLogEvery);
     }
 }

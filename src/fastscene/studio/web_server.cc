@@ -28,8 +28,8 @@ constexpr const char* kCookie = "fastscene_studio";
 
 // The page: nothing from outside, no inline script, in no one's frame.
 constexpr const char* kPagePolicy =
-    "default-src 'none'; script-src 'self'; style-src 'self'; font-src 'self'; img-src 'self' blob: data:; connect-src "
-    "'self'; frame-src 'self'; frame-ancestors 'none'; base-uri 'none'; form-action 'none'";
+    "default-src 'none'; script-src 'self'; style-src 'self'; font-src 'self'; img-src 'self' blob: data:; media-src "
+    "'self'; connect-src 'self'; frame-src 'self'; frame-ancestors 'none'; base-uri 'none'; form-action 'none'";
 // Files of scenes, which may come from others: scripts of viewer.html run, in an origin of their own that may not speak
 // to the studio.
 constexpr const char* kFilePolicy =

@@ -120,6 +120,37 @@ export interface Reading {
     time: string;
     ms: number;
 }
+export interface CameraKey {
+    time_s: number;
+    position_m: [number, number, number]; // world: right, down and ahead of the first panorama
+    yaw_deg: number;
+    pitch_deg: number;
+    roll_deg?: number;
+    fov_deg?: number;
+}
+export interface CameraPath {
+    fps: number;
+    fov_deg: number;
+    size: Point;
+    keys: CameraKey[];
+}
+export interface Film {
+    path: CameraPath;
+    track: [number, number, boolean][]; // x, z, whether one can be there
+    rings: Point[][];
+    low_m: number;
+    high_m: number;
+    floor_y: number;
+    view: PlanView | null;
+    made: { file: string; bytes: number } | null;
+}
+export interface FilmWork {
+    scene: string;
+    state: '' | 'running' | 'finished' | 'failed' | 'stopped';
+    overall: number;
+    seconds_left: number;
+    error: string;
+}
 export interface Draft {
     revision: number;
     view: PlanView;

@@ -1,6 +1,6 @@
 // A floor plan: walls, openings, and things in their colors, seen from above. Selected and moved where it may be edited.
 // The far wall (+z) is at the top. The room's frame is right-handed with y up: seen from above, +x is at the left.
-import type { RefObject } from 'preact';
+import type { ComponentChildren, RefObject } from 'preact';
 import { useMemo, useRef, useState } from 'preact/hooks';
 import type { PlanView, Thing } from './api';
 import { lineColor, luminance, mixed, Symbol } from './symbols';
@@ -21,6 +21,7 @@ interface Props {
     onTurn?: (thing: Thing, by_deg: number) => void;
     onRemove?: (thing: Thing) => void;
     busy?: boolean;
+    children?: ComponentChildren; // drawn over the things, in metres; +x at the left
 }
 
 const FloorPattern = ({ view: { floor: own, floor_name } }: { view: PlanView }) => {
@@ -241,7 +242,7 @@ export const Plan = (props: Props) => {
             ref={svg}
             class="plan"
             viewBox={`${x0 - margin} ${y0 - margin} ${w + 2 * margin} ${d + 2 * margin}`}
-            role={onSelect ? 'group' : 'img'}
+            role={onSelect || props.children ? 'group' : 'img'}
             aria-label={label}
             onPointerDown={() => onSelect?.('')}
         >
@@ -252,6 +253,7 @@ export const Plan = (props: Props) => {
                 <Shell view={view} x0={x0} y0={y0} />
                 {things.map(draw)}
             </g>
+            {props.children && <g transform="scale(-1 1)">{props.children}</g>}
             <g aria-hidden="true">
                 {things.map((thing) => !(drag && rides(thing.id, drag.id)) && <Label key={thing.id} thing={thing} />)}
                 <Dimensions view={view} x0={x0} y0={y0} />

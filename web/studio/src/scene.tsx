@@ -2,6 +2,7 @@
 import { useEffect, useMemo, useState } from 'preact/hooks';
 import { fileUrl, get, part, Refused, type Download, type Draft, type SceneDetails } from './api';
 import { Editor } from './editor';
+import { FilmEditor } from './film';
 import { hasWebGL, Panorama } from './panorama';
 import { fail, go, notify } from './store';
 import { day, minutes, size, t } from './text';
@@ -158,7 +159,7 @@ const Files = ({ scene, onMade }: { scene: SceneDetails; onMade: () => void }) =
     </div>
 );
 
-const tabs = ['walk', 'panorama', 'change', 'files'] as const;
+const tabs = ['walk', 'panorama', 'change', 'film', 'files'] as const;
 type Tab = (typeof tabs)[number];
 
 export const ScenePage = ({ name }: { name: string }) => {
@@ -272,6 +273,7 @@ export const ScenePage = ({ name }: { name: string }) => {
                 {tab === 'walk' && <Walk scene={scene} />}
                 {tab === 'panorama' && <Around scene={scene} />}
                 {tab === 'change' && (scene.has_room ? <Editor scene={scene} /> : <p class="empty">{t.no_room}</p>)}
+                {tab === 'film' && <FilmEditor scene={scene} />}
                 {tab === 'files' && <Files scene={scene} onMade={load} />}
             </div>
         </article>

@@ -1,6 +1,6 @@
 // What all pages share: the server's state, kept current by its stream of events.
 import { useEffect, useState } from 'preact/hooks';
-import { get, part, type Job, type State } from './api';
+import { get, part, type FilmWork, type Job, type State } from './api';
 import { t } from './text';
 
 export interface Notice {
@@ -17,8 +17,9 @@ interface Shared {
     online: boolean;
     path: string;
     look: string;
+    film: FilmWork | null;
 }
-const shared: Shared = { state: null, jobs: [], notices: [], online: true, path: location.pathname, look: '' };
+const shared: Shared = { state: null, jobs: [], notices: [], online: true, path: location.pathname, look: '', film: null };
 const listeners = new Set<() => void>();
 const tell = () => listeners.forEach((listener) => listener());
 
@@ -105,8 +106,9 @@ const listen = () => {
         if (!shared.online) refresh();
     };
     source.onmessage = (event) => {
-        const { jobs, look } = JSON.parse(event.data) as { jobs: Job[]; look: string };
+        const { jobs, look, film } = JSON.parse(event.data) as { jobs: Job[]; look: string; film: FilmWork };
         shared.look = look;
+        shared.film = film;
         const scenes = ended(jobs) !== ended(shared.jobs) || jobs.length !== shared.jobs.length;
         tellEnds(shared.jobs, jobs);
         shared.jobs = jobs;
