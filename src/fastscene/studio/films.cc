@@ -71,7 +71,10 @@ Films::Films(Library& library, Board& board, fs::path program)
 
 Films::~Films() { stop(); }
 
-fs::path Films::folder(const std::string& scene) const { return library_.own("films") / scene; }
+fs::path Films::folder(const std::string& scene) const {
+    library_.folder(scene);  // throws for what is no scene
+    return library_.own("films") / scene;
+}
 fs::path Films::path_file(const std::string& scene) const { return folder(scene) / "path.json"; }
 
 CameraPath Films::path(const std::string& scene) {

@@ -6,6 +6,8 @@
 #include <thread>
 
 #include "fastscene/base/file.h"
+#include "fastscene/io/splat_io.h"
+#include "fastscene/scene/walkable_json.h"
 #include "fastscene/studio/api.h"
 #include "fastscene/studio/refusal.h"
 
@@ -255,6 +257,52 @@ TEST_F(Studio, ASentenceIsReadAndPlanned) {
         seen = seen || (thing["kind"] == "armchair" && thing["asked"] && thing["color"].get<std::string>().size() == 7);
     EXPECT_TRUE(seen);
     EXPECT_EQ(studio.status({"plan"}, {{"prompt", std::string(3000, 'a')}}), 422);
+}
+
+TEST_F(Studio, AFilmHasAPathThatCanBeChanged) {
+    add_scene("hall");
+    Running studio(root, program());
+    const auto film = [&](const std::string& what, const Json& body) {
+        return studio.api.answer({"POST", {"scenes", "hall", "film", what}, body});
+    };
+    EXPECT_EQ(studio.api.answer({"GET", {"scenes", "hall", "film"}, {}}).status, 409);  // no splats
+    const RunFolder folder{root / "hall"};
+    Splats splats;
+    splats.resize(1);
+    make_directories(folder.scene_ply().parent_path());
+    make_directories(folder.walk());
+    save_splat_ply(folder.scene_ply(), splats);
+    write_json(folder.walkable_json(), walkable_json({{{{-2, -2}, {2, -2}, {2, 2}, {-2, 2}}}, -0.3f, 0.4f, 1.5f}));
+    const ApiAnswer tour = studio.api.answer({"GET", {"scenes", "hall", "film"}, {}});
+    ASSERT_EQ(tour.status, 200) << tour.json.dump();
+    EXPECT_GE(tour.json["path"]["keys"].size(), 2u);
+    EXPECT_EQ(tour.json["rings"][0].size(), 4u);
+    EXPECT_TRUE(tour.json["made"].is_null());
+
+    Json path = tour.json["path"];
+    path["keys"] = Json::parse(R"([{"time_s": 0, "position_m": [0, 0, 0], "yaw_deg": 0, "pitch_deg": 0},
+                                   {"time_s": 4, "position_m": [0, 0, 4], "yaw_deg": 90, "pitch_deg": 0}])");
+    const ApiAnswer drawn = film("path", {{"path", path}});
+    ASSERT_EQ(drawn.status, 200) << drawn.json.dump();
+    EXPECT_EQ(drawn.json["track"].front()[2], true);
+    EXPECT_EQ(drawn.json["track"].back()[2], false);  // outside of the floor: said, not refused
+    EXPECT_EQ(studio.api.answer({"GET", {"scenes", "hall", "film"}, {}}).json["path"]["keys"].size(), 2u);
+    EXPECT_FALSE(film("frame", {{"time_s", 1}, {"width", 32}}).json["jpeg"].get<std::string>().empty());
+
+    // Out to each program and back is the same path.
+    for (const char* const format : {"fastscene", "nerfstudio", "blender", "supersplat"}) {
+        const ApiAnswer file = studio.api.answer({"GET", {"scenes", "hall", "film", format}, {}});
+        ASSERT_EQ(file.status, 200) << format;
+        const ApiAnswer again = film("read", {{"text", read_file(file.file)}});
+        ASSERT_EQ(again.status, 200) << format << again.json.dump();
+        EXPECT_NEAR(again.json["path"]["keys"].back()["position_m"][2].get<float>(), 4, 1e-3) << format;
+    }
+    EXPECT_EQ(film("read", {{"text", "no path"}}).status, 422);
+    EXPECT_EQ(film("path", {{"path", {{"keys", Json::array()}}}}).status, 422);
+    EXPECT_EQ(film("plan", {{"kind", "flight"}}).status, 422);
+    EXPECT_EQ(film("make", {{"ending", "exe"}}).status, 400);
+    EXPECT_EQ(studio.api.answer({"GET", {"scenes", "hall", "film", "made"}, {}}).status, 404);
+    EXPECT_EQ(studio.status({"scenes", "..", "film", "path"}, {{"path", path}}), 404);
 }
 
 TEST_F(Studio, UploadsAreWhatTheirBytesAre) {

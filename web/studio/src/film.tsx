@@ -576,6 +576,7 @@ export const FilmEditor = ({ scene }: { scene: SceneDetails }) => {
                     change={change}
                     plan={(kind) => {
                         setSelected(0);
+                        setPlaying(false);
                         setTime(0);
                         send('plan', { kind });
                     }}
