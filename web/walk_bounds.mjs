@@ -157,11 +157,12 @@ class WalkableFloor {
 
 // What the viewer's CameraManager asks (its names: `camera` has position, angles, distance, look, calcFocusPoint).
 class WalkBounds {
-    // rings: closed polygons of [x, z]; low and high: between which y the camera stays.
-    constructor({ rings, low, high }) {
+    // rings: closed polygons of [x, z]; low and high: between which y the camera stays; ground: y of the floor.
+    constructor({ rings, low, high, ground }) {
         this.floor = new WalkableFloor(rings);
         this.low = low;
         this.high = high;
+        this.ground = ground;
         this.at = null;      // where the camera was held last
         this.jumps = false;  // the next pose is a new place, not a step from the last one
     }
@@ -218,6 +219,14 @@ class WalkBounds {
     holdBlend(camera) {
         const held = this._nearest(camera.position);
         camera.position.set(held.x, held.y, held.z);
+    }
+
+    // Virtual reality: the headset moves the camera within its rig, which stands on the floor. Whether one goes by
+    // thumbstick, by teleport or on one's own feet, the rig is moved so that the head stays over the walkable floor.
+    holdRig(rig, camera) {
+        const head = camera.getPosition();
+        const [x, z] = this.floor.nearestInside(head.x, head.z) ?? [head.x, head.z];
+        if (x !== head.x || z !== head.z) rig.translate(x - head.x, 0, z - head.z);
     }
 
     // Where one who was sent to a point looks while he walks there: at it, but never down to his own feet.

@@ -252,3 +252,16 @@ test('an orbit that is held goes on looking at its center', () => {
     assert.deepEqual(looked, { x: 0, y: 0, z: 0.5 });
     assert.ok(Math.abs(told.z - (-2 + 1e-3)) < 1e-9, `held at ${told.z}`);
 });
+
+test('in virtual reality the rig follows so that the head stays over the floor', () => {
+    const { walk } = bounds();
+    const rig = { x: 0, z: 0, translate(x, y, z) { this.x += x; this.z += z; assert.equal(y, 0); } };
+    const camera = { at: new Point(0, 1.6, -1), getPosition() { return new Point(this.at.x + rig.x, this.at.y, this.at.z + rig.z); } };
+    walk.holdRig(rig, camera);
+    assert.deepEqual([rig.x, rig.z], [0, 0], 'free floor moves nothing');
+    camera.at = new Point(0, 1.6, -9);  // through the wall on one's own feet
+    walk.holdRig(rig, camera);
+    const head = camera.getPosition();
+    assert.ok(walk.floor.contains(head.x, head.z), `held at ${head.x}, ${head.z}`);
+    assert.ok(Math.abs(head.z - -2) < 0.01);
+});

@@ -313,7 +313,9 @@ fs::path small_viewer(const std::string& script) {
 const std::string kControllers =
     "setCameraBasis(this._angles, forward$2, right$2, up$1);\nthis.update = (deltaTime, frame) => {\n"
     "controller.update(dt, frame, target);\nlastPosition.copy(this.camera.position);\nsource.navigateTo(position, "
-    "speedMul);\nstate.cameraMode = state.hasAnimation ? 'anim' : 'fly';\nexport { createViewer };";
+    "speedMul);\nstate.cameraMode = state.hasAnimation ? 'anim' : 'fly';\n"
+    "parent.script.create(XrNavigation);\nparent.setPosition(cameraPosition.x, 0, cameraPosition.z);\nexport { "
+    "createViewer };";
 
 TEST(Viewer, TheWalkableAreaIsTurnedIntoTheViewersFrameAndHeldByTheScript) {
     ViewerScene scene;
@@ -321,7 +323,8 @@ TEST(Viewer, TheWalkableAreaIsTurnedIntoTheViewersFrameAndHeldByTheScript) {
     const fs::path page = scratch("walk.html");
     save_viewer_html(page, some_splats(3, 0), scene, small_viewer(kControllers));
     const std::string text = read_file(page);
-    const std::string_view bounds = R"({"rings":[[[-1.0,2.0],[-3.0,2.0],[-3.0,5.0]]],"low":-0.7,"high":0.4})";
+    const std::string_view bounds =
+        R"({"rings":[[[-1.0,2.0],[-3.0,2.0],[-3.0,5.0]]],"low":-0.7,"high":0.4,"ground":-1.6})";
     EXPECT_NE(text.find("new WalkBounds(" + std::string(bounds) + ")"), std::string::npos);
     EXPECT_NE(text.find("class WalkBounds"), std::string::npos);
     EXPECT_NE(text.find("walkBounds.hold(state.cameraMode, controller, target)"), std::string::npos);
@@ -352,8 +355,8 @@ TEST(Viewer, AViewerWhoseCamerasCannotBeHeldIsRefused) {
     ViewerScene held;
     held.walkable = WalkableArea{{{{0, 0}, {1, 0}, {1, 1}}}, -0.4f, 0.7f, 1.6f};
     const Splats splats = some_splats(3, 0);
-    for (const std::string_view place :
-         {"setCameraBasis", "this.update", "controller.update", "lastPosition", "navigateTo"}) {
+    for (const std::string_view place : {"setCameraBasis", "this.update", "controller.update", "lastPosition",
+                                         "navigateTo", "XrNavigation", "setPosition"}) {
         std::string script = kControllers;
         script.replace(script.find(place), place.size(), "another");
         const fs::path viewer = small_viewer(script);

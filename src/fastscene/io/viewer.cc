@@ -66,7 +66,10 @@ Json viewer_bounds(const WalkableArea& area) {
         for (const Vec2f p : ring) points.push_back({tenth_of_millimetre(-p.x), tenth_of_millimetre(p.y)});
         rings.push_back(points);
     }
-    return {{"rings", rings}, {"low", tenth_of_millimetre(-area.high_y)}, {"high", tenth_of_millimetre(-area.low_y)}};
+    return {{"rings", rings},
+            {"low", tenth_of_millimetre(-area.high_y)},
+            {"high", tenth_of_millimetre(-area.low_y)},
+            {"ground", tenth_of_millimetre(-area.floor_y)}};
 }
 
 void remove_export(std::string& script, std::string_view exported, const fs::path& file) {
@@ -92,6 +95,13 @@ void hold_camera(std::string& script, const WalkableArea& area, const fs::path& 
                  "setYawBasis(this._angles.y, forward$2, right$2); up$1.copy(Vec3.UP);", file);
     replace_once(script, "source.navigateTo(position, speedMul);",
                  "source.navigateTo(walkBounds.walkTarget(position), speedMul);", file);
+    // In virtual reality the world's floor is the room's.
+    replace_once(script, "parent.script.create(XrNavigation);",
+                 "parent.script.create(XrNavigation, { properties: { groundHeight: walkBounds.ground } });\n"
+                 "    app.on('update', () => { if (xr.active) walkBounds.holdRig(parent, camera); });",
+                 file);
+    replace_once(script, "parent.setPosition(cameraPosition.x, 0, cameraPosition.z);",
+                 "parent.setPosition(cameraPosition.x, walkBounds.ground, cameraPosition.z);", file);
     std::string bounds(kWalkBoundsScript);
     remove_export(bounds, "export { WalkBounds, WalkableFloor };", "web/walk_bounds.mjs");
     bounds += "return new WalkBounds(" + viewer_bounds(area).dump() + ");\n";

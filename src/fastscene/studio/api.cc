@@ -253,7 +253,8 @@ ApiAnswer Api::post_job(const std::string& id, const std::string& what) {
     return {200, {{"jobs", queue_.jobs()}}, {}, {}};
 }
 
-// scenes/NAME/film: the path; …/film/made: the film; …/film/FORMAT: the path for other programs.
+// scenes/NAME/film: the path; …/film/made: the film; …/film/traced: a picture of the room; …/film/FORMAT: the path for
+// other programs.
 ApiAnswer Api::get_film(const std::string& scene, const std::vector<std::string>& path) {
     if (path.size() == 3) {
         Json film = films_.film(scene);
@@ -261,6 +262,7 @@ ApiAnswer Api::get_film(const std::string& scene, const std::vector<std::string>
         return {200, std::move(film), {}, {}};
     }
     if (path.size() != 4) throw Refusal(404, "the studio knows no such address");
+    if (path[3] == "traced") return {200, {}, films_.traced(scene), {}};
     const fs::path file = path[3] == "made" ? films_.made(scene) : films_.written(scene, path[3]);
     return {200, {}, file, scene + "-" + file.filename().string()};
 }
@@ -278,6 +280,7 @@ ApiAnswer Api::post_film(const std::string& scene, const std::string& what, cons
         return {200, {{"jpeg", base64(films_.frame(scene, field<float>(body, "time_s", 0), width))}}, {}, {}};
     }
     if (what == "make") films_.make(scene, field<std::string>(body, "ending", "mp4"));
+    else if (what == "trace") films_.trace(scene, field<float>(body, "time_s", 0));
     else if (what == "stop") films_.stop();
     else throw Refusal(404, "the studio knows no such address");
     return {200, films_.live(), {}, {}};

@@ -26,6 +26,8 @@ constexpr auto kLogEvery = 300ms;
 constexpr int kNiceness = 10;          // of a film: scenes in the making go first
 constexpr float kTrackEvery_s = 0.1f;  // of the line on the plan
 constexpr int kJpegQuality = 85;
+constexpr int kTracedWidth = 960, kTracedSamples = 32;  // a picture within a minute, to compare with the splats
+constexpr const char* kTraced = "traced.png";
 constexpr const char* kFilmEndings[] = {"mp4", "webm"};
 
 WalkableArea area_of(const RunFolder& folder) {
@@ -187,28 +189,74 @@ void Films::make(const std::string& scene, const std::string& ending) {
     if (std::find(std::begin(kFilmEndings), std::end(kFilmEndings), ending) == std::end(kFilmEndings))
         throw Refusal(400, "a film ends in .mp4 or .webm, found \"{}\"", ending);
     if (!find_program("ffmpeg")) throw Refusal(409, "films need ffmpeg: apt-get install ffmpeg");
-    area_of(library_.folder(scene));
     {
         const std::lock_guard lock(paths_);
         keep(scene, path(scene));
     }
+    const fs::path film = folder(scene) / ("film." + ending);
+    start(scene, {{"what", "film"}},
+          {"render", library_.folder(scene).root.string(), "--path", path_file(scene).string(), "-o", film.string()});
+    for (const char* const other : kFilmEndings)
+        if (other != ending) fs::remove(folder(scene) / (std::string("film.") + other));
+}
+
+void Films::trace(const std::string& scene, float time_s) {
+    const RunFolder run = library_.folder(scene);
+    if (!fs::exists(run.room_json())) throw Refusal(409, "this scene was made from pictures: no room of it is known");
+    CameraPath camera;
     {
-        const std::lock_guard lock(mutex_);
-        if (live_.at("state") == "running")
-            throw Refusal(409, "a film of {} is in the making: stop it first", live_.at("scene").get<std::string>());
-        live_ = {{"scene", scene}, {"state", "running"}, {"overall", 0}, {"seconds_left", -1}, {"error", ""}};
-        if (worker_.joinable()) worker_.join();  // it has said its last word
-        for (const char* const other : kFilmEndings) fs::remove(folder(scene) / (std::string("film.") + other));
-        worker_ = std::jthread([this, scene, film = folder(scene) / ("film." + ending)](std::stop_token stop) {
-            render(scene, film, stop);
-        });
+        const std::lock_guard lock(paths_);
+        camera = path(scene);
+        keep(scene, camera);
     }
+    const CameraKey key = camera.at(time_s);
+    const int height = std::max(64, kTracedWidth * camera.height / camera.width);
+    const auto text = [](float value) { return fmt::format("{}", value); };
+    start(scene, {{"what", "trace"}, {"time_s", time_s}},
+          {"render",
+           run.root.string(),
+           "--of",
+           "room",
+           "--position",
+           text(key.position_m.x),
+           text(key.position_m.y),
+           text(key.position_m.z),
+           "--yaw",
+           text(key.yaw_deg),
+           "--pitch",
+           text(key.pitch_deg),
+           "--fov",
+           text(key.fov_deg),
+           "--size",
+           fmt::format("{}x{}", kTracedWidth, height),
+           "--samples",
+           std::to_string(kTracedSamples),
+           "-o",
+           (folder(scene) / kTraced).string()});
+}
+
+fs::path Films::traced(const std::string& scene) const {
+    const fs::path picture = folder(scene) / kTraced;
+    if (!fs::exists(picture)) throw Refusal(404, "no view of this room was traced yet");
+    return picture;
+}
+
+void Films::start(const std::string& scene, Json live, std::vector<std::string> arguments) {
+    const std::lock_guard lock(mutex_);
+    if (live_.at("state") == "running")
+        throw Refusal(409, "a film or picture of {} is in the making: stop it first",
+                      live_.at("scene").get<std::string>());
+    live.update(Json{{"scene", scene}, {"state", "running"}, {"overall", 0}, {"seconds_left", -1}, {"error", ""}});
+    live_ = std::move(live);
+    if (worker_.joinable()) worker_.join();  // it has said its last word
+    worker_ = std::jthread(
+        [this, scene, arguments = std::move(arguments)](std::stop_token stop) { work(scene, arguments, stop); });
     board_.changed();
 }
 
 void Films::stop() { worker_.request_stop(); }
 
-void Films::render(const std::string& scene, const fs::path& film, const std::stop_token& stop) {
+void Films::work(const std::string& scene, std::vector<std::string> arguments, const std::stop_token& stop) {
     const fs::path log = folder(scene) / "log";
     std::error_code none;
     fs::remove(log, none);
@@ -225,10 +273,7 @@ void Films::render(const std::string& scene, const fs::path& film, const std::st
         }
     });
     try {
-        const std::vector<std::string> arguments{"render",     library_.folder(scene).root.string(),
-                                                 "--path",     path_file(scene).string(),
-                                                 "-o",         film.string(),
-                                                 "--progress", "json"};
+        arguments.insert(arguments.end(), {"--progress", "json"});
         const int code = run_program(
             program_, arguments,
             {log, {}, stop, [](int pid) { ::setpriority(PRIO_PROCESS, static_cast<id_t>(pid), kNiceness); }});
@@ -243,7 +288,7 @@ void Films::render(const std::string& scene, const fs::path& film, const std::st
     {
         const std::lock_guard lock(mutex_);
         live_["state"] = state;
-        if (state == "failed") live_["error"] = job.error.empty() ? "the film could not be made" : job.error;
+        if (state == "failed") live_["error"] = job.error.empty() ? "it could not be made" : job.error;
     }
     board_.changed();
 }

@@ -7,6 +7,7 @@
 #include <mutex>
 #include <string>
 #include <thread>
+#include <vector>
 
 #include "fastscene/base/json.h"
 #include "fastscene/scene/camera_path.h"
@@ -36,13 +37,18 @@ class Films {
     // What the camera sees at a time of the saved path, as a JPEG.
     std::string frame(const std::string& scene, float time_s, int width);
 
-    // Renders the saved path in the background. One film at a time: throws Refusal 409 while one is made.
+    // Renders the saved path in the background. One at a time: throws Refusal 409 while a film or a picture is made.
     void make(const std::string& scene, const std::string& ending);
+    // The same of one picture of the room behind the scene, path traced from where the camera is at a time of the path.
+    // Throws Refusal 409 for a scene whose room is not known.
+    void trace(const std::string& scene, float time_s);
     void stop();
+    // Throws Refusal 404 if there is none.
+    std::filesystem::path traced(const std::string& scene) const;
     // Throws Refusal 404 if the film of the saved path was not made.
     std::filesystem::path made(const std::string& scene) const;
-    // Of the film in work or made last: {scene, state: "" | running | finished | failed | stopped, overall,
-    // seconds_left, error}.
+    // Of what is in work or was made last: {scene, what: film | trace, state: "" | running | finished | failed |
+    // stopped, overall, seconds_left, error}; of a trace also time_s.
     Json live() const;
 
   private:
@@ -51,7 +57,9 @@ class Films {
     std::filesystem::path path_file(const std::string& scene) const;
     CameraPath path(const std::string& scene);
     Json keep(const std::string& scene, const CameraPath& path);
-    void render(const std::string& scene, const std::filesystem::path& film, const std::stop_token& stop);
+    // Runs the program with `arguments` in the background.
+    void start(const std::string& scene, Json live, std::vector<std::string> arguments);
+    void work(const std::string& scene, std::vector<std::string> arguments, const std::stop_token& stop);
 
     Library& library_;
     Board& board_;

@@ -146,6 +146,8 @@ export interface Film {
 }
 export interface FilmWork {
     scene: string;
+    what: 'film' | 'trace';
+    time_s?: number;
     state: '' | 'running' | 'finished' | 'failed' | 'stopped';
     overall: number;
     seconds_left: number;

@@ -148,6 +148,59 @@ const Track = ({ film, view, selected, at, onSelect, onMove, onTurn, onRemove }:
     );
 };
 
+// The room behind the scene, traced from where the camera is, beside the splats.
+const Traced = ({ scene, time_s, picture }: { scene: string; time_s: number; picture: string }) => {
+    const { film: work } = useShared();
+    const [share, setShare] = useState(50);
+    const mine = work?.scene === scene && work.what === 'trace';
+    if (mine && work.state === 'running')
+        return (
+            <div class="row">
+                <progress class="grow" max="1" value={work.overall || undefined} aria-label={t.film_trace} />
+                <button onClick={() => post(`scenes/${part(scene)}/film/stop`).catch(fail)}>{t.stop}</button>
+            </div>
+        );
+    const shown = mine && work.state === 'finished' && Math.abs(work.time_s! - time_s) < 1e-3;
+    return (
+        <>
+            {mine && work.state === 'failed' && (
+                <p class="problem" role="alert">
+                    {work.error}
+                </p>
+            )}
+            {shown ? (
+                <figure class="film-compare">
+                    <div style={{ '--share': `${share}%` }}>
+                        <img src={picture} alt={t.film_frame} />
+                        <img
+                            class="is-over"
+                            src={`/api/scenes/${part(scene)}/film/traced?${time_s}`}
+                            alt={t.film_traced}
+                        />
+                    </div>
+                    <label class="row">
+                        {t.film_splats}
+                        <input
+                            class="grow"
+                            type="range"
+                            min={0}
+                            max={100}
+                            value={share}
+                            aria-label={t.film_compare}
+                            onInput={(e) => setShare(Number(e.currentTarget.value))}
+                        />
+                        {t.film_traced}
+                    </label>
+                </figure>
+            ) : (
+                <button onClick={() => post(`scenes/${part(scene)}/film/trace`, { time_s }).catch(fail)}>
+                    {t.film_trace}
+                </button>
+            )}
+        </>
+    );
+};
+
 // What the camera sees at a time: the newest one that is wanted, one request at a time.
 const useFrame = (scene: string, time_s: number, version: number) => {
     const [picture, setPicture] = useState(''),
@@ -369,7 +422,7 @@ const PathPanel = ({ film, plan, change, scene, onRead }: {
 
 const MakePanel = ({ scene, film }: { scene: string; film: Film }) => {
     const { film: work } = useShared();
-    const mine = work?.scene === scene;
+    const mine = work?.scene === scene && work.what === 'film';
     const running = mine && work.state === 'running';
     const url = `/api/scenes/${part(scene)}/film/made`;
     const start = (ending: string) => post(`scenes/${part(scene)}/film/make`, { ending }).catch(fail);
@@ -457,7 +510,7 @@ export const FilmEditor = ({ scene }: { scene: SceneDetails }) => {
     const { picture, shown_s } = useFrame(scene.name, time_s, version);
     const view = useMemo(() => film && (film.view ?? bareView(film.rings)), [film?.view, film?.rings]);
     // The film that was made is there once its work has ended.
-    const state = work?.scene === scene.name ? work.state : '';
+    const state = work?.scene === scene.name && work.what === 'film' ? work.state : '';
     useEffect(() => {
         if (state === 'finished') load();
     }, [state]);
@@ -561,6 +614,7 @@ export const FilmEditor = ({ scene }: { scene: SceneDetails }) => {
                         </span>
                         <button onClick={addHere}>{t.film_add}</button>
                     </figcaption>
+                    {scene.has_room && <Traced scene={scene.name} time_s={time_s} picture={picture} />}
                 </figure>
             </div>
             <aside class="inspector">

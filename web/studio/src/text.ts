@@ -171,6 +171,10 @@ const en = {
     film_pause: 'Pause',
     film_add: 'Add a key here',
     film_leaves: 'Where the line is red, the camera passes through furniture or walls.',
+    film_trace: 'Compare with the traced room',
+    film_traced: 'the room, traced',
+    film_splats: 'splats',
+    film_compare: 'How much of each is shown',
 };
 const de: typeof en = {
     create: 'Neu',
@@ -358,6 +362,10 @@ const de: typeof en = {
     film_pause: 'Anhalten',
     film_add: 'Hier einen Punkt setzen',
     film_leaves: 'Wo die Linie rot ist, geht die Kamera durch Möbel oder Wände.',
+    film_trace: 'Mit dem berechneten Raum vergleichen',
+    film_traced: 'der Raum, berechnet',
+    film_splats: 'Splats',
+    film_compare: 'Wie viel von beiden zu sehen ist',
 };
 
 export const languages = { en: 'English', de: 'Deutsch' };
