@@ -11,6 +11,7 @@
 #include "fastscene/base/file.h"
 #include "fastscene/base/random.h"
 #include "fastscene/export/collision.h"
+#include "fastscene/export/meshopt.h"
 #include "fastscene/export/room_glb.h"
 #include "fastscene/export/room_usda.h"
 #include "fastscene/export/view_maps.h"
@@ -100,7 +101,9 @@ void write_rooms(const std::filesystem::path& dir) {
         const Run run{5, nullptr, {}};
         PromptSpec spec = understand_prompt(prompt, false);
         const Room room = make_room(spec, run);
-        write_file(dir / fmt::format("{}.room.glb", name), room_glb_bytes(room, kSmall, run));
+        const std::string glb = room_glb_bytes(room, kSmall, run);
+        write_file(dir / fmt::format("{}.room.glb", name), glb);
+        write_file(dir / fmt::format("{}.meshopt.glb", name), with_meshopt(glb));
         write_file(dir / fmt::format("{}.collision.glb", name), collision_glb_bytes(room, room.max_corner.y));
         const std::string textures = fmt::format("{}_textures", name);
         const UsdaRoom usda = room_usda(room, textures, kSmall, run);

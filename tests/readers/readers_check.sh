@@ -62,7 +62,7 @@ fi
 
 if command -v node >/dev/null && [ -d "$web/node_modules/gltf-validator" ]; then
   asked=1
-  node "$here/gltf_check.mjs" "$web" "$out"/*.room.glb "$out"/*.collision.glb
+  node "$here/gltf_check.mjs" "$web" "$out"/*.room.glb "$out"/*.collision.glb "$out"/*.meshopt.glb
 else
   echo "gltf-validator: skipped (not installed)"
 fi
@@ -78,7 +78,9 @@ fi
 
 if command -v node >/dev/null && [ -d "$web/node_modules/three" ] && [ -d "$web/node_modules/playwright-core" ] && [ -x "${CHROMIUM:-/usr/bin/chromium}" ]; then
   asked=1
-  node "$here/three_check.mjs" "$web" "$out/bedroom.room.glb" "$out/bedroom.instances.png" "$out/bedroom.instances.json" "$out/three.png"
+  for glb in bedroom.room.glb bedroom.meshopt.glb; do
+    node "$here/three_check.mjs" "$web" "$out/$glb" "$out/bedroom.instances.png" "$out/bedroom.instances.json" "$out/three.png"
+  done
 else
   echo "three.js: skipped (chromium or the npm packages are not installed)"
 fi

@@ -36,7 +36,8 @@ try {
     const result = await page.evaluate(async ({ instances, shape }) => {
         const THREE = await import('three');
         const { GLTFLoader } = await import('three/addons/loaders/GLTFLoader.js');
-        const room = await new GLTFLoader().loadAsync('/room.glb');
+        const { MeshoptDecoder } = await import('three/addons/libs/meshopt_decoder.module.js');
+        const room = await new GLTFLoader().setMeshoptDecoder(MeshoptDecoder).loadAsync('/room.glb');
         let truth = null, [width, height] = shape;
         if (instances.length) {
             truth = await createImageBitmap(await (await fetch('/map.png')).blob(), { colorSpaceConversion: 'none' });

@@ -8,6 +8,7 @@
 #include "fastscene/export/collision.h"
 #include "fastscene/export/labelled_views.h"
 #include "fastscene/export/labels.h"
+#include "fastscene/export/meshopt.h"
 #include "fastscene/export/range_mesh.h"
 #include "fastscene/export/room_glb.h"
 #include "fastscene/export/room_usda.h"
@@ -25,7 +26,7 @@ namespace fs = std::filesystem;
 struct ExportFlags {
     std::string scene, out, what;
     std::vector<std::string> maps{kViewMaps.begin(), kViewMaps.end()};
-    bool baked_light = false;
+    bool baked_light = false, compress = false;
     std::shared_ptr<Given> given = std::make_shared<Given>();
 };
 
@@ -52,6 +53,10 @@ RoomModel model_of(const ExportJob& job) {
                                  : room_model(job.room().room(), job.bake, job.run);
 }
 
+void write_glb(const ExportJob& job, const std::string& glb) {
+    write_file(job.out(), job.flags.compress ? with_meshopt(glb) : glb);
+}
+
 void write_usda(const ExportJob& job) {
     const std::string folder = job.out().stem().string() + "_textures";
     const fs::path textures = job.out().parent_path() / folder;
@@ -76,11 +81,11 @@ void write_views(const ExportJob& job) {
 const std::vector<ExportKind>& export_kinds() {
     static const std::vector<ExportKind> all{
         {"room", ".glb", ExportKind::room,
-         [](const ExportJob& job) { write_file(job.out(), room_glb_bytes(job.room().room(), model_of(job))); }},
+         [](const ExportJob& job) { write_glb(job, room_glb_bytes(job.room().room(), model_of(job))); }},
         {"room", ".usda", ExportKind::room, write_usda},
         {"mesh", ".glb", ExportKind::ranges,
          [](const ExportJob& job) {
-             write_file(job.out(), range_mesh_glb_bytes(load_walk(job.folder), job.bake.texture_size, job.run));
+             write_glb(job, range_mesh_glb_bytes(load_walk(job.folder), job.bake.texture_size, job.run));
          }},
         {"collision", ".glb", ExportKind::ranges,
          [](const ExportJob& job) {
@@ -162,6 +167,10 @@ Verb add_export(CLI::App& app) {
     verb->add_flag("--baked-light", flags->baked_light,
                    "With the room: textures that hold the light, for viewers that compute none.")
         ->group("Textures");
+    verb->add_flag(
+        "--compress", flags->compress,
+        "With .glb files of the room or mesh: meshes compressed by EXT_meshopt_compression, for readers that "
+        "know it.");
     add_fields(*verb, "", BakeParams{}, flags->given, "Textures");
     verb->footer(
         "Example:\n  fastscene export out/bedroom bedroom.glb\n  fastscene export out/bedroom collision.glb --what "
@@ -177,6 +186,9 @@ Verb add_export(CLI::App& app) {
                 const ExportKind& kind = export_kind_of(*flags, has_known);
                 if (flags->baked_light && std::string(kind.name) != "room")
                     throw UsageError("--baked-light: expected with the room, found with --what {}", kind.name);
+                const std::string name = kind.name, ending = kind.ending;
+                if (flags->compress && (ending != ".glb" || name == "collision"))
+                    throw UsageError("--compress: expected with the room or a mesh as .glb, found with {}", flags->out);
                 if (kind.needs == ExportKind::ranges && !has_known && !fs::exists(folder.walk() / "poses.json"))
                     throw Error("{}: its panoramas are not made yet: run `fastscene walk {}` first", flags->scene,
                                 flags->scene);

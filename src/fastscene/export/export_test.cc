@@ -1,5 +1,6 @@
 // Laws of the exported files: what glTF must say of a room whose geometry is known.
 #include <gtest/gtest.h>
+#include <meshoptimizer.h>
 
 #include <cmath>
 #include <set>
@@ -9,6 +10,7 @@
 #include "fastscene/export/gltf.h"
 #include "fastscene/export/identities.h"
 #include "fastscene/export/labels.h"
+#include "fastscene/export/meshopt.h"
 #include "fastscene/export/room_glb.h"
 #include "fastscene/image/color.h"
 #include "fastscene/io/image_io.h"
@@ -95,6 +97,72 @@ TEST(RoomGlb, HasANodePerThingAndKeepsAllTriangles) {
     }
     for (const std::string& id : ids) EXPECT_TRUE(seen.contains(id)) << id;
     EXPECT_EQ(shell_found, shell);
+}
+
+// What a reader of EXT_meshopt_compression finds: the same triangles, vertices within what the header says.
+TEST(RoomGlb, CompressionKeepsTheMeshes) {
+    const std::string plain = room_glb_bytes(bedroom(), {.texels_per_metre = 16}, kQuiet), small = with_meshopt(plain);
+    EXPECT_EQ(with_meshopt(plain), small);
+    const Glb before(plain), after(small);
+    EXPECT_EQ(after.json["extensionsRequired"], Json::array({"EXT_meshopt_compression"}));
+    std::size_t raw_bytes = 0, packed_bytes = 0;
+    const auto decoded = [&](std::size_t accessor) {
+        const Json& view = after
+                               .json["bufferViews"][after.json["accessors"][accessor]["bufferView"].get<std::size_t>()];
+        const Json& how = view["extensions"]["EXT_meshopt_compression"];
+        const std::size_t count = how["count"], stride = how["byteStride"];
+        const auto* bytes = reinterpret_cast<const unsigned char*>(after.binary.data()) +
+                            how["byteOffset"].get<std::size_t>();
+        std::string out(count * stride, '\0');
+        const std::size_t length = how["byteLength"];
+        raw_bytes += out.size(), packed_bytes += length;
+        const int failed = how["mode"] == "TRIANGLES"
+                               ? meshopt_decodeIndexBuffer(out.data(), count, stride, bytes, length)
+                               : meshopt_decodeVertexBuffer(out.data(), count, stride, bytes, length);
+        EXPECT_EQ(failed, 0) << accessor;
+        if (how.contains("filter")) meshopt_decodeFilterExp(out.data(), count, stride);
+        EXPECT_EQ(view["byteLength"].get<std::size_t>(), out.size());
+        return out;
+    };
+    const auto triangles = [](const std::string& raw, bool shorts) {
+        std::vector<std::uint32_t> k(raw.size() / (shorts ? 2 : 4));
+        for (std::size_t i = 0; i < k.size(); ++i)
+            std::memcpy(&k[i], raw.data() + (shorts ? 2 : 4) * i, shorts ? 2 : 4);
+        std::multiset<std::array<std::uint32_t, 3>> out;
+        for (std::size_t t = 0; t + 2 < k.size(); t += 3) {
+            std::array<std::uint32_t, 3> one{k[t], k[t + 1], k[t + 2]};
+            std::rotate(one.begin(), std::min_element(one.begin(), one.end()), one.end());  // the winding stays
+            out.insert(one);
+        }
+        return out;
+    };
+    for (const Json& mesh : before.json["meshes"])
+        for (const Json& p : mesh["primitives"]) {
+            const std::size_t indices = p["indices"];
+            const Json& accessor = before.json["accessors"][indices];
+            const bool shorts = accessor["componentType"] == 5123;
+            EXPECT_EQ(triangles(decoded(indices), shorts),
+                      triangles(before.view(accessor["bufferView"].get<std::size_t>()), shorts));
+            for (const auto& [name, at] : p["attributes"].items()) {
+                const std::string found = decoded(at),
+                                  wanted = before.view(
+                                      before.json["accessors"][at.get<std::size_t>()]["bufferView"].get<std::size_t>());
+                ASSERT_EQ(found.size(), wanted.size());
+                const std::size_t numbers = found.size() / sizeof(float),
+                                  width = name == "TEXCOORD_0" ? 2 : 3;  // components
+                std::vector<float> f(numbers), w(numbers);
+                std::memcpy(f.data(), found.data(), found.size()), std::memcpy(w.data(), wanted.data(), wanted.size());
+                const float share = name == "NORMAL" ? 1.f / 2048 : 1.f / 32768;
+                for (std::size_t i = 0; i < numbers; i += width) {
+                    float largest = 1e-6f;
+                    for (std::size_t c = 0; c < width; ++c) largest = std::max(largest, std::fabs(w[i + c]));
+                    for (std::size_t c = 0; c < width; ++c)
+                        ASSERT_NEAR(f[i + c], w[i + c], share * largest * 1.01f) << name;
+                }
+            }
+        }
+    EXPECT_LT(2 * packed_bytes, raw_bytes);
+    EXPECT_THROW(with_meshopt("no file"), Error);
 }
 
 // Every vertex lands at (-x, -y, z) of its world position: a half turn, so triangles keep their winding.
