@@ -505,8 +505,10 @@ export const FilmEditor = ({ scene }: { scene: SceneDetails }) => {
     const { film: work } = useShared();
     const { film, lost, version, send, change, load } = useFilm(scene.name);
     const [selected, setSelected] = useState(0),
-        [time_s, setTime] = useState(0),
+        [asked_s, setTime] = useState(0),
         [playing, setPlaying] = useState(false);
+    const end_s = film ? film.path.keys[film.path.keys.length - 1].time_s : 0;
+    const time_s = Math.min(asked_s, end_s); // the path may have become shorter
     const { picture, shown_s } = useFrame(scene.name, time_s, version);
     const view = useMemo(() => film && (film.view ?? bareView(film.rings)), [film?.view, film?.rings]);
     // The film that was made is there once its work has ended.
@@ -514,7 +516,6 @@ export const FilmEditor = ({ scene }: { scene: SceneDetails }) => {
     useEffect(() => {
         if (state === 'finished') load();
     }, [state]);
-    const end_s = film ? film.path.keys[film.path.keys.length - 1].time_s : 0;
     // Plays in time, with as many frames as there are.
     const begun = useRef(0);
     useEffect(() => {
