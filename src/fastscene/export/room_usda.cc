@@ -21,7 +21,7 @@ constexpr float kLampRadius_m = 0.05f;   // of the sphere that a lamp's light co
 constexpr float kSunAngle_deg = 0.53f;   // as wide as the sun is seen
 constexpr float kApertureHeight = 24.f;  // of the camera, in tenths of a unit as USD has it; only ratios matter
 constexpr float kApertureWidth = 36.f;
-constexpr float kFarthest_m = 1000.f;  // that the camera shows
+constexpr float kFarthestShown_m = 1000.f;  // that the camera shows
 
 // "oak", "oak_2", "oak_3" …
 std::string unique_name(const std::string& wanted, std::set<std::string>& taken) {
@@ -224,7 +224,7 @@ class UsdaRoomWriter {
     // At panorama 0, looking to its middle; a camera looks along its -z.
     void add_camera() {
         out_.begin("def Camera", child_name("camera"));
-        out_.line(fmt::format("float2 clippingRange = ({:.3g}, {:.5g})", kCameraNear_m, kFarthest_m));
+        out_.line(fmt::format("float2 clippingRange = ({:.3g}, {:.5g})", kCameraNear_m, kFarthestShown_m));
         const float focal = 0.5f * kApertureHeight / std::tan(0.5f * kCameraFov_deg * kPi / 180);
         out_.line(fmt::format("float focalLength = {:.6g}", focal));
         out_.line(fmt::format("float horizontalAperture = {:.5g}", kApertureWidth));
