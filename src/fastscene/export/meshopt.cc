@@ -17,8 +17,9 @@ namespace {
 
 constexpr const char* kExtension = "EXT_meshopt_compression";
 constexpr int kShort = 5123;  // component type
-// Bits of a mantissa with its sign, by what an attribute means. Other attributes are compressed without loss.
-const std::map<std::string, int, std::less<>> kBits{{"POSITION", 16}, {"NORMAL", 12}, {"TEXCOORD_0", 16}};
+// Bits of a number with its sign, by what an attribute means; a vector has one exponent. Other attributes
+// are compressed without loss.
+const std::map<std::string, int, std::less<>> kBits{{"POSITION", 17}, {"NORMAL", 13}, {"TEXCOORD_0", 17}};
 
 struct Glb {
     Json json;
