@@ -136,7 +136,8 @@ def check_coco(made, out):
 
 
 def check_structured3d(made, out):
-    splits = {s: (out / f"{s}.txt").read_text().split() for s in ("train", "val", "test") if (out / f"{s}.txt").exists()}
+    lists = [out / f"{split}.txt" for split in ("train", "val", "test")]
+    splits = {file.stem: file.read_text().split() for file in lists if file.exists()}
     numbers = {s: [] for s in splits}
     for split, scenes in splits.items():
         for scene in scenes:
