@@ -130,6 +130,8 @@ COMMANDS = {
     "rooms-dataset": ([], ["rooms", "dataset", "--count", 4, "--views", 2, "--size", "64x32", "--film", "clean",
                            "--cell", 0.4, "--cell-samples", 2, "--pixel-samples", 1, "--outside-detail", 0, "-o",
                            "{out}/rooms"]),
+    "dataset-export": (["rooms"], ["dataset", "export", "{in}/rooms", "--format", "webdataset", "--shard-samples", 2,
+                                   "-o", "{out}/shards"]),
     "inpaint-dataset": (["rooms"], ["inpaint", "dataset", "{in}/rooms", "-o", "{out}/holes", "--size", 64, "--held-out",
                                     50, "--seed", 3]),
     "inpaint-train": (["rooms", "holes"],

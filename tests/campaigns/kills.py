@@ -7,8 +7,8 @@ import time
 
 from campaign import Campaign, Failure, arguments, contents, difference, fresh, now
 
-USUAL = ["make", "splat", "edit", "batch", "export-views", "render-film", "rooms-dataset", "inpaint-dataset",
-         "inpaint-train", "depth-train"]
+USUAL = ["make", "splat", "edit", "batch", "export-views", "render-film", "rooms-dataset", "dataset-export",
+         "inpaint-dataset", "inpaint-train", "depth-train"]
 
 campaign = Campaign(__doc__)
 

@@ -13,7 +13,8 @@ from campaign import COMMANDS, Campaign, Failure, arguments, contents, differenc
 ERRORS = {"ENOSPC": (28, "No space left on device"), "EIO": (5, "Input/output error"),
           "EROFS": (30, "Read-only file system"), "EDQUOT": (122, "Disk quota exceeded")}
 USUAL = ["make", "splat", "edit", "batch", "export-room", "export-usda", "export-views", "export-npy", "convert-spz",
-         "convert-sog", "render", "render-film", "rooms-dataset", "inpaint-dataset", "inpaint-train", "depth-train"]
+         "convert-sog", "render", "render-film", "rooms-dataset", "dataset-export", "inpaint-dataset", "inpaint-train",
+         "depth-train"]
 
 campaign = Campaign(__doc__.splitlines()[0], [(["--shim"], {"required": True, "help": "built failing_writes.c"})])
 

@@ -175,3 +175,12 @@ wait_for 30 on_node node0
 expect 0 "$fastscene" batch set --cancel
 prints "tasks cancelled"
 wait_for 30 ended
+
+# A data set by several tasks at once, and the bytes of one process.
+set_flags=(--count 6 --views 2 --size 64x32 --cell 0.4 --cell-samples 2 --pixel-samples 1 --outside-detail 0)
+expect 0 "$fastscene" rooms dataset "${set_flags[@]}" -o rooms_alone
+FASTSCENE=$fastscene expect 0 sbatch --array=0-1 --cpus-per-task=1 --mem=1G --time=10 --wait \
+  "$(dirname "$0")/../../cluster/slurm/dataset.sh" "${set_flags[@]}" -o "$work/rooms_together"
+FASTSCENE=$fastscene expect 0 sbatch --array=0 --cpus-per-task=1 --mem=1G --time=10 --wait \
+  "$(dirname "$0")/../../cluster/slurm/dataset.sh" "${set_flags[@]}" -o "$work/rooms_together"
+diff -r rooms_alone rooms_together >log || fail "a data set made by tasks differs"

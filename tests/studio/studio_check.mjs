@@ -200,8 +200,9 @@ try {
     await until('a shorter film', async () => /\/ 1\.0 s/.test(await page.locator('.film-clock').innerText()));
     await page.getByText('.webm', { exact: true }).click();
     await until('the film is made', async () => (await page.locator('video.film-made').count()) > 0, 120);
-    await page.waitForFunction(() => document.querySelector('video.film-made').readyState >= 1);
-    const length_s = await page.evaluate(() => document.querySelector('video.film-made').duration);
+    const length = () => page.evaluate(() => document.querySelector('video.film-made').duration);
+    await until('the film can be played', async () => (await length()) > 0);
+    const length_s = await length();
     expect(Math.abs(length_s - 1) < 0.1, `the film takes ${length_s} s`);
 
     await page.click('#tab-panorama');

@@ -1,6 +1,6 @@
 #include "fastscene/cli/flags.h"
 #include "fastscene/cli/rooms.h"
-#include "fastscene/panorama/dataset.h"
+#include "fastscene/dataset/dataset.h"
 
 namespace fastscene::cli {
 namespace {

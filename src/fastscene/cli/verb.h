@@ -53,6 +53,7 @@ Verb add_studio(CLI::App& app);
 Verb add_models(CLI::App& app);
 Verb add_doctor(CLI::App& app);
 Verb add_rooms(CLI::App& app);
+Verb add_dataset(CLI::App& app);
 Verb add_edit(CLI::App& app);
 Verb add_export(CLI::App& app);
 Verb add_completion(CLI::App& app);

@@ -5,8 +5,10 @@
 #include <ImfInputFile.h>
 #include <ImfOutputFile.h>
 #include <ImfThreading.h>
+#include <half.h>
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <cmath>
 #include <cstring>
@@ -16,6 +18,7 @@
 
 #include "fastscene/base/file.h"
 #include "fastscene/base/is_one_of.h"
+#include "fastscene/io/color_maps.h"
 #include "fastscene/io/formats.h"
 
 namespace fastscene {
@@ -238,6 +241,33 @@ void save_exr(const fs::path& path, const ImageF& image) {
             Imf::OutputFile file(temporary.c_str(), header);
             Imf::FrameBuffer frame;
             frame.insert("Y", Imf::Slice::Make(Imf::FLOAT, image.pixels.data(), header.dataWindow()));
+            file.setFrameBuffer(frame);
+            file.writePixels(image.height);
+        } catch (const std::exception& e) {
+            throw Error("{}: cannot be written: {}", path.string(), e.what());
+        }
+    });
+}
+
+void save_exr_light(const fs::path& path, const ImageColor& image) {
+    constexpr float kLargestHalf = 65504;
+    std::vector<std::array<half, 3>> pixels(image.size());
+    for (std::size_t i = 0; i < pixels.size(); ++i)
+        for (std::size_t a = 0; a < 3; ++a)
+            pixels[i][a] = half(std::clamp(image.pixels[i][a], -kLargestHalf, kLargestHalf));
+    write_renamed(path, [&](const fs::path& temporary) {
+        try {
+            Imf::Header header(image.width, image.height);
+            header.compression() = Imf::ZIP_COMPRESSION;
+            Imf::FrameBuffer frame;
+            const std::size_t across = sizeof pixels[0], down = across * static_cast<std::size_t>(image.width);
+            for (std::size_t a = 0; a < 3; ++a) {
+                const char* name = std::array{"R", "G", "B"}[a];
+                header.channels().insert(name, Imf::Channel(Imf::HALF));
+                frame.insert(name, Imf::Slice(Imf::HALF, reinterpret_cast<char*>(pixels.data()) + a * sizeof(half),
+                                              across, down));
+            }
+            Imf::OutputFile file(temporary.c_str(), header);
             file.setFrameBuffer(frame);
             file.writePixels(image.height);
         } catch (const std::exception& e) {

@@ -84,7 +84,7 @@ TEST(Exif, PngSaysItInAChunk) {
     EXPECT_EQ(picture_info(scratch("o.png")).orientation, 8);
 }
 
-constexpr int kWidth = 40, kHeight = 6;
+constexpr int kLightWidth = 40, kLightHeight = 6;
 
 Vec3f light_at(int x, int y) {
     return y == 2 ? Vec3f{0.5f, 0.25f, 8.f} : Vec3f{std::ldexp(1.f, x % 9 - 4), 0.7f * static_cast<float>(y), 3.f};
@@ -103,21 +103,21 @@ enum class Packing { bare, pixels, channels };
 std::string radiance_file(Packing packing) {
     std::string out = "#?RADIANCE\n# a comment\nFORMAT=32-bit_rle_rgbe\nEXPOSURE=1\n\n-Y 6 +X 40\n";
     const auto put = [&](int v) { out += static_cast<char>(v); };
-    for (int y = 0; y < kHeight; ++y) {
+    for (int y = 0; y < kLightHeight; ++y) {
         if (packing == Packing::channels) {
-            put(2), put(2), put(0), put(kWidth);
+            put(2), put(2), put(0), put(kLightWidth);
             for (std::size_t c = 0; c < 4; ++c) {
-                if (y == 2) put(128 + kWidth), put(rgbe(light_at(0, y))[c]);
+                if (y == 2) put(128 + kLightWidth), put(rgbe(light_at(0, y))[c]);
                 else {
-                    put(kWidth);
-                    for (int x = 0; x < kWidth; ++x) put(rgbe(light_at(x, y))[c]);
+                    put(kLightWidth);
+                    for (int x = 0; x < kLightWidth; ++x) put(rgbe(light_at(x, y))[c]);
                 }
             }
         } else if (packing == Packing::pixels && y == 2) {
             for (const std::uint8_t v : rgbe(light_at(0, y))) put(v);
-            put(1), put(1), put(1), put(kWidth - 1);
+            put(1), put(1), put(1), put(kLightWidth - 1);
         } else {
-            for (int x = 0; x < kWidth; ++x)
+            for (int x = 0; x < kLightWidth; ++x)
                 for (const std::uint8_t v : rgbe(light_at(x, y))) put(v);
         }
     }
@@ -128,10 +128,10 @@ TEST(Radiance, AllThreePackingsSayTheSame) {
     for (const Packing packing : {Packing::bare, Packing::pixels, Packing::channels}) {
         write_file(scratch("a.hdr"), radiance_file(packing));
         const PictureInfo info = picture_info(scratch("a.hdr"));
-        EXPECT_TRUE(info.light && info.width == kWidth && info.height == kHeight);
+        EXPECT_TRUE(info.light && info.width == kLightWidth && info.height == kLightHeight);
         const ImageColor image = load_light(scratch("a.hdr"));
-        for (int y = 0; y < kHeight; ++y)
-            for (int x = 0; x < kWidth; ++x) {
+        for (int y = 0; y < kLightHeight; ++y)
+            for (int x = 0; x < kLightWidth; ++x) {
                 const Vec3f expected = light_at(x, y);
                 const float step = std::max({expected.x, expected.y, expected.z}) / 128.f;
                 for (std::size_t c = 0; c < 3; ++c) ASSERT_NEAR(image.at(x, y)[c], expected[c], step) << x << "," << y;

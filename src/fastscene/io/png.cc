@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "fastscene/base/file.h"
+#include "fastscene/io/color_maps.h"
 #include "fastscene/io/formats.h"
 
 // libpng reports errors by longjmp. Therefore everything that owns memory is declared before setjmp, and nothing with a
@@ -42,10 +43,10 @@ void on_read(png_structp png, png_bytep out, png_size_t size) {
     for (std::size_t y = 0; y < height; ++y) source.rows[y] = pixels.data() + y * stride;
 }
 
-enum class Wanted { rgb8, rgba8, gray8, gray16 };
+enum class Wanted { rgb8, rgba8, rgb16, gray8, gray16 };
 
-// Decodes rows of 3 or 1 bytes, or 2 bytes big endian, per pixel. Never inlined, so that setjmp does not affect a
-// caller's variables.
+// Decodes rows of 1, 3 or 4 bytes, or of 1 or 3 numbers of 2 bytes (big endian), per pixel. Never inlined, so that
+// setjmp does not affect a caller's variables.
 [[gnu::noinline]] bool decode(const std::string& bytes, Wanted wanted, int& width, int& height,
                               std::vector<png_byte>& pixels, std::string& message) {
     Source source{&bytes, 0, {}, {}};
@@ -63,21 +64,21 @@ enum class Wanted { rgb8, rgba8, gray8, gray16 };
     static constexpr png_byte kColorChunks[] = "gAMA\0sRGB\0cHRM\0iCCP";
     png_set_keep_unknown_chunks(png, PNG_HANDLE_CHUNK_NEVER, kColorChunks, 4);
     png_read_info(png, info);
-    const png_byte type = png_get_color_type(png, info), depth = png_get_bit_depth(png, info);
+    const png_byte type = png_get_color_type(png, info);
     // Deflate compresses by at most about 1032:1, so a short file with a huge header is refused before memory is
     // allocated.
     if (!plausible_size(png_get_image_width(png, info), png_get_image_height(png, info)) ||
         png_get_rowbytes(png, info) * png_get_image_height(png, info) / 1100 > bytes.size())
         png_error(png, "a size that the file cannot hold");
     png_set_expand(png);
-    if (wanted != Wanted::gray16) png_set_scale_16(png);
+    if (wanted != Wanted::gray16 && wanted != Wanted::rgb16) png_set_scale_16(png);
     if (wanted == Wanted::rgba8) {
         png_set_add_alpha(png, 0xff, PNG_FILLER_AFTER);
     } else if (type & PNG_COLOR_MASK_ALPHA || png_get_valid(png, info, PNG_INFO_tRNS)) {
         png_color_16 black{};
         png_set_background(png, &black, PNG_BACKGROUND_GAMMA_SCREEN, 0, 1.0);
     }
-    const bool colors = wanted == Wanted::rgb8 || wanted == Wanted::rgba8;
+    const bool colors = wanted == Wanted::rgb8 || wanted == Wanted::rgba8 || wanted == Wanted::rgb16;
     if (colors && !(type & PNG_COLOR_MASK_COLOR)) png_set_gray_to_rgb(png);
     if (!colors && (type & PNG_COLOR_MASK_COLOR)) png_set_rgb_to_gray_fixed(png, 1, -1, -1);
     png_set_interlace_handling(png);
@@ -87,6 +88,7 @@ enum class Wanted { rgb8, rgba8, gray8, gray16 };
     const std::size_t stride = png_get_rowbytes(png, info);
     const std::size_t expected = static_cast<std::size_t>(width) * (wanted == Wanted::rgb8    ? 3
                                                                     : wanted == Wanted::rgba8 ? 4
+                                                                    : wanted == Wanted::rgb16 ? 6
                                                                     : wanted == Wanted::gray8 ? 1
                                                                                               : 2);
     if (stride != expected) png_error(png, "an unusual pixel layout");
@@ -224,6 +226,29 @@ void save_png16(const fs::path& path, const Image<std::uint16_t>& image) {
         bytes[2 * i + 1] = static_cast<png_byte>(image.pixels[i] & 255);
     }
     save(path, bytes.data(), image.width, image.height, PNG_COLOR_TYPE_GRAY, 16);
+}
+void save_png16(const fs::path& path, const Image3x16& image) {
+    std::vector<png_byte> bytes;
+    bytes.reserve(image.size() * 6);
+    for (const auto& pixel : image.pixels)
+        for (const std::uint16_t v : pixel) {
+            bytes.push_back(static_cast<png_byte>(v >> 8));
+            bytes.push_back(static_cast<png_byte>(v & 255));
+        }
+    save(path, bytes.data(), image.width, image.height, PNG_COLOR_TYPE_RGB, 16);
+}
+Image3x16 load_png16(const fs::path& path) {
+    int width = 0, height = 0;
+    const std::string file = read_file(path);
+    constexpr std::size_t kDepthAt = 24, kTypeAt = 25;  // in the chunk IHDR
+    if (file.size() > kTypeAt && (file[kDepthAt] != 16 || file[kTypeAt] != PNG_COLOR_TYPE_RGB))
+        throw Error("{}: expected 16 bits of color, found {} bits of type {}", path.string(), int{file[kDepthAt]},
+                    int{file[kTypeAt]});
+    const std::vector<png_byte> bytes = decoded(file, path.string(), Wanted::rgb16, width, height);
+    Image3x16 image(width, height);
+    for (std::size_t i = 0; i < 3 * image.size(); ++i)
+        image.pixels[i / 3][i % 3] = static_cast<std::uint16_t>(bytes[2 * i] << 8 | bytes[2 * i + 1]);
+    return image;
 }
 
 }  // namespace fastscene

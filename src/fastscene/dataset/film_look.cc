@@ -4,7 +4,7 @@
 
 #include "fastscene/base/parallel.h"
 #include "fastscene/image/color.h"
-#include "fastscene/panorama/dataset_parts.h"
+#include "fastscene/dataset/parts.h"
 
 namespace fastscene::dataset {
 namespace {

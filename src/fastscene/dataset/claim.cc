@@ -9,7 +9,7 @@
 
 #include "fastscene/base/error.h"
 #include "fastscene/base/file.h"
-#include "fastscene/panorama/dataset_parts.h"
+#include "fastscene/dataset/parts.h"
 
 namespace fastscene::dataset {
 namespace {

@@ -1,4 +1,4 @@
-#include "fastscene/panorama/dataset.h"
+#include "fastscene/dataset/dataset.h"
 
 #include <gtest/gtest.h>
 #include <sys/wait.h>
@@ -6,11 +6,14 @@
 
 #include <cmath>
 #include <map>
+#include <thread>
 
 #include "fastscene/base/file.h"
+#include "fastscene/base/parallel.h"
 #include "fastscene/geometry/sphere.h"
 #include "fastscene/io/image_io.h"
-#include "fastscene/panorama/dataset_parts.h"
+#include "fastscene/dataset/parts.h"
+#include "fastscene/rooms/catalogue.h"
 
 namespace fastscene {
 namespace {
@@ -53,6 +56,28 @@ TEST_F(Dataset, ResumedAndLengthenedIsTheSameBytes) {
     EXPECT_EQ(files(folder_ / "whole"), files(folder_ / "parts"));
 }
 
+// Two at a time, in any order, with further maps; and the last room grows.
+TEST_F(Dataset, AnyNumberOfWorkersGivesTheSameBytes) {
+    fastscene::Run run;
+    run.seed = 6;
+    DatasetRequest request = small(4);
+    request.params.channels = "flow,intrinsics";
+    set_threads(1);
+    make_dataset(request, folder_ / "one", run);
+    set_threads(0);
+    DatasetRequest shorter = request;
+    shorter.count = 3;
+    make_dataset(shorter, folder_ / "several", run);
+    std::vector<std::thread> workers;
+    for (int i = 0; i < 2; ++i) workers.emplace_back([&] { make_dataset(request, folder_ / "several", run); });
+    for (std::thread& worker : workers) worker.join();
+    make_dataset(request, folder_ / "several", run);  // what was claimed and left
+    const auto one = files(folder_ / "one"), several = files(folder_ / "several");
+    EXPECT_EQ(one.size(), 4 * 9 + 2 + 3u) << "pictures, rooms, settings, index and card";
+    for (const auto& [name, bytes] : one) EXPECT_TRUE(several.contains(name) && several.at(name) == bytes) << name;
+    EXPECT_EQ(one.size(), several.size());
+}
+
 TEST_F(Dataset, OtherSettingsAreRefused) {
     make_dataset(small(1), folder_, {});
     DatasetRequest other = small(1);
@@ -63,6 +88,11 @@ TEST_F(Dataset, OtherSettingsAreRefused) {
     EXPECT_THROW(make_dataset(small(1), folder_, run), UsageError);
     other = small(0);
     EXPECT_THROW(make_dataset(other, folder_, {}), UsageError);
+    other = small(1);
+    other.params.channels = "flow";
+    EXPECT_THROW(make_dataset(other, folder_, {}), UsageError);
+    other.params.channels = "flo";
+    EXPECT_THROW(make_dataset(other, folder_ / "another", {}), UsageError);
 }
 
 // Neighbouring ranges as 3D points must span a plane with the normal of the normal map: verifies frames, units and
@@ -164,7 +194,7 @@ TEST(DatasetClasses, OfOurPieces) {
                                     {"zebra", 40},        {"bunk_bed", 4},      {"loft_bed", 4},
                                     {"canopy_bed", 4},    {"daybed", 4},        {"bean_bag", 5},
                                     {"hanging_chair", 5}, {"chaise_longue", 6}, {"window_seat", 5}})
-        EXPECT_EQ(dataset::nyu40_of(kind), id) << kind;
+        EXPECT_EQ(nyu40_label(kind), id) << kind;
 }
 
 }  // namespace

@@ -1,4 +1,5 @@
-// Dataset: random rooms as training data: color, exact range, normals, class and instance ids, cameras.
+// Dataset: random rooms as training data: color, exact range, normals, class and instance ids, albedo and shading,
+// optical flow, cameras, the rooms themselves.
 //
 // Pictures are numbered from 0 and depend on (settings, seed, number) only, so a set can be made by any number of
 // processes on any number of machines, interrupted, resumed and extended; docs/dataset.md describes the files.
@@ -18,6 +19,7 @@ namespace fastscene {
 struct DatasetParams {
     std::string camera = "auto";
     std::string film = "varied";
+    std::string channels;  // words of dataset/channels.h, separated by commas
     int views = 4;
     double over_things = 0.25;
     int shard = 1000;
@@ -30,6 +32,8 @@ void visit_fields(DatasetParams& p, V&& v) {
       "Kind of picture; auto: a panorama if WIDTH is twice HEIGHT, else a perspective view.");
     v("film", p.film, Choices{{"varied", "clean"}},
       "varied: random lens blur, noise, tone curve and JPEG compression per picture; clean: lossless, none of these.");
+    v("channels", p.channels,
+      "Further maps, separated by commas: intrinsics (albedo and shading), flow (to the room's next picture).");
     v("views", p.views, Bounds{1, 1000},
       "Pictures per room, from different positions. A room's light is computed once for all of them.");
     v("over-things", p.over_things, Bounds{0, 1},
@@ -51,9 +55,9 @@ struct DatasetState {
     int made = 0;   // by this call
     int there = 0;  // in the folder now
 };
-// Makes the missing pictures that no other process is working on. Throws UsageError if the folder holds a set with
-// other settings or the request is invalid, Error if a file cannot be written, Stopped if asked to stop; finished
-// pictures are kept.
+// Makes the missing pictures that no other process is working on. Whoever completes the set writes its card, README.md,
+// and index.txt. Throws UsageError if the folder holds a set with other settings or the request is invalid, Error if a
+// file cannot be written, Stopped if asked to stop; finished pictures are kept.
 DatasetState make_dataset(const DatasetRequest& request, const std::filesystem::path& folder, const Run& run);
 
 }  // namespace fastscene

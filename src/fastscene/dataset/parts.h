@@ -1,4 +1,4 @@
-// Shared between the parts of the dataset maker. Private to panorama/dataset*.cc.
+// Shared between the parts of what makes data sets. Private to dataset/.
 #pragma once
 
 #include <filesystem>
@@ -16,6 +16,7 @@ namespace fastscene::dataset {
 struct RandomRoom {
     std::string prompt;
     Room room;
+    Json document;  // the room as planned, before its materials and lights vary (docs/room-document.md)
 };
 RandomRoom random_room(std::uint64_t seed, int index);
 
@@ -33,10 +34,6 @@ Film random_film(Random& rng, bool perspective);
 // `color`: linear, display-referred. `wraps`: columns are circular.
 ImageRgb8 expose(const ImageColor& color, const Film& film, bool wraps, Random& rng);
 Json to_json(const Film& film);
-
-// NYU40 classes, the usual labels of indoor networks; 0 = outside or unknown.
-int nyu40_of(const std::string& kind);
-Json nyu40_names();
 
 // A lock for making a room: the file `folder`/NAME.claim. A stale claim (its process is gone, or it is from another
 // machine and older than `stale_minutes`) is taken over. Should two processes ever make the same room, they write the

@@ -4,9 +4,10 @@
 #include <numbers>
 #include <string_view>
 
-#include "fastscene/panorama/dataset_parts.h"
+#include "fastscene/dataset/parts.h"
+#include "fastscene/rooms/document.h"
 #include "fastscene/rooms/furniture.h"
-#include "fastscene/rooms/rooms.h"
+#include "fastscene/rooms/layout.h"
 #include "fastscene/rooms/style.h"
 
 namespace fastscene::dataset {
@@ -125,7 +126,9 @@ RandomRoom random_room(std::uint64_t seed, int index) {
     PromptSpec spec = understand_prompt(made.prompt, false);
     Run run;
     run.seed = rng.next_u64();
-    made.room = make_room(spec, run);
+    const FurnishedRoom furnished = furnish_room(spec, run);
+    made.room = room_of(spec, furnished, run);
+    made.document = document_json(document_of(spec, furnished, run.seed));
     // A third of the rooms keep their style; in the rest materials vary, in some extremely.
     const float strength = rng.chance(0.33f) ? 0.f : rng.uniform(0.2f, 1.5f);
     for (Material& m : made.room.materials) vary_material(m, strength, rng);
