@@ -67,11 +67,17 @@ class Gloo final : public c10d::ProcessGroupGloo {
         options->devices.push_back(createDeviceForHostname(gathering.address));
         auto group = c10::make_intrusive<Gloo>(store, rank, static_cast<int>(gathering.members.size()), options);
         options->timeout = kPatience;
-        for (const auto& context : group->contexts_) context->setTimeout(kPatience);
+        // What setTimeout() does; that would need Gloo to be linked, and libtorch may have one inside.
+        for (const auto& context : group->contexts_) (*context).*(&OpenContext::timeout_) = kPatience;
         notice_silent_machines();
         return group;
     }
     using ProcessGroupGloo::ProcessGroupGloo;
+
+  private:
+    struct OpenContext : ::gloo::Context {
+        using ::gloo::Context::timeout_;
+    };
 };
 
 struct ProcessGroup::Connection {

@@ -208,7 +208,9 @@ class Stretch {
         if (!group_) return first;
         // What a process that is lost in the first minutes leads back to.
         if (whole_.keeps() && !fs::exists(checkpoint_of(whole_.folder))) save_checkpoint(task_, first, whole_.folder);
-        return same_beginning(task_, first, *group_);
+        first = same_beginning(task_, first, *group_);
+        group_->take_costs();  // of what was lost
+        return first;
     }
 
     void log_now(const Numbers& more = {}) {
@@ -263,7 +265,7 @@ class Stretch {
 
     // Whether more processes would be of use: how much of a step they spend on each other.
     void tell_costs() {
-        if (!group_ || !whole_.keeps() || outcome_.steps == first_) return;
+        if (!group_ || group_->size() == 1 || !whole_.keeps() || outcome_.steps == first_) return;
         const auto steps = static_cast<double>(outcome_.steps - first_);
         const GroupCosts costs = group_->take_costs();
         run_.note(fmt::format(
@@ -304,6 +306,7 @@ std::optional<TrainingOutcome> Stretch::go() {
     if (first_ == 0 || outcome_.finished) evaluate_now();
     Progress progress(run_, "training", kShares);
     if (beginning) beginning->first_step();
+    const double minutes_before_this = std::chrono::duration<double>(begin_ - whole_.begin).count() / 60;
     for (int shown = 0; outcome_.steps < params_.steps;) {
         const Clock::time_point before = Clock::now();
         const Next next = now_what();
@@ -332,7 +335,7 @@ std::optional<TrainingOutcome> Stretch::go() {
         if (minutes_since(kept_) >= params_.checkpoint_minutes && !outcome_.finished) keep();
         const double share = std::max(
             static_cast<double>(outcome_.steps - first_) / static_cast<double>(params_.steps - first_),
-            params_.minutes > 0 ? minutes_since(whole_.begin) / params_.minutes : 0.0);
+            params_.minutes > 0 ? minutes_since(begin_) / std::max(1e-9, params_.minutes - minutes_before_this) : 0.0);
         const int now = std::min(kShares, static_cast<int>(share * kShares));
         if (now > shown) progress.advance(now - shown);
         shown = std::max(shown, now);

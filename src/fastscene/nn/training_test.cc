@@ -286,7 +286,7 @@ TEST(Training, ATeamThatDoesNotMeetSaysSo) {
     params.process = 2;
     EXPECT_THROW(ProcessGroup::meet(params, seeded(7)), UsageError);
     params.process = 0;
-    EXPECT_THROW(ProcessGroup::meet(params, seeded(7), 0.5), Error);  // nobody joins
+    EXPECT_THROW(ProcessGroup::meet(params, seeded(7), 1.5), Error);  // nobody joins
 }
 
 TEST(Training, AFolderKeepsItsSettings) {
