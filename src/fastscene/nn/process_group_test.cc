@@ -7,6 +7,7 @@
 #include <unistd.h>
 
 #include <future>
+#include <latch>
 
 #include "fastscene/nn/connections.h"
 
@@ -42,6 +43,7 @@ float mean_of(ProcessGroup& group, float mine) {
 
 TEST(ProcessGroup, GoesOnWithoutTheLostAndTakesThemBack) {
     const Three three;
+    std::latch without_two(2);
     const auto member = [&](int process) {
         const auto group = three.meet(process);
         EXPECT_EQ(group->size(), 3);
@@ -51,6 +53,7 @@ TEST(ProcessGroup, GoesOnWithoutTheLostAndTakesThemBack) {
         group->meet_again({}, 1);
         EXPECT_EQ(group->members(), (std::vector<int>{0, 1}));
         EXPECT_EQ(mean_of(*group, static_cast<float>(process)), 0.5);
+        without_two.count_down();
         for (bool back = false; !back;) back = group->from_first(process == 0 && group->has_newcomer());
         group->meet_again({}, 30);
         EXPECT_EQ(group->members(), (std::vector<int>{0, 1, 2}));
@@ -63,6 +66,7 @@ TEST(ProcessGroup, GoesOnWithoutTheLostAndTakesThemBack) {
         const auto two = three.meet(2);
         EXPECT_EQ(mean_of(*two, 2), 1);
     }
+    without_two.wait();
     const auto two = three.meet(2);
     EXPECT_EQ(two->size(), 3);
     EXPECT_EQ(mean_of(*two, 2), 1);
