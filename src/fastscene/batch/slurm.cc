@@ -24,7 +24,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int kTaskCores = 4;           // unless --threads says so: more make one scene hardly faster
+constexpr int kTaskCores = 4;  // unless --threads says so: more make one scene hardly faster
 // Slurm reads both as text that it may split or replace.
 constexpr const char* kBadInFolder = "\"\\\n%";
 constexpr const char* kBadInScratch = "\"\\\n`";

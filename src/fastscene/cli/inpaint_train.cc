@@ -1,7 +1,7 @@
-#include "fastscene/cli/flags.h"
-#include "fastscene/cli/inpaint.h"
 #include <cstdlib>
 
+#include "fastscene/cli/flags.h"
+#include "fastscene/cli/inpaint.h"
 #include "fastscene/inpaint/train.h"
 #include "fastscene/nn/launch.h"
 

@@ -56,8 +56,8 @@ std::optional<Launch> launch_from(const Environment& environment) {
         launch = {variable_in(environment, "WORLD_SIZE"), variable_in(environment, "RANK"),
                   fmt::format("{}:{}", environment("MASTER_ADDR"), variable_in(environment, "MASTER_PORT"))};
     // srun's alone: a batch script has SLURM_NTASKS, too, but is one process.
-    else if (has_all(environment, {"SLURM_STEP_NUM_TASKS", "SLURM_PROCID", "SLURM_STEP_NODELIST", "SLURM_JOB_ID",
-                                   "SLURM_STEP_ID"}))
+    else if (has_all(environment,
+                     {"SLURM_STEP_NUM_TASKS", "SLURM_PROCID", "SLURM_STEP_NODELIST", "SLURM_JOB_ID", "SLURM_STEP_ID"}))
         launch = from_srun(environment);
     if (launch && launch->processes < 2) return {};
     return launch;

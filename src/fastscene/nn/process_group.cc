@@ -28,8 +28,6 @@ constexpr std::chrono::hours kPatience{1};
 constexpr std::chrono::seconds kConnecting{30};
 constexpr int kTriesToConnect = 5;
 
-
-
 [[maybe_unused]] Place place_from(const std::string& text) {
     const std::size_t colon = text.rfind(':');
     const std::string digits = colon == std::string::npos ? "" : text.substr(colon + 1);

@@ -3,7 +3,9 @@
 // Uses libtorch's Gloo backend over TCP. Private to nn/ (torch).
 #pragma once
 
+#include <cstdint>
 #include <memory>
+#include <utility>
 #include <vector>
 
 #include "fastscene/base/run.h"
@@ -19,9 +21,9 @@ struct ProcessLost : Error {
 
 // What being several has cost this process.
 struct GroupCosts {
-    double waiting_s = 0;     // until all had come as far
-    double averaging_s = 0;   // of gradients, once all were there
-    std::int64_t bytes = 0;   // of gradients
+    double waiting_s = 0;    // until all had come as far
+    double averaging_s = 0;  // of gradients, once all were there
+    std::int64_t bytes = 0;  // of gradients
 };
 
 class ProcessGroup {
@@ -44,8 +46,8 @@ class ProcessGroup {
 
     // Process 0: whether one that was lost, or started anew, wants to take part. All must meet again for that.
     bool has_newcomer();
-    // A group of those who come. Process 0 waits at most `patience_s` for those who took part. Throws Error if process 0
-    // is gone, Stopped.
+    // A group of those who come. Process 0 waits at most `patience_s` for those who took part. Throws Error if process
+    // 0 is gone, Stopped.
     void meet_again(const Run& run, double patience_s);
 
     GroupCosts take_costs() { return std::exchange(costs_, {}); }  // since the last call
