@@ -56,7 +56,8 @@ for ((run = 0; ; ++run)); do
 done
 [ "$SLURM_PROCID" != 0 ] || echo "$code" >"$RESULT"
 exit "$code"'
-RESULT=$result MOST_RESTARTS=$most_restarts srun --no-kill --kill-on-bad-exit=0 --wait=0 --unbuffered \
+RESULT=$result MOST_RESTARTS=$most_restarts srun --cpus-per-task="${SLURM_CPUS_PER_TASK:-1}" \
+  --no-kill --kill-on-bad-exit=0 --wait=0 --unbuffered \
   bash -c "$task" fastscene-train "$program" "$@" --threads "${SLURM_CPUS_PER_TASK:-1}" &
 child=$!
 wait "$child"
