@@ -31,16 +31,17 @@ std::string numeric_text(const sockaddr_storage& address, socklen_t size) {
     return failed ? "" : text.data();
 }
 
-bool is_connected_tcp(int descriptor) {
-    int family = 0, type = 0;
-    socklen_t size = sizeof family;
-    if (::getsockopt(descriptor, SOL_SOCKET, SO_DOMAIN, &family, &size) != 0) return false;  // no socket
-    size = sizeof type;
-    if (::getsockopt(descriptor, SOL_SOCKET, SO_TYPE, &type, &size) != 0) return false;
+// The port at the other end of a TCP connection; nothing if this is none.
+std::optional<std::uint16_t> tcp_port_there(int descriptor) {
+    int type = 0;
+    socklen_t size = sizeof type;
+    if (::getsockopt(descriptor, SOL_SOCKET, SO_TYPE, &type, &size) != 0 || type != SOCK_STREAM) return {};
     sockaddr_storage peer{};
     size = sizeof peer;
-    return (family == AF_INET || family == AF_INET6) && type == SOCK_STREAM &&
-           ::getpeername(descriptor, reinterpret_cast<sockaddr*>(&peer), &size) == 0;
+    if (::getpeername(descriptor, reinterpret_cast<sockaddr*>(&peer), &size) != 0) return {};
+    if (peer.ss_family == AF_INET) return ntohs(reinterpret_cast<const sockaddr_in&>(peer).sin_port);
+    if (peer.ss_family == AF_INET6) return ntohs(reinterpret_cast<const sockaddr_in6&>(peer).sin6_port);
+    return {};
 }
 
 }  // namespace
@@ -66,20 +67,22 @@ std::optional<Route> route_to(const Place& place) {
 
 bool is_loopback(const std::string& address) { return address.starts_with("127.") || address == "::1"; }
 
-void notice_silent_machines() {
+void notice_silent_machines(std::uint16_t port_of_store) {
     namespace fs = std::filesystem;
     std::error_code none;
     for (const auto& entry : fs::directory_iterator("/proc/self/fd", none)) {
         const int descriptor = static_cast<int>(number_in(entry.path().filename().string()).value_or(-1));
-        if (!is_connected_tcp(descriptor)) continue;
+        const std::optional<std::uint16_t> there = tcp_port_there(descriptor);
+        if (!there) continue;
         const auto set = [&](int level, int option, int value) {
             ::setsockopt(descriptor, level, option, &value, sizeof value);
         };
+        set(IPPROTO_TCP, TCP_USER_TIMEOUT, 1000 * kSilence_s);
+        if (*there == port_of_store) continue;
         set(SOL_SOCKET, SO_KEEPALIVE, 1);
         set(IPPROTO_TCP, TCP_KEEPIDLE, kIdle_s);
         set(IPPROTO_TCP, TCP_KEEPINTVL, kEvery_s);
         set(IPPROTO_TCP, TCP_KEEPCNT, kProbes);
-        set(IPPROTO_TCP, TCP_USER_TIMEOUT, 1000 * kSilence_s);  // while something sent waits for its receipt
     }
 }
 

@@ -24,7 +24,8 @@ bool is_loopback(const std::string& address);
 
 // A connection to a machine that answers nothing for about so long is closed.
 inline constexpr int kSilence_s = 25;
-// So for all connections that this process has now. A system's default is hours.
-void notice_silent_machines();
+// So for all connections that this process has now. A system's default is hours. One to `port_of_store` is only closed
+// while something sent waits for its receipt: libtorch's store ends the program if an idle one breaks.
+void notice_silent_machines(std::uint16_t port_of_store);
 
 }  // namespace fastscene::nn

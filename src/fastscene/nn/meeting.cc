@@ -51,7 +51,7 @@ Meeting::Meeting(const Place& place, int process, int processes, double patience
     where.waitWorkers = false;
     where.timeout = std::chrono::milliseconds(static_cast<std::int64_t>(1000 * patience_s));
     store_ = c10::make_intrusive<c10d::TCPStore>(place.host, where);
-    notice_silent_machines();
+    notice_silent_machines(place.port);
 }
 
 Gathering Meeting::gather(const Run& run, const Wanted& wanted) {

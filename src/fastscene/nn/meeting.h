@@ -38,6 +38,7 @@ class Meeting {
     Gathering gather(const Run& run, const Wanted& wanted);
     // Process 0: whether one that is not in the last gathering waits.
     bool has_newcomer();
+    std::uint16_t port() const { return place_.port; }
     // What the members of a gathering share.
     c10::intrusive_ptr<c10d::Store> shared(const Gathering& gathering) const;
 

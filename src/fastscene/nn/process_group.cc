@@ -67,7 +67,6 @@ class Gloo final : public c10d::ProcessGroupGloo {
         options->timeout = kPatience;
         // What setTimeout() does; that would need Gloo to be linked, and libtorch may have one inside.
         for (const auto& context : group->contexts_) (*context).*(&OpenContext::timeout_) = kPatience;
-        notice_silent_machines();
         return group;
     }
     using ProcessGroupGloo::ProcessGroupGloo;
@@ -90,6 +89,7 @@ struct ProcessGroup::Connection {
                 const Gathering all = meeting.gather(run, wanted);
                 const auto me = std::find(all.members.begin(), all.members.end(), process) - all.members.begin();
                 gloo = Gloo::open(all, static_cast<int>(me), meeting.shared(all));
+                notice_silent_machines(meeting.port());
                 return {all.members, static_cast<int>(me)};
             } catch (const Error&) {
                 throw;
