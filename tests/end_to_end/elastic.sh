@@ -23,17 +23,17 @@ monotone() { awk -F, 'NR > 2 && $1 + 0 <= last { bad = 1 } NR > 1 { last = $1 + 
 port=$(new_port)
 three=(-o net --processes 3 --meet "localhost:$port" --minutes 5 --steps 100000)
 for k in 0 1 2; do train "$k" "${three[@]}"; pids[k]=$!; done
-wait_for 60 is_past net 20
+wait_for 180 is_past net 20
 kill -9 "${pids[2]}"
-wait_for 60 logged 0 'warning.*process 2 is gone; going on after step [0-9]+ with 2 of 3 processes'
+wait_for 180 logged 0 'warning.*process 2 is gone; going on after step [0-9]+ with 2 of 3 processes'
 step=$(last_step net)
-wait_for 60 is_past net $((step + 20))
+wait_for 180 is_past net $((step + 20))
 kill -9 "${pids[1]}"
-wait_for 60 logged 0 'process 1 is gone; going on after step [0-9]+ with 1 of 3 processes'
+wait_for 180 logged 0 'process 1 is gone; going on after step [0-9]+ with 1 of 3 processes'
 train 2 "${three[@]}"; pids[2]=$!
-wait_for 60 logged 0 'process 2 takes part again; going on after step [0-9]+ with 2 of 3 processes'
+wait_for 180 logged 0 'process 2 takes part again; going on after step [0-9]+ with 2 of 3 processes'
 step=$(last_step net)
-wait_for 60 is_past net $((step + 20))
+wait_for 180 is_past net $((step + 20))
 kill -TERM "${pids[0]}"
 wait "${pids[0]}"; [ $? = 143 ] || fail "the first process was not stopped"
 wait "${pids[2]}"
@@ -46,7 +46,7 @@ last=$(last_step net)
 three=(-o net --processes 3 --meet "localhost:$port" --steps $((last + 100000)))
 rm -f ./*.log
 for k in 0 1 2; do train "$k" "${three[@]}"; pids[k]=$!; done
-wait_for 60 is_past net $((last + 20))
+wait_for 180 is_past net $((last + 20))
 logged 0 "resuming after step" || fail "the training began anew"
 kill -9 "${pids[0]}"
 for k in 1 2; do
@@ -86,7 +86,7 @@ for k in 0 1; do
   net=$near; [ $k = 0 ] || net=$far
   in_net "$net" "$fastscene" depth train "${small[@]}" --process $k "${apart[@]}" >"$k.out" 2>"$k.log" </dev/null & pids[k]=$!
 done
-wait_for 60 is_past apart 20
+wait_for 180 is_past apart 20
 in_net "$near" ip link set cable down
-wait_for 60 logged 0 'process 1 is gone; going on after step [0-9]+ with 1 of 2 processes'
-wait_for 60 logged 1 'expected process 0 at 10.46.0.1:20046, found it gone'
+wait_for 180 logged 0 'process 1 is gone; going on after step [0-9]+ with 1 of 2 processes'
+wait_for 180 logged 1 'expected process 0 at 10.46.0.1:20046, found it gone'

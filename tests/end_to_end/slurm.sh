@@ -190,26 +190,26 @@ last_step() { tail -n 1 net/curves.csv 2>/dev/null | grep -oE '^[0-9]+' || echo 
 is_past() { [ "$(last_step)" -gt "$1" ]; }
 logged() { grep -qE -- "$1" train.out; }
 ranked() { for pid in $(ours "RANK=$1"); do [ "$(readlink "/proc/$pid/exe")" != "$fastscene" ] || echo "$pid"; done; }
-wait_for 90 is_past 20
+wait_for 180 is_past 20
 kill -9 $(ranked 1)
-wait_for 60 logged 'process 1 was killed, and starts again'
-wait_for 60 logged 'process 1 takes part again|a process was lost and is back'
+wait_for 120 logged 'process 1 was killed, and starts again'
+wait_for 120 logged 'process 1 takes part again|a process was lost and is back'
 step=$(last_step)
-wait_for 60 is_past $((step + 20))
+wait_for 120 is_past $((step + 20))
 
 second=$(scontrol show hostnames "$(squeue --noheader --job="$job" --format=%N)" | tail -n 1)
 for pid in $(ours SLURMD_NODENAME="$second"); do kill -9 "$(sed -n 's/^PPid:\s*//p' "/proc/$pid/status")" "$pid" 2>/dev/null; done
 kill -9 "$(cat "$cluster/slurmd.$second.pid")"
 scontrol update nodename="$second" state=down reason=test
-wait_for 60 logged 'process 1 is gone; going on after step [0-9]+ with 1 of 2 processes'
+wait_for 120 logged 'process 1 is gone; going on after step [0-9]+ with 1 of 2 processes'
 step=$(last_step)
-wait_for 60 is_past $((step + 20))
+wait_for 120 is_past $((step + 20))
 
 kill -9 $(ranked 0)
-wait_for 60 logged 'the first process was lost; requeued'
-wait_for 60 logged 'training: resuming after step'
+wait_for 120 logged 'the first process was lost; requeued'
+wait_for 120 logged 'training: resuming after step'
 step=$(last_step)
-wait_for 60 is_past $((step + 20))
+wait_for 120 is_past $((step + 20))
 squeue --noheader --job="$job" --format=%N | grep -q "$second" && fail "the job runs on the node that was lost"
 scancel "$job"
 wait_for 60 ended
