@@ -1,5 +1,6 @@
 # Scenes on a real Slurm cluster of this machine: munged, slurmctld and three slurmd. A node is lost in the middle, a
 # task meets its time limit, and the bytes are those of a local run.
+root=$(cd "$(dirname "$0")/../.." && pwd)
 . "$(dirname "$0")/lib.sh"
 
 export PATH=$PATH:/usr/sbin:/sbin
@@ -184,3 +185,43 @@ FASTSCENE=$fastscene expect 0 sbatch --array=0-1 --cpus-per-task=1 --mem=1G --ti
 FASTSCENE=$fastscene expect 0 sbatch --array=0 --cpus-per-task=1 --mem=1G --time=10 --wait \
   "$(dirname "$0")/../../cluster/slurm/dataset.sh" "${set_flags[@]}" -o "$work/rooms_together"
 diff -r rooms_alone rooms_together >log || fail "a data set made by tasks differs"
+
+# One training on two nodes. A process is killed and comes back, its node is lost and the other goes on, the first
+# process is killed and the job starts again, from the last checkpoint and with another node.
+scontrol update nodename=node1 state=resume
+start slurmd -N node1
+wait_for 60 all_idle
+train=(sbatch --parsable --nodes=2 --cpus-per-task=1 --time=10 --output=train.out "$root/cluster/slurm/train.sh" depth train
+  -o net --painted 1 --height 32 --channels 4 --batch 1 --eval-steps 100000 --log-steps 10 --checkpoint-minutes 0.02)
+export FASTSCENE=$fastscene
+job=$("${train[@]}" --steps 100000)
+last_step() { tail -n 1 net/curves.csv 2>/dev/null | grep -oE '^[0-9]+' || echo 0; }
+is_past() { [ "$(last_step)" -gt "$1" ]; }
+logged() { grep -qE -- "$1" train.out; }
+ranked() { for pid in $(ours "RANK=$1"); do [ "$(readlink "/proc/$pid/exe")" != "$fastscene" ] || echo "$pid"; done; }
+wait_for 180 is_past 20
+kill -9 $(ranked 1)
+wait_for 120 logged 'process 1 was killed, and starts again'
+wait_for 120 logged 'process 1 takes part again|a process was lost and is back'
+step=$(last_step)
+wait_for 120 is_past $((step + 20))
+
+second=$(scontrol show hostnames "$(squeue --noheader --job="$job" --format=%N)" | tail -n 1)
+for pid in $(ours SLURMD_NODENAME="$second"); do kill -9 "$(sed -n 's/^PPid:\s*//p' "/proc/$pid/status")" "$pid" 2>/dev/null; done
+kill -9 "$(cat "$cluster/slurmd.$second.pid")"
+scontrol update nodename="$second" state=down reason=test
+wait_for 120 logged 'process 1 is gone; going on after step [0-9]+ with 1 of 2 processes'
+step=$(last_step)
+wait_for 120 is_past $((step + 20))
+
+kill -9 $(ranked 0)
+wait_for 120 logged 'the first process was lost; requeued'
+wait_for 120 logged 'training: resuming after step'
+step=$(last_step)
+wait_for 120 is_past $((step + 20))
+squeue --noheader --job="$job" --format=%N | grep -q "$second" && fail "the job runs on the node that was lost"
+scancel "$job"
+wait_for 60 ended
+sbatch --wait "${train[@]:2}" --steps $(($(last_step) + 20)) >out 2>log || fail "$(tail -n 3 train.out)"
+logged 'training: 2 processes' || fail "the last run is not one of two processes"
+awk -F, 'NR > 2 && $1 + 0 <= last { bad = 1 } NR > 1 { last = $1 + 0 } END { exit bad }' net/curves.csv || fail "steps do not increase"

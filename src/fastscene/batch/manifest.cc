@@ -7,6 +7,7 @@
 #include "fastscene/base/error.h"
 #include "fastscene/base/file.h"
 #include "fastscene/base/hash.h"
+#include "fastscene/batch/estimates.h"
 #include "fastscene/pipeline/build_info.h"
 #include "fastscene/pipeline/run_folder.h"
 #include "fastscene/pipeline/stage_code.h"
@@ -59,6 +60,8 @@ ChunkPlan write_manifest(const std::vector<BatchScene>& scenes, const fs::path& 
     Json settings = batch_settings(static_cast<int>(scenes.size()), params);
     settings["scenes_of_chunk"] = plan.of_chunk;
     settings["chunks"] = plan.chunks();
+    const TaskCost cost = task_cost(scenes, params.quality, plan.of_chunk);
+    settings["of_chunk"] = {{"memory_mib", cost.memory_mib}, {"core_seconds", cost.core_seconds}};
     write_json(folder / "batch.json", settings);
     return plan;
 }

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <atomic>
-#include <cmath>
 #include <map>
 #include <sstream>
 
@@ -25,11 +24,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int kTaskCores = 4;           // unless --threads says so: more make one scene hardly faster
-constexpr double kMemoryMargin = 1.25;  // of the estimate: a task that takes more is killed
-constexpr double kTimeMargin = 4;       // nodes differ, and file systems are busy
-constexpr int kLeastMinutes = 15;       // of a time limit
-constexpr int kMibOfGib = 1024;
+constexpr int kTaskCores = 4;  // unless --threads says so: more make one scene hardly faster
 // Slurm reads both as text that it may split or replace.
 constexpr const char* kBadInFolder = "\"\\\n%";
 constexpr const char* kBadInScratch = "\"\\\n`";
@@ -127,27 +122,17 @@ std::string replaced(std::string text, const std::string& mark, const std::strin
     return text;
 }
 
-// The dearest of the scenes' qualities decides.
-template <class F>
-double most_of(const std::vector<BatchScene>& scenes, const BatchParams& params, F&& cost) {
-    double most = 0;
-    for (const BatchScene& scene : scenes)
-        most = std::max(most, cost(scene.quality.empty() ? params.quality : scene.quality));
-    return most;
-}
-
 std::string script_of(const std::vector<BatchScene>& scenes, const fs::path& folder, const BatchParams& params,
                       const SlurmParams& slurm, const ChunkPlan& plan) {
     const int cores = params.threads > 0 ? params.threads : kTaskCores;
-    const double gib = kMemoryMargin * most_of(scenes, params, scene_gib);
-    const double seconds = kTimeMargin * most_of(scenes, params, scene_core_seconds) * plan.of_chunk / cores;
+    const TaskCost cost = task_cost(scenes, params.quality, plan.of_chunk);
     const std::string limit = slurm.tasks_at_a_time > 0 ? fmt::format("%{}", slurm.tasks_at_a_time) : "";
     const std::map<std::string, std::string> values{
         {"@NAME@", job_name(folder)},
         {"@ARRAY@", fmt::format("0-{}{}", plan.chunks() - 1, limit)},
         {"@CORES@", std::to_string(cores)},
-        {"@MEMORY_MIB@", std::to_string(static_cast<int>(std::ceil(gib * kMibOfGib)))},
-        {"@MINUTES@", std::to_string(std::max(kLeastMinutes, static_cast<int>(std::ceil(seconds / 60))))},
+        {"@MEMORY_MIB@", std::to_string(cost.memory_mib)},
+        {"@MINUTES@", std::to_string(cost.minutes(cores))},
         {"@EXTRA@", slurm.arguments.empty() ? "" : "#SBATCH " + slurm.arguments + "\n"},
         {"@PROGRAM@", shell_quoted(params.program.string())},
         {"@FOLDER@", folder.string()},

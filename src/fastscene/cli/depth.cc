@@ -1,6 +1,9 @@
+#include <cstdlib>
+
 #include "fastscene/cli/request.h"
 #include "fastscene/depth/estimator.h"
 #include "fastscene/depth/train.h"
+#include "fastscene/nn/launch.h"
 #include "fastscene/pipeline/cached_weights.h"
 #include "fastscene/pipeline/depth_report.h"
 
@@ -41,6 +44,7 @@ void train(const TrainFlags& flags, const Session& session) {
     DepthTraining training{{flags.data.begin(), flags.data.end()}, flags.start, {}};
     apply_fields("", training.params, *flags.given);
     check_fields("", training.params);
+    take_launch(training.params.training, ::getenv);
     const EgformerTrained trained = train_depth(training, flags.out,
                                                 session.run(number_from<std::uint64_t>("--seed", flags.seed)));
     if (training.params.training.process > 0)  // only the first process evaluates held-out pictures

@@ -1,6 +1,9 @@
+#include <cstdlib>
+
 #include "fastscene/cli/flags.h"
 #include "fastscene/cli/inpaint.h"
 #include "fastscene/inpaint/train.h"
+#include "fastscene/nn/launch.h"
 
 namespace fastscene::cli {
 
@@ -28,6 +31,7 @@ Verb add_inpaint_train(CLI::App& inpaint) {
                 InpaintTrainParams params;
                 apply_fields("", params, *flags->given);
                 check_fields("", params);
+                take_launch(params.network.training, ::getenv);
                 const auto figures = train_inpainter(flags->data, params, flags->out,
                                                      session.run(number_from<std::uint64_t>("--seed", flags->seed)));
                 if (figures.empty()) return session.print("done; process 0 saves the network", Json::object());

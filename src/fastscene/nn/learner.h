@@ -64,7 +64,7 @@ class Learner {
     // Returns the gradient norm before clipping. If it is not finite, the step is skipped (and NaN returned).
     double update(double learning_rate);
     // Makes update() average gradients over the group, which must outlive this object.
-    void join(const ProcessGroup& group) { group_ = &group; }
+    void join(ProcessGroup& group) { group_ = &group; }
     void forget_gradients() { adam_.forget_gradients(); }
     // While frozen, gradients flow through the network without accumulating in its parameters.
     void freeze(bool frozen);
@@ -97,7 +97,7 @@ class Learner {
     LearnerSettings settings_;
     std::function<void()> before_update_;
     std::map<std::string, at::Tensor> at_rest_;  // buffers by their names in state()
-    const ProcessGroup* group_ = nullptr;
+    ProcessGroup* group_ = nullptr;
 };
 
 }  // namespace fastscene::nn

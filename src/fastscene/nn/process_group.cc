@@ -3,26 +3,32 @@
 #include "fastscene/nn/libtorch.h"
 
 #ifdef FASTSCENE_GLOO
+#include <gloo/context.h>
+
 #include <torch/csrc/distributed/c10d/ProcessGroupGloo.hpp>
-#include <torch/csrc/distributed/c10d/TCPStore.hpp>
 #endif
 
+#include <algorithm>
 #include <chrono>
+#include <numeric>
+#include <tuple>
 
-#include "fastscene/base/error.h"
+#include "fastscene/nn/connections.h"
+#include "fastscene/nn/meeting.h"
 
 namespace fastscene::nn {
 namespace {
 
+using Clock = std::chrono::steady_clock;
 using Patience = std::chrono::milliseconds;
-// long enough for the first process to evaluate many held-out pictures while the others wait
-constexpr double kPatience_s = 3600;
+// Long enough for the first process to evaluate many held-out pictures while the others wait. A process that is lost is
+// noticed long before, by its connections.
+constexpr std::chrono::hours kPatience{1};
+// For members of a new group to connect; one may be lost in that moment, too.
+constexpr std::chrono::seconds kConnecting{30};
+constexpr int kTriesToConnect = 5;
 
-struct Place {
-    std::string host;
-    std::uint16_t port;
-};
-Place place_from(const std::string& text) {
+[[maybe_unused]] Place place_from(const std::string& text) {
     const std::size_t colon = text.rfind(':');
     const std::string digits = colon == std::string::npos ? "" : text.substr(colon + 1);
     const bool number = !digits.empty() && digits.size() <= 5 &&
@@ -50,32 +56,63 @@ void apart(const at::Tensor& all, const std::vector<at::Tensor>& tensors) {
 }  // namespace
 
 #ifdef FASTSCENE_GLOO
-struct ProcessGroup::Connection {
-    c10::intrusive_ptr<c10d::TCPStore> store;
-    c10::intrusive_ptr<c10d::ProcessGroupGloo> gloo;
-
-    static std::unique_ptr<Connection> open(const Place& place, const TrainingParams& params, double patience_s) {
-        const auto in_ms = [](double s) { return Patience(static_cast<std::int64_t>(1000 * s)); };
-        auto group = std::make_unique<Connection>();
-        c10d::TCPStoreOptions where;
-        where.port = place.port;
-        where.isServer = params.process == 0;
-        where.numWorkers = static_cast<std::size_t>(params.processes);
-        where.timeout = in_ms(patience_s);
-        group->store = c10::make_intrusive<c10d::TCPStore>(place.host, where);
-        auto options = c10d::ProcessGroupGloo::Options::create(in_ms(kPatience_s));
-        options->devices.push_back(c10d::ProcessGroupGloo::createDefaultDevice());
-        group->gloo = c10::make_intrusive<c10d::ProcessGroupGloo>(group->store, params.process, params.processes,
-                                                                  options);
+// Gloo's group; its patience while it connects is another than afterwards.
+class Gloo final : public c10d::ProcessGroupGloo {
+  public:
+    static c10::intrusive_ptr<Gloo> open(const Gathering& gathering, int rank,
+                                         const c10::intrusive_ptr<c10d::Store>& store) {
+        auto options = Options::create(kConnecting);
+        options->devices.push_back(createDeviceForHostname(gathering.address));
+        auto group = c10::make_intrusive<Gloo>(store, rank, static_cast<int>(gathering.members.size()), options);
+        options->timeout = kPatience;
+        // What setTimeout() does; that would need Gloo to be linked, and libtorch may have one inside.
+        for (const auto& context : group->contexts_) (*context).*(&OpenContext::timeout_) = kPatience;
         return group;
+    }
+    using ProcessGroupGloo::ProcessGroupGloo;
+
+  private:
+    struct OpenContext : ::gloo::Context {
+        using ::gloo::Context::timeout_;
+    };
+};
+
+struct ProcessGroup::Connection {
+    Meeting meeting;
+    int process;
+    c10::intrusive_ptr<Gloo> gloo;
+
+    // Members of a new group, and who of them this is.
+    std::pair<std::vector<int>, int> gather(const Run& run, const Wanted& wanted) {
+        gloo.reset();  // closes connections: whoever still waits for this process notices
+        for (int i = 1;; ++i) try {
+                const Gathering all = meeting.gather(run, wanted);
+                const auto me = std::find(all.members.begin(), all.members.end(), process) - all.members.begin();
+                gloo = Gloo::open(all, static_cast<int>(me), meeting.shared(all));
+                notice_silent_machines(meeting.port());
+                return {all.members, static_cast<int>(me)};
+            } catch (const Error&) {
+                throw;
+            } catch (const Stopped&) {
+                throw;
+            } catch (const std::exception& e) {
+                if (i == kTriesToConnect)
+                    throw Error("training: expected processes to connect to each other, found none to in {} tries: {}",
+                                i, e.what());
+            }
     }
     template <class Work>
     void wait(const char* what, const Work& work) const {
         try {
+            if (!gloo) throw Error("not connected");
             work()->wait();
         } catch (const std::exception& e) {
-            throw Error("training: expected all processes to {}, found one gone or unresponsive: {}", what, e.what());
+            throw ProcessLost("training: expected all processes to {}, found one gone or unresponsive: {}", what,
+                              e.what());
         }
+    }
+    void all_here() const {
+        wait("come as far", [&] { return gloo->barrier(); });
     }
     void sum(std::vector<at::Tensor>& one) const {
         wait("send their gradients", [&] { return gloo->allreduce(one); });
@@ -86,53 +123,78 @@ struct ProcessGroup::Connection {
 };
 #else
 struct ProcessGroup::Connection {
-    static std::unique_ptr<Connection> open(const Place&, const TrainingParams&, double) { return nullptr; }
+    struct Nobody {
+        bool has_newcomer() { return false; }
+    } meeting;
+    void all_here() const {}
     void sum(std::vector<at::Tensor>&) const {}
     void from_first(std::vector<at::Tensor>&) const {}
 };
 #endif
 
-ProcessGroup::ProcessGroup(std::unique_ptr<Connection> group, int size, int process)
-    : group_(std::move(group)), size_(size), process_(process) {}
+ProcessGroup::ProcessGroup() = default;
 ProcessGroup::~ProcessGroup() = default;
 
-std::unique_ptr<ProcessGroup> ProcessGroup::meet(const TrainingParams& params, double patience_s) {
+std::unique_ptr<ProcessGroup> ProcessGroup::meet(const TrainingParams& params, const Run& run, double patience_s) {
     if (params.processes == 1) return nullptr;
     if (params.process >= params.processes)
         throw UsageError("--process: expected 0 to {}, found {}", params.processes - 1, params.process);
 #ifndef FASTSCENE_GLOO
     throw UsageError("--processes: expected 1, since this libtorch is built without Gloo, found {}", params.processes);
-#endif
+#else
     const Place place = place_from(params.meet);
-    std::unique_ptr<Connection> group;
+    std::vector<int> all(static_cast<std::size_t>(params.processes));
+    std::iota(all.begin(), all.end(), 0);
+    std::unique_ptr<ProcessGroup> group(new ProcessGroup);
     try {
-        group = Connection::open(place, params, patience_s);
+        group->connection_.reset(
+            new Connection{Meeting(place, params.process, params.processes, patience_s), params.process, {}});
     } catch (const std::exception& e) {
         throw Error("training: expected {} processes to join at {} within {:.0f} s: {}", params.processes, params.meet,
                     patience_s, e.what());
     }
-    return std::unique_ptr<ProcessGroup>(new ProcessGroup(std::move(group), params.processes, params.process));
+    std::tie(group->members_, group->rank_) = group->connection_->gather(run, {all, patience_s, true});
+    return group;
+#endif
 }
 
-void ProcessGroup::mean(const std::vector<at::Tensor>& tensors) const {
+#ifdef FASTSCENE_GLOO
+void ProcessGroup::meet_again(const Run& run, double patience_s) {
+    std::tie(members_, rank_) = connection_->gather(run, {members_, patience_s, false});
+}
+#else
+void ProcessGroup::meet_again(const Run&, double) {}
+#endif
+
+bool ProcessGroup::has_newcomer() { return connection_->meeting.has_newcomer(); }
+
+void ProcessGroup::mean(const std::vector<at::Tensor>& tensors) {
     if (tensors.empty()) return;
     const at::NoGradGuard no_gradients;
     std::vector<at::Tensor> all{together(tensors)};
-    group_->sum(all);
-    apart(all[0] / size_, tensors);
+    const Clock::time_point ready = Clock::now();
+    connection_->all_here();
+    const Clock::time_point begin = Clock::now();
+    connection_->sum(all);
+    costs_.waiting_s += std::chrono::duration<double>(begin - ready).count();
+    costs_.averaging_s += std::chrono::duration<double>(Clock::now() - begin).count();
+    costs_.bytes += static_cast<std::int64_t>(all[0].nbytes());
+    apart(all[0] / size(), tensors);
 }
 
-void ProcessGroup::from_first(const std::vector<at::Tensor>& tensors) const {
+void ProcessGroup::from_first(const std::vector<at::Tensor>& tensors) {
     if (tensors.empty()) return;
     const at::NoGradGuard no_gradients;
     std::vector<at::Tensor> all{together(tensors)};
-    group_->from_first(all);
+    connection_->from_first(all);
     apart(all[0], tensors);
 }
 
-std::int64_t ProcessGroup::from_first(std::int64_t number) const {
+std::int64_t ProcessGroup::from_first(std::int64_t number) {
     std::vector<at::Tensor> one{at::tensor(number, at::kLong)};
-    group_->from_first(one);
+    const Clock::time_point begin = Clock::now();
+    connection_->from_first(one);
+    costs_.waiting_s += std::chrono::duration<double>(Clock::now() - begin).count();
     return one[0].item<std::int64_t>();
 }
 

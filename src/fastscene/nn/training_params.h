@@ -42,7 +42,7 @@ void visit_fields(TrainingParams& p, V&& v) {
       "Precision of convolutions and matrix products; auto: bf16 if the device supports it.");
     v("processes", p.processes, Bounds{1, 4096},
       "Data-parallel processes, on one or several machines: each draws its own --batch pictures per step, and "
-      "gradients are averaged.");
+      "gradients are averaged. Those that srun starts need none of these three flags.");
     v("process", p.process, Bounds{0, 4095}, "Rank of this process; 0 writes the folder.");
     v("meet", p.meet, "HOST:PORT at which process 0 waits for the others.");
 }

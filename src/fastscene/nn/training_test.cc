@@ -279,14 +279,14 @@ TEST(Training, ATeamLearnsAsOneWithAllTheExamples) {
 TEST(Training, ATeamThatDoesNotMeetSaysSo) {
     TrainingParams params = quick(1);
     params.processes = 2;
-    EXPECT_THROW(ProcessGroup::meet(params), UsageError);  // invalid address
+    EXPECT_THROW(ProcessGroup::meet(params, seeded(7)), UsageError);  // invalid address
     params.meet = "localhost:0";
-    EXPECT_THROW(ProcessGroup::meet(params), UsageError);
+    EXPECT_THROW(ProcessGroup::meet(params, seeded(7)), UsageError);
     params.meet = fmt::format("localhost:{}", free_port());
     params.process = 2;
-    EXPECT_THROW(ProcessGroup::meet(params), UsageError);
+    EXPECT_THROW(ProcessGroup::meet(params, seeded(7)), UsageError);
     params.process = 0;
-    EXPECT_THROW(ProcessGroup::meet(params, 0.5), Error);  // nobody joins
+    EXPECT_THROW(ProcessGroup::meet(params, seeded(7), 1.5), Error);  // nobody joins
 }
 
 TEST(Training, AFolderKeepsItsSettings) {

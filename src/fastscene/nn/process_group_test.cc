@@ -1,0 +1,116 @@
+// Processes that train together, as threads of one: one is lost, one comes back.
+#include "fastscene/nn/process_group.h"
+
+#include <gtest/gtest.h>
+#include <netinet/in.h>
+#include <sys/socket.h>
+#include <unistd.h>
+
+#include <future>
+#include <latch>
+
+#include "fastscene/nn/connections.h"
+
+namespace fastscene::nn {
+namespace {
+
+// Processes `process` of three, which meet at the same place.
+struct Three {
+    TrainingParams params;
+    Three() {
+        const int s = ::socket(AF_INET, SOCK_STREAM, 0);
+        sockaddr_in at{};
+        at.sin_family = AF_INET, at.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+        socklen_t size = sizeof at;
+        EXPECT_EQ(::bind(s, reinterpret_cast<sockaddr*>(&at), sizeof at), 0);
+        EXPECT_EQ(::getsockname(s, reinterpret_cast<sockaddr*>(&at), &size), 0);
+        ::close(s);
+        params.processes = 3;
+        params.meet = fmt::format("localhost:{}", ntohs(at.sin_port));
+    }
+    std::unique_ptr<ProcessGroup> meet(int process) const {
+        TrainingParams mine = params;
+        mine.process = process;
+        return ProcessGroup::meet(mine, {}, 30);
+    }
+};
+
+float mean_of(ProcessGroup& group, float mine) {
+    const at::Tensor one = at::full({3}, mine);
+    group.mean({one});
+    return one[2].item<float>();
+}
+
+TEST(ProcessGroup, GoesOnWithoutTheLostAndTakesThemBack) {
+    const Three three;
+    std::latch without_two(2);
+    const auto member = [&](int process) {
+        const auto group = three.meet(process);
+        EXPECT_EQ(group->size(), 3);
+        EXPECT_EQ(group->rank(), process);
+        EXPECT_EQ(mean_of(*group, static_cast<float>(process)), 1);
+        EXPECT_THROW(mean_of(*group, 0), ProcessLost);
+        group->meet_again({}, 1);
+        EXPECT_EQ(group->members(), (std::vector<int>{0, 1}));
+        EXPECT_EQ(mean_of(*group, static_cast<float>(process)), 0.5);
+        without_two.count_down();
+        for (bool back = false; !back;) back = group->from_first(process == 0 && group->has_newcomer());
+        group->meet_again({}, 30);
+        EXPECT_EQ(group->members(), (std::vector<int>{0, 1, 2}));
+        EXPECT_EQ(mean_of(*group, static_cast<float>(process)), 1);
+        EXPECT_EQ(group->take_costs().bytes, 3 * 3 * 4);  // three means were taken
+        EXPECT_EQ(group->take_costs().bytes, 0);
+    };
+    auto zero = std::async(std::launch::async, member, 0), one = std::async(std::launch::async, member, 1);
+    {
+        const auto two = three.meet(2);
+        EXPECT_EQ(mean_of(*two, 2), 1);
+    }
+    without_two.wait();
+    const auto two = three.meet(2);
+    EXPECT_EQ(two->size(), 3);
+    EXPECT_EQ(mean_of(*two, 2), 1);
+    zero.get();
+    one.get();
+}
+
+TEST(ProcessGroup, WithoutTheFirstThereIsNone) {
+    const Three three;
+    const auto other = [&](int process) {
+        const auto group = three.meet(process);
+        EXPECT_EQ(mean_of(*group, static_cast<float>(process)), 1);
+        EXPECT_THROW(mean_of(*group, 0), ProcessLost);
+        EXPECT_THROW(group->meet_again({}, 1), Error);
+    };
+    auto one = std::async(std::launch::async, other, 1), two = std::async(std::launch::async, other, 2);
+    {
+        const auto zero = three.meet(0);
+        EXPECT_EQ(mean_of(*zero, 0), 1);
+    }
+    one.get();
+    two.get();
+}
+
+TEST(ProcessGroup, TheFirstDoesNotWaitForever) {
+    Three three;
+    const auto one = std::async(std::launch::async, [&] { EXPECT_THROW(three.meet(1), Error); });
+    try {
+        ProcessGroup::meet(three.params, {}, 2);
+        FAIL() << "met without the third";
+    } catch (const Error& e) {
+        EXPECT_NE(std::string(e.what()).find("expected 3 processes to join"), std::string::npos) << e.what();
+        EXPECT_NE(std::string(e.what()).find("found 2"), std::string::npos) << e.what();
+    }
+}
+
+TEST(Connections, KnowTheirAddresses) {
+    const std::optional<Route> route = route_to({"localhost", 20000});
+    ASSERT_TRUE(route);
+    EXPECT_TRUE(is_loopback(route->here));
+    EXPECT_TRUE(is_loopback(route->there));
+    EXPECT_FALSE(is_loopback("10.0.0.1"));
+    EXPECT_FALSE(route_to({"no-such-host.invalid", 20000}));
+}
+
+}  // namespace
+}  // namespace fastscene::nn
