@@ -87,7 +87,7 @@ BROKEN = {
 
 def main(path):
     if not shutil.which("kubectl"):
-        print("skipped: no kubectl (package kubernetes-client)")
+        print("skipped: no kubectl (for example of the package kubernetes-client)")
         return 77
     with open(path) as file:
         job = yaml.safe_load(file)
