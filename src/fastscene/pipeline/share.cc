@@ -66,6 +66,13 @@ std::optional<CameraPath> tour_of(const RunFolder& folder, const std::optional<W
     }
 }
 
+// A scene around panorama 0, first seen from `start`.
+ViewerScene scene_of(const RunFolder& folder, const std::string& title, const Rigid& start, const Run& run) {
+    ViewerScene scene{title, {}, start * Vec3f{0, 0, 1}, kViewerFovDeg, walkable_in(folder)};
+    scene.tour = tour_of(folder, scene.walkable, run);
+    return scene;
+}
+
 }  // namespace
 
 ImageRgb8 picture_of(const Splats& splats, const Pinhole& camera, const Rigid& world_from_camera) {
@@ -94,10 +101,7 @@ PictureCamera preview_camera(const RunFolder& folder, int width, int height) {
 ViewerScene viewer_scene(const RunFolder& folder, const std::string& title, const Run& run) {
     if (const auto glance = first_glance_of_capture(folder))
         return {title, glance->position_m, glance->position_m + normalize(glance->forward), glance->fov_deg};
-    const Rigid start = preview_camera(folder, kPreviewWidth, kPreviewHeight).world_from_camera;
-    ViewerScene scene{title, {}, start * Vec3f{0, 0, 1}, kViewerFovDeg, walkable_in(folder)};
-    scene.tour = tour_of(folder, scene.walkable, run);
-    return scene;
+    return scene_of(folder, title, preview_camera(folder, kPreviewWidth, kPreviewHeight).world_from_camera, run);
 }
 
 void share_scene(const RunFolder& folder, const std::string& title, const Run& run) {
@@ -106,7 +110,8 @@ void share_scene(const RunFolder& folder, const std::string& title, const Run& r
     save_jpeg(folder.preview_jpg(), picture_of(splats, lens, world_from_camera));
 
     const auto viewer_dir = find_viewer_dir();
-    if (viewer_dir) save_viewer_html(folder.viewer_html(), splats, viewer_scene(folder, title, run), *viewer_dir);
+    if (viewer_dir)
+        save_viewer_html(folder.viewer_html(), splats, scene_of(folder, title, world_from_camera, run), *viewer_dir);
     else run.warn("viewer.html was not made: " + viewer_remedy() + "; then run the same command again");
     write_credits(folder);
 }
