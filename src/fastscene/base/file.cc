@@ -4,6 +4,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <atomic>
 #include <cerrno>
 #include <cstring>
 #include <system_error>
@@ -11,6 +12,7 @@
 #include "fastscene/base/error.h"
 #include "fastscene/base/forced_exit.h"
 #include "fastscene/base/hash.h"
+#include "fastscene/base/process_name.h"
 #include "fastscene/base/temporary_name.h"
 
 namespace fastscene {
@@ -37,9 +39,10 @@ void rename_or_throw(const fs::path& from, const fs::path& to) {
 
 fs::path temporary_beside(const fs::path& path) {
     constexpr std::size_t kLongestName = 255;  // bytes, of Linux
-    std::string name = fmt::format(".{}.{}.part", path.filename().string(), ::getpid());
-    if (name.size() > kLongestName)
-        name = fmt::format(".{}.{}.part", Hash().add(path.filename().string()).hex(), ::getpid());
+    static std::atomic<unsigned> count = 0;    // two threads may write the same file
+    const std::string ending = fmt::format("{}-{}.part", process_name(), count++);
+    std::string name = fmt::format(".{}.{}", path.filename().string(), ending);
+    if (name.size() > kLongestName) name = fmt::format(".{}.part", Hash().add(path.string() + ending).hex());
     return path.parent_path() / name;
 }
 

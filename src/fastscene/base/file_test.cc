@@ -6,6 +6,7 @@
 
 #include <csignal>
 #include <fstream>
+#include <thread>
 
 #include "fastscene/base/error.h"
 #include "fastscene/base/hash.h"
@@ -114,6 +115,19 @@ TEST_F(File, NamesMayBeAsLongAsTheFileSystemTakes) {
     });
     EXPECT_EQ(read_file(longest) + read_file(twin), "threetwo");
     EXPECT_EQ(std::distance(fs::directory_iterator(folder_), {}), 2);
+}
+
+TEST_F(File, OfSeveralWritersOneWinsWhole) {
+    std::vector<std::thread> writers;
+    for (int i = 0; i < 4; ++i)
+        writers.emplace_back([&, i] {
+            for (int round = 0; round < 200; ++round)
+                write_file(folder_ / "x", std::string(5000, static_cast<char>('a' + i)));
+        });
+    for (std::thread& writer : writers) writer.join();
+    const std::string text = read_file(folder_ / "x");
+    EXPECT_EQ(text, std::string(5000, text.front()));
+    EXPECT_EQ(std::distance(fs::directory_iterator(folder_), {}), 1);
 }
 
 // A file size limit simulates a full disk: the write fails half-way with an error.

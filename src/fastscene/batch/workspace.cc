@@ -1,27 +1,18 @@
 #include "fastscene/batch/workspace.h"
 
-#include <unistd.h>
-
-#include <array>
 #include <string>
 
 #include "fastscene/base/error.h"
 #include "fastscene/base/file.h"
 #include "fastscene/base/hash.h"
+#include "fastscene/base/process_name.h"
 
 namespace fastscene {
 namespace fs = std::filesystem;
 namespace {
 
-// A name that no process on any machine shares.
-std::string own_name() {
-    std::array<char, 256> host{};
-    ::gethostname(host.data(), host.size() - 1);
-    return fmt::format("{}-{}", host.data(), ::getpid());
-}
-
 void copy_whole(const fs::path& from, const fs::path& to) {
-    const fs::path part = to.parent_path() / fmt::format(".{}.{}.part", to.filename().string(), own_name());
+    const fs::path part = to.parent_path() / fmt::format(".{}.{}.part", to.filename().string(), process_name());
     fs::remove_all(part);
     fs::copy(from, part, fs::copy_options::recursive);
     const fs::path old = part.string() + ".old";

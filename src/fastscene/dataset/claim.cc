@@ -2,24 +2,19 @@
 #include <signal.h>
 #include <unistd.h>
 
-#include <array>
 #include <cerrno>
 #include <chrono>
 #include <cstring>
 
 #include "fastscene/base/error.h"
 #include "fastscene/base/file.h"
+#include "fastscene/base/process_name.h"
 #include "fastscene/dataset/parts.h"
 
 namespace fastscene::dataset {
 namespace {
 
 namespace fs = std::filesystem;
-
-std::string host_name() {
-    std::array<char, 256> name{};
-    return ::gethostname(name.data(), name.size() - 1) == 0 ? name.data() : "unknown";
-}
 
 // "HOST PID", the content of a claim file.
 std::string signature() { return fmt::format("{} {}", host_name(), ::getpid()); }
@@ -66,7 +61,7 @@ std::optional<Claim> Claim::take(const fs::path& folder, const std::string& name
     if (create(path)) return Claim(path);
     if (!left_behind(path, stale_minutes)) return {};
     // If several processes find a stale claim, the one whose rename succeeds continues.
-    const fs::path mine = folder / fmt::format("{}.stale.{}.{}", name, host_name(), ::getpid());
+    const fs::path mine = folder / fmt::format("{}.stale.{}", name, process_name());
     if (std::rename(path.c_str(), mine.c_str()) != 0) return {};
     fs::remove(mine);
     if (create(path)) return Claim(path);
