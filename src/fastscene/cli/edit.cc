@@ -4,6 +4,7 @@
 #include "fastscene/cli/flags.h"
 #include "fastscene/cli/verb.h"
 #include "fastscene/pipeline/cached_weights.h"
+#include "fastscene/pipeline/earlier_run.h"
 #include "fastscene/pipeline/edited_run.h"
 #include "fastscene/pipeline/pipeline.h"
 #include "fastscene/rooms/edit.h"
@@ -121,12 +122,14 @@ void edit_run(const EditFlags& flags, const Session& session) {
     const RunFolder to{flags.in_place      ? from.root
                        : flags.out.empty() ? fs::path(name + "-edited")
                                            : fs::path(flags.out)};
+    if (!flags.in_place && fs::weakly_canonical(to.root) == fs::weakly_canonical(from.root))
+        throw UsageError("-o: expected another folder than that of the scene; --in-place changes the scene itself");
     for (const EditChange& change : result.changes) run.note(fmt::format("{}: {}", change.id, change.what));
-    recorded.request.source = document_source(result.document, to.room_json());
+    recorded.request.source = edit_of(document_source(result.document, to.room_json()), from);
     recorded.request.last_stage = flags.plan_only ? "panorama" : std::string(last_finished_stage(from));
-    recorded.request.start_over = flags.in_place;
     use_cached_weights(recorded.request, run);
-    make_scene(recorded.request, to, run);
+    make_scene(recorded.request, flags.in_place ? unfinished_edit(from) : to, run);
+    if (flags.in_place) finish_edit(from);
     session.print(as_text(result, to.root.string()), as_json(result, to.root.string()));
 }
 

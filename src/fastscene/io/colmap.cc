@@ -6,7 +6,7 @@
 
 #include "fastscene/base/error.h"
 #include "fastscene/base/file.h"
-#include "fastscene/io/bytes.h"
+#include "fastscene/base/bytes.h"
 #include "fastscene/io/capture_io.h"
 
 namespace fastscene {

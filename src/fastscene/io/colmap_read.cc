@@ -8,7 +8,7 @@
 #include <optional>
 
 #include "fastscene/base/file.h"
-#include "fastscene/io/bytes.h"
+#include "fastscene/base/bytes.h"
 #include "fastscene/io/capture_io.h"
 #include "fastscene/io/capture_parts.h"
 

@@ -8,7 +8,7 @@
 #include "fastscene/base/file.h"
 #include "fastscene/base/json.h"
 #include "fastscene/image/color.h"
-#include "fastscene/io/bytes.h"
+#include "fastscene/base/bytes.h"
 #include "fastscene/io/glb.h"
 #include "fastscene/io/glb_container.h"
 #include "fastscene/io/packed.h"

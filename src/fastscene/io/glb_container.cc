@@ -1,6 +1,6 @@
 #include "fastscene/io/glb_container.h"
 
-#include "fastscene/io/bytes.h"
+#include "fastscene/base/bytes.h"
 #include "fastscene/io/glb.h"
 
 namespace fastscene {

@@ -4,7 +4,7 @@
 
 #include "fastscene/base/json.h"
 #include "fastscene/image/color.h"
-#include "fastscene/io/bytes.h"
+#include "fastscene/base/bytes.h"
 #include "fastscene/io/glb.h"
 #include "fastscene/io/packed.h"
 #include "fastscene/io/spz.h"

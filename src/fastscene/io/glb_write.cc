@@ -3,7 +3,7 @@
 #include <functional>
 
 #include "fastscene/base/json.h"
-#include "fastscene/io/bytes.h"
+#include "fastscene/base/bytes.h"
 #include "fastscene/io/glb_container.h"
 #include "fastscene/io/packed.h"
 #include "fastscene/io/splat_frames.h"

@@ -8,7 +8,7 @@
 
 #include "fastscene/base/error.h"
 #include "fastscene/base/file.h"
-#include "fastscene/io/bytes.h"
+#include "fastscene/base/bytes.h"
 
 namespace fastscene {
 namespace {

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "fastscene/io/bytes.h"
+#include "fastscene/base/bytes.h"
 #include "fastscene/io/splat_format.h"
 #include "fastscene/scene/splats.h"
 

@@ -10,7 +10,7 @@
 #include "fastscene/base/file.h"
 #include "fastscene/base/json.h"
 #include "fastscene/base/random.h"
-#include "fastscene/io/bytes.h"
+#include "fastscene/base/bytes.h"
 #include "fastscene/io/ply.h"
 #include "fastscene/io/splat_io.h"
 #include "fastscene/io/test_scratch.h"

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "fastscene/io/bytes.h"
+#include "fastscene/base/bytes.h"
 #include "fastscene/io/packed.h"
 #include "fastscene/io/spz.h"
 #include "fastscene/io/spz_layout.h"

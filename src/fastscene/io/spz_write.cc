@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "fastscene/base/check.h"
-#include "fastscene/io/bytes.h"
+#include "fastscene/base/bytes.h"
 #include "fastscene/io/packed.h"
 #include "fastscene/io/splat_frames.h"
 #include "fastscene/io/splat_io.h"

@@ -1,7 +1,7 @@
 #include <zlib.h>
 
 #include "fastscene/base/error.h"
-#include "fastscene/io/bytes.h"
+#include "fastscene/base/bytes.h"
 #include "fastscene/io/zip.h"
 
 namespace fastscene {

@@ -7,7 +7,7 @@
 #include "fastscene/base/error.h"
 #include "fastscene/base/file.h"
 #include "fastscene/base/json.h"
-#include "fastscene/nn/half.h"
+#include "fastscene/math/half.h"
 
 namespace fastscene {
 namespace {

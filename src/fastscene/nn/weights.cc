@@ -8,7 +8,7 @@
 #include <fmt/ranges.h>
 
 #include "fastscene/base/error.h"
-#include "fastscene/nn/half.h"
+#include "fastscene/math/half.h"
 #include "fastscene/nn/mapped_file.h"
 #include "fastscene/nn/pickle.h"
 #include "fastscene/nn/safetensors.h"

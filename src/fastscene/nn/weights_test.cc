@@ -10,7 +10,7 @@
 #include "fastscene/base/error.h"
 #include "fastscene/base/file.h"
 #include "fastscene/base/random.h"
-#include "fastscene/nn/half.h"
+#include "fastscene/math/half.h"
 #include "fastscene/nn/safetensors.h"
 #include "fastscene/nn/tiny_model.h"
 #include "fastscene/nn/weights_torch.h"

@@ -1,7 +1,9 @@
 #include "fastscene/panorama/panorama.h"
 
+#include "fastscene/base/file.h"
 #include "fastscene/rooms/document.h"
 #include "fastscene/rooms/pack.h"
+#include "fastscene/trace/changed_pixels.h"
 #include "fastscene/trace/standable.h"
 
 namespace fastscene {
@@ -78,17 +80,55 @@ ShotParts panorama_parts(const TraceParams& trace) {
             .noise = 0.012f};
 }
 
-RoomPanorama panorama_of_room(const RoomOrigin& origin, const PanoramaParams& params, const Run& run) {
+void light_room(TracedRoom& room, const PanoramaParams& params, const std::filesystem::path& file, const Run& run) {
+    if (std::filesystem::exists(file) && room.take_light(params.trace, read_file(file), file.string())) return;
+    room.gather_light(params.trace, run, places_to_look_from(room));
+}
+
+namespace {
+
+// Renders what the edit changed over the earlier panorama. Returns the share of pixels that stay.
+double render_changes(const TracedRoom& room, const EarlierRoom& earlier, const ShotParts& parts, ImageColor& color,
+                      const Run& run) {
+    const EquirectSize size{color.width, color.height};
+    const ImageMask changed = ChangedPixels(*earlier.room, room, parts).in_panorama({}, size, run);
+    ShotParts only = parts;
+    only.range = only.object = false;
+    only.only = &changed;
+    const ImageColor shown = room.panorama({}, size, only, run).color;
+    std::size_t kept = 0;
+    for (std::size_t i = 0; i < color.size(); ++i) {
+        kept += changed.pixels[i] == 0;
+        color.pixels[i] = (changed.pixels[i] != 0 ? shown : earlier.color).pixels[i];
+    }
+    return static_cast<double>(kept) / static_cast<double>(color.size());
+}
+
+}  // namespace
+
+RoomPanorama panorama_of_room(const RoomOrigin& origin, const PanoramaParams& params, const Run& run,
+                              const EarlierRoom* earlier) {
     if (params.width % 2 != 0)
         throw UsageError("--panorama-width: expected an even number of pixels, found {}", params.width);
     RoomPanorama made;
     DocumentRoom room = known_room(origin, params, run);
-    made.room = lit(room_of(room), params, run);
+    made.room = std::make_shared<TracedRoom>(room_of(room));
+    const std::vector<Vec3f> viewpoints = places_to_look_from(*made.room);
+    if (earlier) made.kept_light = made.room->gather_light_again(params.trace, run, viewpoints, *earlier->room);
+    else made.room->gather_light(params.trace, run, viewpoints);
     made.prompt = room.spec;
     if (made.prompt.pack)
         for (const std::string& reason : made.prompt.pack->damage()) run.warn(reason);
-    Shot shot = made.room->panorama({}, {params.width, params.width / 2}, panorama_parts(params.trace), run);
-    made.panorama.color = std::move(shot.color);
+    const EquirectSize size{params.width, params.width / 2};
+    ShotParts parts = panorama_parts(params.trace);
+    const bool again = made.kept_light > 0 && earlier->color.width == size.width;
+    if (again) {
+        made.panorama.color = ImageColor(size.width, size.height);
+        made.kept_pixels = render_changes(*made.room, *earlier, parts, made.panorama.color, run);
+    }
+    parts.color = !again;
+    Shot shot = made.room->panorama({}, size, parts, run);
+    if (!again) made.panorama.color = std::move(shot.color);
     made.panorama.range = std::move(shot.range);
     made.file = room_file_json(document_of(room), made.room->room(), shot.object);
     return made;

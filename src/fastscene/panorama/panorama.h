@@ -82,6 +82,7 @@ struct RoomPanorama {
     PromptSpec prompt;
     Json file;  // panorama/room.json
     std::shared_ptr<TracedRoom> room;
+    double kept_light = 0, kept_pixels = 0;  // shares of the earlier room's, in [0, 1]
 };
 // The room alone, with its light gathered. Deterministic, so that metrics can recreate the room.
 std::shared_ptr<TracedRoom> make_traced_room(PromptSpec& prompt, const PanoramaParams& params, const Run& run);
@@ -90,7 +91,18 @@ ShotParts panorama_parts(const TraceParams& trace);
 std::shared_ptr<TracedRoom> make_traced_room(const RoomOrigin& origin, const PanoramaParams& params, const Run& run);
 // … without its light.
 TracedRoom make_unlit_room(const RoomOrigin& origin, const PanoramaParams& params, const Run& run);
-RoomPanorama panorama_of_room(const RoomOrigin& origin, const PanoramaParams& params, const Run& run);
+// Lights a room that has none: with the light kept in `file` (TracedRoom::light), or by gathering it if there is no
+// such file. Throws Error naming the file if its light is of another room or other settings.
+void light_room(TracedRoom& room, const PanoramaParams& params, const std::filesystem::path& file, const Run& run);
+
+// A room before it was edited: lit, with its panorama.
+struct EarlierRoom {
+    std::shared_ptr<const TracedRoom> room;
+    ImageColor color;
+};
+// With `earlier`, light is gathered and pixels are rendered again only where the edit changed them.
+RoomPanorama panorama_of_room(const RoomOrigin& origin, const PanoramaParams& params, const Run& run,
+                              const EarlierRoom* earlier = nullptr);
 
 // Backend "diffusion360".
 struct PaintingSource {

@@ -10,6 +10,8 @@
 #include "fastscene/base/writable.h"
 #include "fastscene/depth/estimator.h"
 #include "fastscene/nn/weights.h"
+#include "fastscene/pipeline/earlier_run.h"
+#include "fastscene/pipeline/earlier_splats.h"
 #include "fastscene/pipeline/fit_report.h"
 #include "fastscene/pipeline/health.h"
 #include "fastscene/pipeline/build_info.h"
@@ -226,9 +228,14 @@ Json make_scene(const SceneRequest& request, const RunFolder& folder, const Run&
     const SceneSource& source = request.source;
     const SceneParams& params = request.params;
     Stream stream(folder, request, wanted.at("identity").get<std::string>(), run);
-    std::shared_ptr<const TracedRoom> room;  // kept for a walk that renders the room again
+    std::shared_ptr<const TracedRoom> room;          // kept for a walk that renders the room again
+    std::optional<std::optional<EarlierRun>> found;  // looked for by the first stage that is made
+    const auto earlier = [&](const Run& r) {
+        if (!found) found = find_earlier_run(request, r);
+        return *found ? &**found : nullptr;
+    };
     stream.stage("panorama", panorama_settings(request, files, folder), [&](const fs::path& out, const Run& r) {
-        auto made = make_panorama(source, params.panorama, filler_of(request), files, out, r);
+        auto made = make_panorama(source, params.panorama, filler_of(request), files, earlier(r), out, r);
         if (looks_into_room(walk_of(source, params.depth, params.walk))) room = std::move(made);
     });
     files.drop_pictures();
@@ -236,13 +243,19 @@ Json make_scene(const SceneRequest& request, const RunFolder& folder, const Run&
         make_depth(source, params.panorama, params.depth, files, folder, out, r);
     });
     stream.stage("walk", fields_json(params.walk), [&](const fs::path& out, const Run& r) {
-        make_walk(source, params.panorama, params.depth, folder, params.walk, std::move(room), out, r);
+        make_walk(source, params.panorama, params.depth, folder, params.walk, std::move(room), earlier(r), out, r);
     });
     stream.stage("views", fields_json(params.views),
                  [&](const fs::path& out, const Run& r) { make_views(folder, params.views, out, r); });
     const SplatParams splat = splat_of(source, params.depth, params.walk, params.splat);
     stream.stage("splat", fields_json(splat), [&](const fs::path& out, const Run& r) {
-        make_splat(folder, splat, out, r,
+        const BeginSplats begin = [&](const std::vector<SurfacePoint>& points, const SplatParams& sized) {
+            std::optional<Splats> splats;
+            if (const EarlierRun* before = earlier(r)) splats = earlier_splats(*before, folder, points, sized, r);
+            found.reset();  // its room's memory is needed for training
+            return splats;
+        };
+        make_splat(folder, splat, begin, out, r,
                    pictures_of_training(folder, preview_camera(folder, kTrainingWidth, kTrainingHeight), r));
     });
 

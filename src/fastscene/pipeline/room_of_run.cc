@@ -33,10 +33,13 @@ void check_room(const TracedRoom& room, const RunFolder& folder, const SceneRequ
 
 std::shared_ptr<const TracedRoom> room_of_run(const RunFolder& folder, const RecordedRun& recorded,
                                               int least_cell_samples, const Run& run) {
+    const PanoramaParams& own = recorded.request.params.panorama;
     const PanoramaParams panorama = panorama_of_run(recorded, least_cell_samples);
-    const RoomOrigin origin = origin_of_run(folder, recorded.request);
-    auto room = make_traced_room(origin, panorama, Run{recorded.seed, run.events, run.stop});
+    const Run as_made{recorded.seed, run.events, run.stop};
+    auto room = std::make_shared<TracedRoom>(make_unlit_room(origin_of_run(folder, recorded.request), own, as_made));
     check_room(*room, folder, recorded.request);
+    const bool suffices = own.trace.cell_samples >= panorama.trace.cell_samples;
+    light_room(*room, panorama, suffices ? folder.room_light() : std::filesystem::path(), as_made);
     return room;
 }
 

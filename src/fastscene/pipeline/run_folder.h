@@ -33,6 +33,8 @@ struct RunFolder {
     std::filesystem::path more_ranges() const { return root / "depth" / "more"; }
     std::filesystem::path prompt_json() const { return root / "panorama" / "prompt.json"; }
     std::filesystem::path room_json() const { return root / "panorama" / "room.json"; }
+    // The light of a known room (TracedRoom::light).
+    std::filesystem::path room_light() const { return root / "panorama" / "light.bin"; }
     std::filesystem::path depth_range() const { return root / "depth" / "range.exr"; }
     // Range through mirrors, where panorama 0 of a known room shows one.
     std::filesystem::path depth_mirrored_range() const { return root / "depth" / "mirrored-range.exr"; }

@@ -24,6 +24,9 @@ struct DocumentSource {
     std::string prompt;          // the words it came from, or its type
     std::filesystem::path room;  // the file, in messages
     std::string document;        // its text, kept in run.json
+    // The run that it is an edit of, from which the new one begins (earlier_run.h), and the hash of that run's stages.
+    std::filesystem::path edited_from = {};  // empty: none
+    std::string edited_from_hash = {};
 };
 // A panorama provided by the user.
 struct PictureSource {

@@ -32,7 +32,10 @@ struct ReadFields {
     }
 };
 DocumentSource read_room(const Json& run) {
-    return {run.at("prompt"), run.at("room").get<std::string>(), run.at("document").dump()};
+    DocumentSource out{run.at("prompt"), run.at("room").get<std::string>(), run.at("document").dump()};
+    if (const auto from = run.find("edited_from"); from != run.end())
+        out.edited_from = from->at("run").get<std::string>(), out.edited_from_hash = from->at("hash");
+    return out;
 }
 template <class Source>
 Source read_fields(const Json& run) {
@@ -60,7 +63,10 @@ void add_more(const fs::path& list, SourceFiles& files, Hash& hash) {
 std::string content_of(const fs::path& file, SourceFiles& files) { return Hash().add(files.bytes(file)).hex(); }
 
 void add_identity(const PromptSource& source, SourceFiles&, Hash& hash) { hash.add("prompt").add(source.prompt); }
-void add_identity(const DocumentSource& source, SourceFiles&, Hash& hash) { hash.add("room").add(source.document); }
+void add_identity(const DocumentSource& source, SourceFiles&, Hash& hash) {
+    hash.add("room").add(source.document);
+    if (!source.edited_from_hash.empty()) hash.add(source.edited_from_hash);
+}
 void add_identity(const PictureSource& source, SourceFiles& files, Hash& hash) {
     hash.add("picture");
     add_file(source.picture, files, hash);
@@ -125,6 +131,8 @@ Json json_of_source(const SceneSource& source) {
                 if (!one.points.empty()) out["capture"]["points"] = whole_path(one.points);
             } else if constexpr (std::is_same_v<decltype(one), DocumentSource>) {
                 out = {{"prompt", one.prompt}, {"room", whole_path(one.room)}, {"document", Json::parse(one.document)}};
+                if (!one.edited_from.empty())
+                    out["edited_from"] = {{"run", whole_path(one.edited_from)}, {"hash", one.edited_from_hash}};
             } else {
                 out = std::move(fields);
             }

@@ -1,6 +1,7 @@
 #include "fastscene/pipeline/stage_panorama.h"
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "fastscene/base/file.h"
@@ -8,6 +9,7 @@
 #include "fastscene/io/gpano_mark.h"
 #include "fastscene/io/image_io.h"
 #include "fastscene/panorama/more_panoramas.h"
+#include "fastscene/pipeline/earlier_run.h"
 #include "fastscene/pipeline/stage_code.h"
 #include "fastscene/pipeline/run_files.h"
 
@@ -55,6 +57,7 @@ struct Made {
     Json prompt, room = {{"objects", Json::array()}};
     std::shared_ptr<const TracedRoom> traced = {};
     ImageMask missing = {};  // of a partial panorama
+    Json about = {};
 };
 struct Making {
     const PanoramaParams& params;
@@ -62,12 +65,17 @@ struct Making {
     SourceFiles& files;
     fs::path run_folder;
     const Run& run;
+    const EarlierRun* earlier;
     PaintingMemory memory() const { return {RunFolder{run_folder}.painting(), code_version("panorama")}; }
 };
 
 Made made_from_room(const RoomOrigin& origin, const Making& with) {
-    RoomPanorama made = panorama_of_room(origin, with.params, with.run);
-    return {std::move(made.panorama.color), to_json(made.prompt), std::move(made.file), std::move(made.room)};
+    std::optional<EarlierRoom> earlier;
+    if (with.earlier) earlier = {with.earlier->room, load_color(with.earlier->folder.panorama_color())};
+    RoomPanorama made = panorama_of_room(origin, with.params, with.run, earlier ? &*earlier : nullptr);
+    Made out{std::move(made.panorama.color), to_json(made.prompt), std::move(made.file), std::move(made.room)};
+    if (earlier) out.about = {{"kept_light", made.kept_light}, {"kept_pixels", made.kept_pixels}};
+    return out;
 }
 
 Made made_from(const PromptSource& source, const Making& with) { return made_from_room({source.prompt, {}}, with); }
@@ -108,9 +116,9 @@ Made made_from(const CaptureSource&, const Making&) {
 }  // namespace
 
 std::shared_ptr<const TracedRoom> make_panorama(const SceneSource& source, const PanoramaParams& params,
-                                                const Filler& filler, SourceFiles& files, const fs::path& out,
-                                                const Run& run) {
-    const Making with{params, filler, files, out.parent_path(), run};
+                                                const Filler& filler, SourceFiles& files, const EarlierRun* earlier,
+                                                const fs::path& out, const Run& run) {
+    const Making with{params, filler, files, out.parent_path(), run, earlier};
     Made made = std::visit([&](const auto& one) { return made_from(one, with); }, source);
     save_panorama(out / "color.png", srgb8_from_linear(made.color));
     if (!made.missing.empty()) save_png(out / "missing.png", made.missing);
@@ -118,8 +126,9 @@ std::shared_ptr<const TracedRoom> make_panorama(const SceneSource& source, const
         save_more_panoramas(list, {made.color.width, made.color.height}, filler, files, out / "more", run);
     write_json(out / "prompt.json", made.prompt);
     write_json(out / "room.json", made.room);
-    if (made.traced && !made.traced->device().empty())
-        write_json(out / kAboutName, Json{{"device", made.traced->device()}});
+    if (made.traced) write_file(out / RunFolder{}.room_light().filename(), made.traced->light());
+    if (made.traced && !made.traced->device().empty()) made.about["device"] = made.traced->device();
+    if (!made.about.empty()) write_json(out / kAboutName, made.about);
     return made.traced;
 }
 

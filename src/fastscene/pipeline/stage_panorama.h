@@ -14,11 +14,13 @@
 
 namespace fastscene {
 
+struct EarlierRun;
+
 // Writes the stage's files into `out` (names in run_folder.h). Returns the traced and lit room, for a walk that renders
 // it again; null if there is none.
 // `filler`: for what a partial panorama lacks.
 std::shared_ptr<const TracedRoom> make_panorama(const SceneSource& source, const PanoramaParams& params,
-                                                const Filler& filler, SourceFiles& files,
+                                                const Filler& filler, SourceFiles& files, const EarlierRun* earlier,
                                                 const std::filesystem::path& out, const Run& run);
 
 }  // namespace fastscene

@@ -1,5 +1,8 @@
 #include "fastscene/pipeline/stage_splat.h"
 
+#include <algorithm>
+#include <optional>
+
 #include "fastscene/base/file.h"
 #include "fastscene/io/splat_io.h"
 #include "fastscene/io/view_io.h"
@@ -8,8 +11,15 @@
 namespace fastscene {
 namespace fs = std::filesystem;
 
-void make_splat(const RunFolder& folder, const SplatParams& params, const fs::path& out, const Run& run,
-                const StepListener& on_step) {
+namespace {
+
+// Splats of an edited scene are nearly right: they need a part of the steps, at the learning rates of a training's end.
+constexpr float kContinuedSteps = 0.3f, kBegun = 0.5f;
+
+}  // namespace
+
+void make_splat(const RunFolder& folder, const SplatParams& params, const BeginSplats& begin_splats,
+                const fs::path& out, const Run& run, const StepListener& on_step) {
     const ViewSet views = load_views(folder.views());
     SplatParams sized = params;
     sized.count = count_for(views.points, params);
@@ -21,19 +31,27 @@ void make_splat(const RunFolder& folder, const SplatParams& params, const fs::pa
         run.note(fmt::format("splat: {} Gaussians for the size of the room", sized.count));
     else if (params.per_m2 > 0)
         run.note(fmt::format("splat: {} Gaussians, the most that --splat-count allows", sized.count));
-    save_fit(fit_and_keep_place(views, sized, folder, run, on_step), out);
+    std::optional<Splats> begin;
+    if (begin_splats) begin = begin_splats(views.points, sized);
+    if (begin) {
+        sized.count = static_cast<int>(begin->size());
+        sized.steps = std::max(1, static_cast<int>(kContinuedSteps * static_cast<float>(sized.steps)));
+        sized.begun = kBegun;
+    }
+    save_fit(fit_and_keep_place(views, sized, folder, run, on_step, begin ? &*begin : nullptr), out);
     forget_place(folder);
 }
 
 FittedSplats fit_and_keep_place(const ViewSet& views, SplatParams params, const RunFolder& folder, const Run& run,
-                                const StepListener& on_step) {
-    if (!params.checkpoint.empty()) return fit_splats(views, params, run, on_step);
+                                const StepListener& on_step, const Splats* begin) {
+    if (!params.checkpoint.empty()) return fit_splats(views, params, run, on_step, begin);
     // a folder, so that temporary files of a killed process are deleted with it
     const fs::path place = folder.splat_place();
     params.checkpoint = (place / "checkpoint").string();
-    if (!is_checkpoint_of(params.checkpoint, views, params, run.seed)) fs::remove_all(place);  // from other settings
+    if (!is_checkpoint_of(params.checkpoint, views, params, run.seed, begin))
+        fs::remove_all(place);  // from other settings
     make_directories(place);
-    return fit_splats(views, params, run, on_step);
+    return fit_splats(views, params, run, on_step, begin);
 }
 
 void forget_place(const RunFolder& folder) {

@@ -1,11 +1,13 @@
 #include "fastscene/pipeline/stage_walk.h"
 
+#include <optional>
 #include <vector>
 
 #include "fastscene/base/file.h"
 #include "fastscene/depth/estimator.h"
 #include "fastscene/image/color.h"
 #include "fastscene/io/image_io.h"
+#include "fastscene/pipeline/earlier_run.h"
 #include "fastscene/pipeline/resolve.h"
 #include "fastscene/pipeline/run_files.h"
 #include "fastscene/pipeline/same_room.h"
@@ -33,16 +35,38 @@ void save_outside(const fs::path& walk, const Outside& outside) {
     save_png(walk / kOutsideName / "seen.png", outside.seen);
 }
 
+// Nothing if the earlier run did not get so far.
+std::optional<EarlierWalk> walk_of(const EarlierRun& earlier) {
+    const fs::path walk = earlier.folder.walk();
+    if (!fs::exists(walk / "poses.json")) return {};
+    EarlierWalk out{earlier.room, {}, {}};
+    std::vector<fs::path> folders;
+    for (const Viewpoint& viewpoint : load_viewpoints(walk / "poses.json")) {
+        folders.push_back(walk / viewpoint.name);
+        if (folders.size() > 1) out.positions_m.push_back(viewpoint.world_from_pano.translation);
+    }
+    out.panorama = [folders](std::size_t index) {
+        const fs::path& folder = folders.at(index + 1);  // after panorama 0
+        Panorama panorama;
+        panorama.color = load_color(folder / "color.png");
+        panorama.range = load_float(folder / "range.exr");
+        return panorama;
+    };
+    return out;
+}
+
 }  // namespace
 
 void make_walk(const SceneSource& source, const PanoramaParams& panorama, const DepthParams& depth,
                const RunFolder& folder, const WalkParams& asked, std::shared_ptr<const TracedRoom> room,
-               const fs::path& out, const Run& run) {
+               const EarlierRun* earlier, const fs::path& out, const Run& run) {
     check_walk(source, depth, asked);
     const WalkParams params = walk_of(source, depth, asked);
     if (looks_into_room(params) && !room) {
-        room = make_traced_room(origin_of(source), panorama, run);
-        check_same_room(*room, load_float(folder.depth_range()), folder.root);
+        auto made = std::make_shared<TracedRoom>(make_unlit_room(origin_of(source), panorama, run));
+        check_same_room(*made, load_float(folder.depth_range()), folder.root);
+        light_room(*made, panorama, folder.room_light(), run);
+        room = std::move(made);
     }
     WalkAdvice advice;
     if (is_estimated(source, depth)) {
@@ -75,8 +99,11 @@ void make_walk(const SceneSource& source, const PanoramaParams& panorama, const 
     };
     const Panorama first = load_first_panorama(folder);
     const StandableFloor floor = params.kind == kRoomWalk ? passable_floor(*room) : StandableFloor{};
+    std::optional<EarlierWalk> again;
+    if (earlier && params.kind == kRoomWalk) again = walk_of(*earlier);
     Json about = params.kind == kRoomWalk
-                     ? walk_through_room(first, *room, floor, params, panorama_parts(panorama.trace), run, save)
+                     ? walk_through_room(first, *room, floor, params, panorama_parts(panorama.trace), run, save,
+                                         again ? &*again : nullptr)
                      : walk_through(first, params, run, save, advice, load_more_panoramas(folder));
     if (params.kind == kRoomWalk)
         save_outside(out, outside_of_room(*room, floor, first.world_from_pano.rotation, first.size(), run));

@@ -66,6 +66,7 @@ struct SplatParams {
     int holdout = 8;
     int patience = 0;
     int until = 0;
+    float begun = 0;  // share of a whole training that the splats to continue from are past: sets the learning rates
     std::string checkpoint;
     int checkpoint_every = 500;
 };
@@ -165,10 +166,12 @@ struct StepReport {
     std::function<Splats()> splats;  // as trained so far; a graphics card first completes its steps
 };
 using StepListener = std::function<void(const StepReport&)>;
+// `begin`: splats to continue from, instead of initial ones at the views' points; params.begun tells how far they are.
 FittedSplats fit_splats(const ViewSet& views, const SplatParams& params, const Run& run,
-                        const StepListener& on_step = {});
+                        const StepListener& on_step = {}, const Splats* begin = nullptr);
 // Whether `file` is a checkpoint of these views, settings and seed. Reads its header only, so it may still be damaged.
-bool is_checkpoint_of(const std::string& file, const ViewSet& views, const SplatParams& params, std::uint64_t seed);
+bool is_checkpoint_of(const std::string& file, const ViewSet& views, const SplatParams& params, std::uint64_t seed,
+                      const Splats* begin = nullptr);
 
 // A rendering: sRGB-encoded floats 0..1 on `background` (sRGB), and the expected depth if requested.
 struct SplatPicture {

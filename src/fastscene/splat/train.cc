@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <numeric>
 #include <optional>
+#include <span>
 
 #include "fastscene/base/file.h"
 #include "fastscene/base/forced_exit.h"
@@ -83,7 +84,7 @@ Split split_views(const ViewSet& set, const SplatParams& params) {
 }
 
 // Everything that determines a run's numbers, except its length and evaluation settings.
-std::string key_of(const ViewSet& set, SplatParams params, std::uint64_t seed) {
+std::string key_of(const ViewSet& set, SplatParams params, std::uint64_t seed, const Splats* begin) {
     Hash hash;
     params.until = 0, params.checkpoint.clear(), params.checkpoint_every = 500, params.patience = 0;
     if (params.eval_every > 0) params.eval_every = 1;
@@ -97,6 +98,12 @@ std::string key_of(const ViewSet& set, SplatParams params, std::uint64_t seed) {
         hash.add_bytes(&v.camera, sizeof v.camera).add_bytes(&v.world_from_camera, sizeof v.world_from_camera);
     }
     for (const SurfacePoint& p : set.points) hash.add_bytes(&p.position_m, sizeof p.position_m);
+    if (begin) {
+        hash.add(params.begun);
+        for (const auto* parameters : {&begin->mean_m, &begin->log_scale, &begin->sh0})
+            hash.add(std::span<const Vec3f>(*parameters));
+        hash.add(std::span<const float>(begin->sh_rest)).add(std::span<const float>(begin->opacity_logit));
+    }
     return hash.hex();
 }
 
@@ -146,7 +153,7 @@ std::int64_t memory_of_half_views(const ViewSet& set, const SplatParams& params)
 class Training {
   public:
     Training(const ViewSet& set, const SplatParams& params, const TrainTuning& tuning, const Run& run,
-             const StepListener& on_step)
+             const StepListener& on_step, const Splats* begin)
         : params_(params),
           tuning_(tuning),
           run_(run),
@@ -155,7 +162,7 @@ class Training {
           order_(views_.train.size(), run.seed),
           stepper_(make_stepper(params.backend)),
           extent_(scene_extent(set)),
-          state_(start(set)),
+          state_(start(set, begin)),
           summed_(state_.step) {
         last_ = params.until > 0 ? params.until : params.steps;
         coarse_steps_ = static_cast<int>(params.coarse * static_cast<float>(params.steps));
@@ -199,9 +206,9 @@ class Training {
     }
 
   private:
-    TrainState start(const ViewSet& set) {
+    TrainState start(const ViewSet& set, const Splats* begin) {
         if (!params_.checkpoint.empty()) {
-            key_ = key_of(set, params_, run_.seed);
+            key_ = key_of(set, params_, run_.seed, begin);
             if (std::filesystem::exists(params_.checkpoint)) {
                 TrainState found = load_checkpoint(params_.checkpoint, key_);
                 found.cloud.antialias = params_.antialias;  // settings are covered by the key
@@ -213,7 +220,7 @@ class Training {
             std::filesystem::remove(params_.checkpoint);
         }
         check_splat_memory(params_, set.points.size(), memory_of_half_views(set, params_));
-        Splats splats = initial_splats(set.points, params_, run_);
+        Splats splats = begin ? *begin : initial_splats(set.points, params_, run_);
         if (splats.size() == 0) throw Error("splat: no usable initial points among {}", set.points.size());
         splats.sh_degree = params_.sh_degree, splats.antialias = params_.antialias;
         splats.resize(splats.size());
@@ -226,7 +233,8 @@ class Training {
     void step() {
         const ExitHold hold;  // half a step is no state to go on from
         const int now = state_.step + 1;
-        const float done = std::min(1.f, static_cast<float>(now - 1) / static_cast<float>(std::max(params_.steps, 1)));
+        const float share = static_cast<float>(now - 1) / static_cast<float>(std::max(params_.steps, 1));
+        const float done = std::min(1.f, params_.begun + (1 - params_.begun) * share);
         StepPlan plan;
         plan.lambda_dssim = params_.lambda_dssim;
         plan.rates.rates = rates_at(done, params_, tuning_);
@@ -383,11 +391,11 @@ class Training {
 }  // namespace
 
 FittedSplats fit(const ViewSet& set, const SplatParams& asked, const TrainTuning& tuning, const Run& run,
-                 const StepListener& on_step) {
+                 const StepListener& on_step, const Splats* begin) {
     check_views(set);
     SplatParams params = asked;
     params.sh_degree = std::max(0, params.sh_degree);
-    return Training(set, params, tuning, run, on_step).go();
+    return Training(set, params, tuning, run, on_step, begin).go();
 }
 
 }  // namespace fastscene::splat
@@ -427,13 +435,15 @@ void check_splat_memory(const SplatParams& params, std::size_t points, std::int6
         have / splat::memory_of_one(params));
 }
 
-bool is_checkpoint_of(const std::string& file, const ViewSet& views, const SplatParams& params, std::uint64_t seed) {
-    return splat::has_checkpoint_key(file, splat::key_of(views, params, seed));
+bool is_checkpoint_of(const std::string& file, const ViewSet& views, const SplatParams& params, std::uint64_t seed,
+                      const Splats* begin) {
+    return splat::has_checkpoint_key(file, splat::key_of(views, params, seed, begin));
 }
 
-FittedSplats fit_splats(const ViewSet& views, const SplatParams& params, const Run& run, const StepListener& on_step) {
+FittedSplats fit_splats(const ViewSet& views, const SplatParams& params, const Run& run, const StepListener& on_step,
+                        const Splats* begin) {
     check_splat_params(params);
-    return splat::fit(views, params, {}, run, on_step);
+    return splat::fit(views, params, {}, run, on_step, begin);
 }
 
 }  // namespace fastscene

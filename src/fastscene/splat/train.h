@@ -21,6 +21,6 @@ struct TrainTuning {
 };
 
 FittedSplats fit(const ViewSet& views, const SplatParams& params, const TrainTuning& tuning, const Run& run,
-                 const StepListener& on_step = {});
+                 const StepListener& on_step = {}, const Splats* begin = nullptr);
 
 }  // namespace fastscene::splat

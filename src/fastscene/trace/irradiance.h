@@ -8,6 +8,7 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
 #include <vector>
 
 #include "fastscene/base/run.h"
@@ -33,16 +34,35 @@ struct LightDirection {
 // The irradiance of a slope of the relief, relative to that of the even surface.
 float relief_light(Vec3f gradient, Vec3f normal, Vec3f bumped);
 
-class Gatherer;  // gatherer.h
+class ByteReader;
+class Gatherer;     // gatherer.h
+struct RoomChange;  // room_change.h
 
 class IrradianceCache {
   public:
     // Places entries on all surfaces and gathers their light. Deterministic in run.seed. `viewpoints`: where cameras
     // will be. Entries that cannot be seen from around them get fewer paths, since they matter only through what they
-    // light. `gatherer`: traces the rays; null: Embree does.
+    // light. `gatherer`: traces the rays; null: Embree does. The result is rounded as bytes() rounds it.
     static IrradianceCache gather(const Room& room, const SceneBvh& bvh, const Lights& lights,
                                   const TraceParams& params, const Run& run,
                                   const std::vector<Vec3f>& viewpoints = {Vec3f{}}, Gatherer* gatherer = nullptr);
+
+    // The light of a room before a change, gathered with the same settings.
+    struct Earlier {
+        const IrradianceCache& light;
+        const RoomChange& change;
+    };
+    // gather() for a changed room: entries whose light the change hardly alters keep it. With Embree.
+    static IrradianceCache gather_again(const Room& room, const SceneBvh& bvh, const Lights& lights,
+                                        const TraceParams& params, const Run& run, const std::vector<Vec3f>& viewpoints,
+                                        const Earlier& earlier);
+    // Share of the entries that kept their light, in [0, 1].
+    double kept_share() const { return kept_share_; }
+
+    // All that pictures need, with light in half precision: 64 bytes an entry, and the sun patches.
+    std::string bytes() const;
+    // Throws Error for bytes that are no light, or of another room.
+    static IrradianceCache from_bytes(ByteReader& in, const Room& room);
 
     // Irradiance without direct sun at a surface point, interpolated between the entries around it. `normal`: unit
     // length.
@@ -136,6 +156,9 @@ class IrradianceCache {
     int nearest(Vec3f position, Vec3f normal) const;
     const Place& place(std::size_t cell, int i) const;
     std::uint64_t random_key(std::size_t cell, std::uint64_t pass, std::uint64_t seed) const;
+    void know_surfaces(const Room& room);
+    void add_sun_powers();
+    IrradianceCache rounded(const Room& room) const;
     void build(const Room& room);
     std::vector<std::uint8_t> visibility(const SceneBvh& bvh) const;
     void drop_hidden(const std::vector<std::uint8_t>& sight);
@@ -147,7 +170,18 @@ class IrradianceCache {
     void smooth_directions();
     void distrust_edges();
 
-    // The steps of gather(), in order.
+    // Of a changed room: whether the entry keeps its light.
+    bool is_kept(std::size_t cell) const { return !kept_.empty() && kept_[cell] != 0; }
+    void keep_light(const Room& room, const Lights& lights, const Earlier& earlier, const Run& run);
+    std::vector<float> share_of_change(const Room& room, const Lights& lights, const RoomChange& change,
+                                       std::uint64_t seed) const;
+
+    // The steps of gathering, in order.
+    void place_cells(const Room& room, const SceneBvh& bvh, const TraceParams& params,
+                     const std::vector<Vec3f>& viewpoints, Gatherer* gatherer, const Run& run);
+    void gather_sun(const Room& room, const SceneBvh& bvh, const Lights& lights, Gatherer* gatherer, const Run& run);
+    void gather_rest(const Room& room, const SceneBvh& bvh, const Lights& lights, const TraceParams& params,
+                     Gatherer* gatherer, const Run& run);
     std::vector<std::uint16_t> light_by_sun(const Room& room, const SceneBvh& bvh, const Lights& lights,
                                             Gatherer* gatherer, const Run& run);
     void find_sun_patches(const Room& room, const SceneBvh& bvh, const std::vector<std::uint16_t>& sunny,
@@ -176,6 +210,9 @@ class IrradianceCache {
     std::vector<SunPatch> sun_patches_;
     std::vector<SunPlace> sun_places_;
     std::vector<float> sun_powers_;
+    float scale_ = 0;                 // of bytes(), once rounded
+    std::vector<std::uint8_t> kept_;  // by cell; empty: none. Only while gathering
+    double kept_share_ = 0;
 };
 
 // The direction among +-x, +-y, +-z that a normal is nearest to: 0..5.

@@ -76,6 +76,10 @@ void IrradianceCache::find_sun_patches(const Room& room, const SceneBvh& bvh, co
             patch.useful = 0.02f + seen / kPlaces;
         }
     });
+    add_sun_powers();
+}
+
+void IrradianceCache::add_sun_powers() {
     for (const SunPatch& patch : sun_patches_)
         sun_powers_.push_back((sun_powers_.empty() ? 0.f : sun_powers_.back()) +
                               luminance(patch.leaving) * patch.area * patch.useful);

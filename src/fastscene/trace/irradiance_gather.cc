@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <initializer_list>
 
 #include "fastscene/base/parallel.h"
 #include "fastscene/base/random.h"
@@ -17,6 +18,12 @@ namespace fastscene {
 using namespace irradiance;
 
 namespace {
+
+using Changed = Gatherer::Changed;
+void tell(Gatherer* gatherer, const IrradianceCache::Tables& tables, std::initializer_list<Changed> changes) {
+    if (!gatherer) return;
+    for (const Changed what : changes) gatherer->update(tables, what);
+}
 
 constexpr int kPasses = 6;
 constexpr int kUnseenShare = 3;                     // unseen cells get this fraction of the paths …
@@ -120,6 +127,7 @@ void IrradianceCache::gather_direct(const Room& room, const SceneBvh& bvh, const
             run.check_stop();
             for (std::int64_t i = begin; i < end; ++i) {
                 const auto c = static_cast<std::size_t>(i);
+                if (is_kept(c)) continue;
                 Cell& cell = cells_[c];
                 Random random(random_key(c, 0, run.seed));
                 const Vec2f shift{random.uniform(), random.uniform()};
@@ -175,6 +183,10 @@ void IrradianceCache::gather_pass(const Room& room, const SceneBvh& bvh, const L
         run.check_stop();
         for (std::int64_t i = begin; i < end; ++i) {
             const auto c = static_cast<std::size_t>(i);
+            if (is_kept(c)) {
+                pass.gathered[c] = cells_[c].indirect;
+                continue;
+            }
             Random random(random_key(c, static_cast<std::uint64_t>(pass.number) + 1, run.seed));
             const Vec2f shift{random.uniform(), random.uniform()};
             const int rays = cells_[c].seen ? pass.rays : std::max(kLeastBounced, pass.rays / kUnseenShare);
@@ -216,7 +228,7 @@ void IrradianceCache::gather_indirect(const Room& room, const SceneBvh& bvh, con
         gather_pass(room, bvh, lights, gatherer, run, progress, pass);
         for (std::size_t c = 0; c < count; ++c) {
             cells_[c].indirect = pass.gathered[c];
-            if (!keep) continue;
+            if (!keep || is_kept(c)) continue;
             kept[c] += pass.gathered[c] * (1.f / kKept);
             cells_[c].directed.add(pass.directed[c], 1.f / static_cast<float>(kKept * pass.rays));
             spoiled[c] += pass.error[c] * pass.error[c] * (1.f / (kKept * kKept));
@@ -225,12 +237,14 @@ void IrradianceCache::gather_indirect(const Room& room, const SceneBvh& bvh, con
             std::vector<float> error = pooled(pass.error);
             for (const int step : {1, 2}) smooth(true, step, error);
         }
+        if (!kept_.empty()) continue;  // what was kept holds all bounces
         Vec3f sum{};
         for (const Cell& cell : cells_) sum += cell.indirect * cell.area;
         const Vec3f more = rest.factor(sum);
         for (Cell& cell : cells_) cell.indirect = cell.indirect * more;
     }
     for (std::size_t c = 0; c < count; ++c) {
+        if (is_kept(c)) continue;
         cells_[c].indirect = kept[c];
         const float around = static_cast<float>(kPasses) / std::max(1e-6f, pass.nearness[c]) /
                              cell_m_;  // harmonic mean distance, in cells
@@ -245,41 +259,60 @@ void IrradianceCache::gather_indirect(const Room& room, const SceneBvh& bvh, con
     for (const int step : {1, 2, 4, 1}) smooth(true, step, error);
 }
 
+void IrradianceCache::place_cells(const Room& room, const SceneBvh& bvh, const TraceParams& params,
+                                  const std::vector<Vec3f>& viewpoints, Gatherer* gatherer, const Run& run) {
+    cell_m_ = params.cell_m;
+    // An odd offset keeps walls off the cell boundaries.
+    origin_ = room.min_corner + Vec3f{0.37f, 0.41f, 0.43f} * params.cell_m;
+    know_surfaces(room);
+    build(room);
+    tell(gatherer, tables(), {Changed::places});
+    drop_hidden(gatherer ? gatherer->visibility(run) : visibility(bvh));
+    tell(gatherer, tables(), {Changed::places, Changed::light});
+    find_seen(bvh, viewpoints, gatherer, run);
+    index();
+    tell(gatherer, tables(), {Changed::places, Changed::index});  // seen cells get more paths
+}
+
+void IrradianceCache::gather_sun(const Room& room, const SceneBvh& bvh, const Lights& lights, Gatherer* gatherer,
+                                 const Run& run) {
+    find_sun_patches(room, bvh, light_by_sun(room, bvh, lights, gatherer, run), run.seed);
+    tell(gatherer, tables(), {Changed::sun});
+}
+
+void IrradianceCache::gather_rest(const Room& room, const SceneBvh& bvh, const Lights& lights,
+                                  const TraceParams& params, Gatherer* gatherer, const Run& run) {
+    // Gathering is three quarters of the work: progress counts cells over all passes.
+    Progress progress(run, "light", blocks_of(cells_.size()) * (kPasses + 1));
+    gather_direct(room, bvh, lights, std::max(kLeastDirect, params.cell_samples / 2), gatherer, run, progress);
+    gather_indirect(room, bvh, lights, std::max(8, params.cell_samples), gatherer, run, progress);
+    smooth_directions();
+    distrust_edges();
+}
+
 IrradianceCache IrradianceCache::gather(const Room& room, const SceneBvh& bvh, const Lights& lights,
                                         const TraceParams& params, const Run& run, const std::vector<Vec3f>& viewpoints,
                                         Gatherer* gatherer) {
-    using Changed = Gatherer::Changed;
     IrradianceCache cache;
-    cache.cell_m_ = params.cell_m;
-    // An odd offset keeps walls off the cell boundaries.
-    cache.origin_ = room.min_corner + Vec3f{0.37f, 0.41f, 0.43f} * params.cell_m;
-    for (const Material& m : room.materials) {
-        const Vec3f albedo = mean_albedo(m);
-        cache.reflectances_.push_back(is_clear(m) ? Vec3f{} : mean_reflectance(m, albedo));
-        cache.coats_.push_back(is_clear(m) || m.mirror > 0.5f ? Coat{} : coat_of(m, albedo, m.roughness));
-    }
-    for (const Mesh& mesh : room.meshes) cache.closed_.push_back(is_closed(mesh));
-    const auto tell = [&](Changed what) {
-        if (gatherer) gatherer->update(cache.tables(), what);
-    };
-    cache.build(room);
-    tell(Changed::places);
-    cache.drop_hidden(gatherer ? gatherer->visibility(run) : cache.visibility(bvh));
-    tell(Changed::places), tell(Changed::light);
-    cache.find_seen(bvh, viewpoints, gatherer, run);
-    cache.index();
-    tell(Changed::places), tell(Changed::index);  // seen cells get more paths
+    cache.place_cells(room, bvh, params, viewpoints, gatherer, run);
+    cache.gather_sun(room, bvh, lights, gatherer, run);
+    cache.gather_rest(room, bvh, lights, params, gatherer, run);
+    cache = cache.rounded(room);
+    tell(gatherer, cache.tables(), {Changed::light, Changed::sun});
+    return cache;
+}
 
-    // Gathering is three quarters of the work: progress counts cells over all passes.
-    Progress progress(run, "light", blocks_of(cache.cells_.size()) * (kPasses + 1));
-    cache.find_sun_patches(room, bvh, cache.light_by_sun(room, bvh, lights, gatherer, run), run.seed);
-    tell(Changed::sun);
-    cache.gather_direct(room, bvh, lights, std::max(kLeastDirect, params.cell_samples / 2), gatherer, run, progress);
-    cache.gather_indirect(room, bvh, lights, std::max(8, params.cell_samples), gatherer, run, progress);
-    cache.smooth_directions();
-    cache.distrust_edges();
-    cache.samples_ = {};
-    tell(Changed::light);
+IrradianceCache IrradianceCache::gather_again(const Room& room, const SceneBvh& bvh, const Lights& lights,
+                                              const TraceParams& params, const Run& run,
+                                              const std::vector<Vec3f>& viewpoints, const Earlier& earlier) {
+    IrradianceCache cache;
+    cache.place_cells(room, bvh, params, viewpoints, nullptr, run);
+    cache.gather_sun(room, bvh, lights, nullptr, run);
+    cache.keep_light(room, lights, earlier, run);
+    const auto kept = std::count(cache.kept_.begin(), cache.kept_.end(), 1);
+    cache.gather_rest(room, bvh, lights, params, nullptr, run);
+    cache = cache.rounded(room);
+    cache.kept_share_ = static_cast<double>(kept) / static_cast<double>(std::max<std::size_t>(1, cache.size()));
     return cache;
 }
 

@@ -20,6 +20,7 @@ void IrradianceCache::despeckle(bool indirect) {
         for (std::int64_t i = begin; i < end; ++i) {
             const auto c = static_cast<std::size_t>(i);
             const Vec3f here = out[c] = indirect ? cells_[c].indirect : cells_[c].direct;
+            if (is_kept(c)) continue;
             const auto [x, y, z, facing] = place_of(keys_[c]);
             float first = 0, second = 0;
             int neighbours = 0;
@@ -75,6 +76,10 @@ void IrradianceCache::smooth(bool indirect, int step, std::vector<float>& error)
             const auto c = static_cast<std::size_t>(i);
             const Cell& cell = cells_[c];
             const Vec3f here = indirect ? cell.indirect : cell.direct;
+            if (is_kept(c)) {
+                out[c] = here;
+                continue;
+            }
             const auto [x, y, z, facing] = place_of(keys_[c]);
             const float base = luminance(here), always = kAlways * base + 1e-6f;
             Vec3f sum{};
@@ -115,6 +120,10 @@ void IrradianceCache::smooth_directions() {
     for (int round = 0; round < kRounds; ++round) {
         parallel_for(static_cast<std::int64_t>(cells_.size()), 1024, [&](std::int64_t begin, std::int64_t end) {
             for (auto c = static_cast<std::size_t>(begin); c < static_cast<std::size_t>(end); ++c) {
+                if (is_kept(c)) {
+                    out[c] = cells_[c].directed;
+                    continue;
+                }
                 const auto [x, y, z, facing] = place_of(keys_[c]);
                 LightDirection sum;
                 for (int k = 0; k < 27; ++k) {
@@ -140,7 +149,7 @@ void IrradianceCache::distrust_edges() {
         for (auto c = static_cast<std::size_t>(begin); c < static_cast<std::size_t>(end); ++c) {
             const Cell& cell = cells_[c];
             trust[c] = cell.trust;
-            if (!(cell.trust > 0)) continue;
+            if (!(cell.trust > 0) || is_kept(c)) continue;
             const auto [x, y, z, facing] = place_of(keys_[c]);
             const float here = luminance(cell.direct + cell.indirect) + 1e-6f;
             float most = 1;

@@ -5,8 +5,11 @@
 #include <cmath>
 #include <mutex>
 #include <optional>
+#include <span>
 
+#include "fastscene/base/bytes.h"
 #include "fastscene/base/check.h"
+#include "fastscene/base/hash.h"
 #include "fastscene/base/parallel.h"
 #include "fastscene/base/random.h"
 #include "fastscene/trace/backend.h"
@@ -14,12 +17,14 @@
 #include "fastscene/trace/irradiance.h"
 #include "fastscene/trace/lights.h"
 #include "fastscene/trace/picture.h"
+#include "fastscene/trace/room_change.h"
 #include "fastscene/trace/scene_bvh.h"
 #include "fastscene/trace/surface.h"
 
 namespace fastscene {
 namespace {
 
+constexpr std::string_view kLightFormat = "fastscene-light 1\n";
 constexpr int kMostMirrors = 4;  // same limit as for mirrors within mirrors in pictures (shade.cc)
 
 // The normal of a mesh that is a flat mirror, i.e. nearly all of its surface is mirror or the back of its pane. Zero if
@@ -69,6 +74,42 @@ struct TracedRoom::Impl {
             closed.push_back(is_closed(mesh));
             mirrors.push_back(mirror_normal(room, mesh));
         }
+    }
+
+    void prepare(const TraceParams& by) {
+        params = by;
+        card = nullptr;
+        const auto& backend = registered_entry<TraceBackendEntry>("--trace-backend", params.backend.name);
+        check_device(params.backend, "--trace-device");  // before the outside is built
+        if (const auto make = backend.make) card = make(params.backend.device, room, lights());
+    }
+    ViewTransform transform() const {
+        const auto name = std::find(kViewTransforms.begin(), kViewTransforms.end(), params.view_transform);
+        FASTSCENE_CHECK(name != kViewTransforms.end());
+        return static_cast<ViewTransform>(name - kViewTransforms.begin());
+    }
+    // The exposure as seen from the world's origin.
+    Look automatic_look(const Run& run) {
+        const Run quiet{run.seed, nullptr, run.stop};
+        ImageColor albedo;
+        const ImageColor small = color(panorama_camera({}, {128, 64}), {.pixel_samples = 4}, nullptr, &albedo, quiet);
+        Look look = room.look;
+        look.transform = transform();
+        return fastscene::automatic_look(look, room.sky, small, albedo, lights().outdoors().brightness());
+    }
+    void expose(const Look& look) {
+        room.look = look;
+        if (card) card->set_look(room.look, room.sky);
+    }
+    // Of the room and the settings that its light depends on.
+    std::uint64_t light_key() const {
+        Hash hash;
+        for (const Mesh& mesh : room.meshes)
+            hash.add(std::span<const Vec3f>(mesh.positions))
+                .add(std::span<const std::uint32_t>(mesh.triangles))
+                .add(mesh.material);
+        hash.add(params.cell_m).add(params.cell_samples).add(params.view_transform);
+        return std::stoull(hash.hex().substr(0, 16), nullptr, 16);
     }
 
     ImageColor color(const RayCamera& camera, const ShotParts& parts, const Look* look, ImageColor* albedo,
@@ -139,23 +180,56 @@ TracedRoom::TracedRoom(TracedRoom&&) noexcept = default;
 TracedRoom& TracedRoom::operator=(TracedRoom&&) noexcept = default;
 
 void TracedRoom::gather_light(const TraceParams& params, const Run& run, const std::vector<Vec3f>& viewpoints) {
-    impl_->params = params;
-    impl_->card = nullptr;
-    const auto& backend = registered_entry<TraceBackendEntry>("--trace-backend", params.backend.name);
-    check_device(params.backend, "--trace-device");  // before the outside is built
-    if (const auto make = backend.make) impl_->card = make(params.backend.device, impl_->room, impl_->lights());
+    impl_->prepare(params);
     impl_->light = IrradianceCache::gather(impl_->room, impl_->bvh, impl_->lights(), params, run, viewpoints,
                                            impl_->card ? &impl_->card->gatherer() : nullptr);
-    const Run quiet{run.seed, nullptr, run.stop};
-    ImageColor albedo;
-    const ImageColor small = impl_->color(panorama_camera({}, {128, 64}), {.pixel_samples = 4}, nullptr, &albedo,
-                                          quiet);
-    const auto name = std::find(kViewTransforms.begin(), kViewTransforms.end(), params.view_transform);
-    FASTSCENE_CHECK(name != kViewTransforms.end());
-    impl_->room.look.transform = static_cast<ViewTransform>(name - kViewTransforms.begin());
-    impl_->room.look = automatic_look(impl_->room.look, impl_->room.sky, small, albedo,
-                                      impl_->lights().outdoors().brightness());
-    if (impl_->card) impl_->card->set_look(impl_->room.look, impl_->room.sky);
+    impl_->expose(impl_->automatic_look(run));
+}
+
+double TracedRoom::gather_light_again(const TraceParams& params, const Run& run, const std::vector<Vec3f>& viewpoints,
+                                      const TracedRoom& before) {
+    constexpr float kVisible_ev = 0.04f;  // three percent
+    FASTSCENE_CHECK(before.impl_->light.has_value());
+    impl_->prepare(params);
+    const RoomChange change = change_between(before.room(), impl_->room);
+    if (impl_->card || change.lights) {
+        gather_light(params, run, viewpoints);
+        return 0;
+    }
+    impl_->light = IrradianceCache::gather_again(impl_->room, impl_->bvh, impl_->lights(), params, run, viewpoints,
+                                                 {*before.impl_->light, change});
+    const Look own = impl_->automatic_look(run), &kept = before.room().look;
+    impl_->expose(std::fabs(own.exposure_ev - kept.exposure_ev) < kVisible_ev ? kept : own);
+    return impl_->light->kept_share();
+}
+
+std::string TracedRoom::light() const {
+    FASTSCENE_CHECK(impl_->light.has_value());
+    std::string out(kLightFormat);
+    append(out, impl_->light_key());
+    const Look& look = impl_->room.look;
+    for (const float value : {look.exposure_ev, look.white.x, look.white.y, look.white.z, look.contrast,
+                              look.saturation, look.outside_seen, look.sun_seen})
+        append(out, value);
+    return out + impl_->light->bytes();
+}
+
+bool TracedRoom::take_light(const TraceParams& params, std::string_view bytes, const std::string& name) {
+    impl_->prepare(params);
+    if (impl_->card) return false;
+    ByteReader in(name, bytes);
+    if (!bytes.starts_with(kLightFormat)) in.refuse("expected the light of a room, found something else");
+    in.skip(kLightFormat.size());
+    if (in.get<std::uint64_t>() != impl_->light_key())
+        in.refuse("expected the light of this room by these settings, found that of another");
+    Look look = impl_->room.look;
+    look.transform = impl_->transform();
+    for (float* value : {&look.exposure_ev, &look.white.x, &look.white.y, &look.white.z, &look.contrast,
+                         &look.saturation, &look.outside_seen, &look.sun_seen})
+        *value = in.get<float>();
+    impl_->light = IrradianceCache::from_bytes(in, impl_->room);
+    impl_->expose(look);
+    return true;
 }
 
 Shot TracedRoom::panorama(const Rigid& world_from_pano, EquirectSize size, const ShotParts& parts,

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <memory>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "fastscene/base/fields.h"
@@ -105,6 +106,17 @@ class TracedRoom {
     // before any color is rendered. The same seed gives the same light for any number of threads. `viewpoints`:
     // positions around which pictures will be taken.
     void gather_light(const TraceParams& params, const Run& run, const std::vector<Vec3f>& viewpoints = {Vec3f{}});
+
+    // The gathered light with its exposure, to be written to a file: 64 bytes a cache cell.
+    std::string light() const;
+    // Takes what light() gave for this room and these settings, instead of gathering: the same pictures come of it.
+    // Returns false if a graphics card renders, which gathers faster. Throws Error naming `name` for anything else.
+    bool take_light(const TraceParams& params, std::string_view bytes, const std::string& name);
+    // gather_light for a room that was changed from `before`, whose light was gathered with the same settings. Cells
+    // that the change hardly concerns keep their light; the exposure stays, unless it would differ visibly. Returns the
+    // share of cells that kept their light, in [0, 1]; 0 if lamps, windows or the outside changed.
+    double gather_light_again(const TraceParams& params, const Run& run, const std::vector<Vec3f>& viewpoints,
+                              const TracedRoom& before);
 
     // `seed` varies the camera samples only, not the light.
     Shot panorama(const Rigid& world_from_pano, EquirectSize size, const ShotParts& parts, const Run& run) const;

@@ -20,7 +20,9 @@ constexpr int kVisitors = 640, kRaysAVisitor = 20;
 constexpr float kCloseUp_m = 0.6f;    // distances below this do not demand a finer resolution
 constexpr float kSecondView = 0.35f;  // value of a second view of a surface, relative to the first
 constexpr float kImage_m = 0.03f;     // minimum distance of a mirror image behind its mirror, and its tolerance
-constexpr float kSlant = 0.08f;       // cosine: surfaces seen at a more grazing angle give no texture
+constexpr int kMostMore = 4;          // viewpoints besides those of before an edit
+constexpr float kLeastGainOfMore = 0.01f;
+constexpr float kSlant = 0.08f;  // cosine: surfaces seen at a more grazing angle give no texture
 
 // A sample of what visitors see.
 struct Sample {
@@ -146,7 +148,14 @@ RoomViewpoints choose_room_viewpoints(const TracedRoom& room, const StandableFlo
     RoomViewpoints chosen;
     if (standable_cells(floor).empty()) return chosen;
     const std::vector<Sample> samples = seen_by_visitors(room, floor, run);
-    const std::vector<Vec3f> viewpoints = candidates(room, floor);
+    std::vector<Vec3f> viewpoints;
+    std::vector<int> earlier;
+    for (std::size_t i = 0; i < params.earlier_m.size(); ++i)
+        if (has_air(room, params.earlier_m[i], kEyeAir_m))
+            viewpoints.push_back(params.earlier_m[i]), earlier.push_back(static_cast<int>(i));
+    const std::vector<Vec3f> further = candidates(room, floor);
+    viewpoints.insert(viewpoints.end(), further.begin(), further.end());
+    earlier.resize(viewpoints.size(), -1);
     const std::size_t n = samples.size();
     chosen.samples = n;
     if (n == 0) return chosen;
@@ -163,9 +172,20 @@ RoomViewpoints choose_room_viewpoints(const TracedRoom& room, const StandableFlo
         for (std::size_t i = 0; i < n; ++i) coverage.add(i, sights[c * n + i]);
     };
     take(viewpoints.size());
+    const auto choose = [&](std::size_t c) {
+        take(c);
+        chosen.positions_m.push_back(viewpoints[c]);
+        chosen.earlier.push_back(earlier[c]);
+    };
+    for (std::size_t c = 0; c < viewpoints.size() && earlier[c] >= 0; ++c) choose(c);
+    // What an edit uncovers may need a few more; each costs as much as several earlier ones do.
+    const bool again = !chosen.positions_m.empty();
+    const int most = again ? std::max(params.most, static_cast<int>(chosen.positions_m.size()) + kMostMore)
+                           : params.most;
+    const float least_gain = again ? kLeastGainOfMore : params.least_gain;
     const double all = static_cast<double>(n) * (1 + static_cast<double>(kSecondView));
     std::vector<double> gains(viewpoints.size());
-    while (static_cast<int>(chosen.positions_m.size()) < params.most && !viewpoints.empty()) {
+    while (static_cast<int>(chosen.positions_m.size()) < most && !viewpoints.empty()) {
         parallel_for(static_cast<std::int64_t>(viewpoints.size()), 4, [&](std::int64_t begin, std::int64_t end) {
             for (auto c = static_cast<std::size_t>(begin); c < static_cast<std::size_t>(end); ++c) {
                 gains[c] = 0;
@@ -173,9 +193,8 @@ RoomViewpoints choose_room_viewpoints(const TracedRoom& room, const StandableFlo
             }
         });
         const auto next = static_cast<std::size_t>(std::max_element(gains.begin(), gains.end()) - gains.begin());
-        if (gains[next] < static_cast<double>(params.least_gain) * all) break;
-        take(next);
-        chosen.positions_m.push_back(viewpoints[next]);
+        if (gains[next] < static_cast<double>(least_gain) * all) break;
+        choose(next);
     }
     std::size_t unseen = 0, coarse = 0, one_sided = 0;
     constexpr float kHalf = 0.5f;

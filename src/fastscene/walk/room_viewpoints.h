@@ -17,10 +17,13 @@ namespace fastscene {
 struct RoomViewpointParams {
     int most = 24;              // besides panorama 0
     float least_gain = 0.003f;  // share of the total possible gain: viewpoints that add less are not worth a panorama
+    // Of an edited room, those of before: they come first, unless something stands there now.
+    std::vector<Vec3f> earlier_m = {};
 };
 
 struct RoomViewpoints {
     std::vector<Vec3f> positions_m;  // world; panorama 0, at the origin, is not included
+    std::vector<int> earlier;        // of each, its index in earlier_m; -1: a new one
     // Shares of what visitors see of the room, in [0, 1]:
     double unseen_share = 0;     // seen by no viewpoint
     double coarse_share = 0;     // at best seen at less than half the visitor's resolution

@@ -2,7 +2,7 @@
 #include "fastscene/base/shortest.h"
 #include "fastscene/dataset/format.h"
 #include "fastscene/dataset/room_folders.h"
-#include "fastscene/io/bytes.h"
+#include "fastscene/base/bytes.h"
 #include "fastscene/scene/pose_json.h"
 
 namespace fastscene::dataset_formats {

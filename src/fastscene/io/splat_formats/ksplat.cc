@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "fastscene/io/bytes.h"
+#include "fastscene/base/bytes.h"
 #include "fastscene/io/packed.h"
 #include "fastscene/io/splat_format.h"
 

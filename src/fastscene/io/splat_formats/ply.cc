@@ -6,7 +6,7 @@
 #include "fastscene/base/check.h"
 #include "fastscene/base/error.h"
 #include "fastscene/base/file.h"
-#include "fastscene/io/bytes.h"
+#include "fastscene/base/bytes.h"
 #include "fastscene/io/ply.h"
 #include "fastscene/io/splat_format.h"
 #include "fastscene/io/splat_io.h"

@@ -2,7 +2,7 @@
 //   float position[3], float scale[3] (linear), uint8 rgba[4], uint8 rotation[4] (w x y z, 128 q + 128)
 #include <cmath>
 
-#include "fastscene/io/bytes.h"
+#include "fastscene/base/bytes.h"
 #include "fastscene/io/packed.h"
 #include "fastscene/io/splat_format.h"
 

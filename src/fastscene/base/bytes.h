@@ -1,4 +1,4 @@
-// Little-endian numbers in byte strings, as on all supported machines. Private to io/.
+// Little-endian numbers in byte strings, as on all supported machines.
 #pragma once
 
 #include <cstdint>

@@ -1,0 +1,20 @@
+// What differs between two versions of a room, as after an edit.
+#pragma once
+
+#include "fastscene/scene/room.h"
+
+namespace fastscene {
+
+struct RoomChange {
+    // The meshes of either version that the other lacks: of a moved chair both places, of a painted one both colors.
+    Room surfaces;
+    // Lamps, openings, the outside or the room's bounds differ: all of the light does.
+    bool lights = false;
+
+    bool none() const { return !lights && surfaces.meshes.empty(); }
+};
+
+// Meshes are compared by content: shape, material and pattern. Their order does not count.
+RoomChange change_between(const Room& before, const Room& now);
+
+}  // namespace fastscene
