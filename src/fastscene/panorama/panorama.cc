@@ -81,7 +81,11 @@ ShotParts panorama_parts(const TraceParams& trace) {
 }
 
 void light_room(TracedRoom& room, const PanoramaParams& params, const std::filesystem::path& file, const Run& run) {
-    if (std::filesystem::exists(file) && room.take_light(params.trace, read_file(file), file.string())) return;
+    try {
+        if (std::filesystem::exists(file) && room.take_light(params.trace, read_file(file), file.string())) return;
+    } catch (const Error& e) {
+        run.note(fmt::format("{}: the light is gathered again", e.what()));
+    }
     room.gather_light(params.trace, run, places_to_look_from(room));
 }
 

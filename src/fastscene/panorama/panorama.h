@@ -92,7 +92,7 @@ std::shared_ptr<TracedRoom> make_traced_room(const RoomOrigin& origin, const Pan
 // … without its light.
 TracedRoom make_unlit_room(const RoomOrigin& origin, const PanoramaParams& params, const Run& run);
 // Lights a room that has none: with the light kept in `file` (TracedRoom::light), or by gathering it if there is no
-// such file. Throws Error naming the file if its light is of another room or other settings.
+// such file, or, with a note, if its light is of another room, of other settings, or damaged.
 void light_room(TracedRoom& room, const PanoramaParams& params, const std::filesystem::path& file, const Run& run);
 
 // A room before it was edited: lit, with its panorama.
