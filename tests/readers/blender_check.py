@@ -97,6 +97,9 @@ def check_import(gltf, numbers):
             errors.append((numpy.abs(box.max(0) - box.min(0) - (side, front, up)).max(), thing.name))
     worst = max(errors)
     expect(worst[0] <= SIZE_ERROR_M, f'metres, z up: sizes within {worst[0]:.4f} m, {worst[1]}')
+    materials = [m.name for m in bpy.data.materials]
+    pictures = [i.name for i in bpy.data.images]
+    expect(pictures and all(i in materials for i in pictures), f'{len(pictures)} pictures, named as their materials')
     lamps = [o for o in bpy.data.objects if o.type == 'LIGHT']
     inside = [o.parent is None or
               all(low - 0.01 <= x <= high + 0.01 for x, low, high in
@@ -177,7 +180,7 @@ out = os.path.splitext(picture)[0]
 with open(stem + '.instances.json') as file:
     numbers = {i['id']: i['instance'] for i in json.load(file)}
 bpy.ops.wm.read_factory_settings(use_empty=True)
-# Lights and glowing surfaces in one unit; called so from Blender 3.6 on.
+# Lights and glowing surfaces in one unit; called so in later Blenders.
 mode = 'export_import_convert_lighting_mode'
 if mode not in bpy.ops.import_scene.gltf.get_rna_type().properties:
     mode = 'convert_lighting_mode'
