@@ -66,8 +66,9 @@ def render(path, width, height, samples, file_format, bits):
     return pixels_of(path)
 
 
-# What the centers of the pixels show, where every surface glows by itself.
+# What the centers of the pixels show, where every surface glows by itself; the outside is black.
 def render_centers(path, width, height):
+    bpy.context.scene.world = None
     cycles = bpy.context.scene.cycles
     cycles.pixel_filter_type, cycles.filter_width = 'BOX', 0.01
     cycles.max_bounces = 0
