@@ -15,11 +15,13 @@
 #include "fastscene/export/room_glb.h"
 #include "fastscene/export/room_usda.h"
 #include "fastscene/export/view_maps.h"
+#include "fastscene/image/color.h"
 #include "fastscene/io/image_io.h"
 #include "fastscene/io/splat_io.h"
 #include "fastscene/io/view_io.h"
 #include "fastscene/io/viewer.h"
 #include "fastscene/rooms/rooms.h"
+#include "fastscene/trace/surface.h"
 
 using namespace fastscene;
 
@@ -79,21 +81,39 @@ WalkableArea two_rooms() {
     return {{outline, {{-1, 0}, {1, 0}, {1, 1}, {-1, 1}}}, -0.4f, 0.6f, kHalfHeight};
 }
 
-// What the camera of room.glb sees, as the numbers of things; their ids beside.
-void write_instances(const std::filesystem::path& stem, const Room& room) {
+constexpr BakeParams kSmall{.texels_per_metre = 32, .texture_size = 256};
+
+// The color of what each pixel's center shows, without light; as wide as a texel, so that it is as blurred.
+ImageRgb8 colors_of(const Room& room, const Pinhole& camera) {
+    const SceneBvh bvh(room);
+    const float texel_m = 1.f / static_cast<float>(kSmall.texels_per_metre);
+    ImageColor color(camera.width, camera.height);
+    for (int y = 0; y < camera.height; ++y)
+        for (int x = 0; x < camera.width; ++x) {
+            const Vec2f center{static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f};
+            const Vec3f ray = normalize(camera.direction_at(center));
+            if (const RayHit hit = bvh.first_hit({}, ray))
+                color.at(x, y) = surface_at(room, hit, {}, ray, texel_m, false).texture.albedo;
+        }
+    return srgb8_from_linear(color);
+}
+
+// What the camera of room.glb sees: the numbers of things, their ids beside, and the colors.
+void write_views(const std::filesystem::path& stem, const Room& room) {
     const TracedRoom traced(room);
     constexpr int kWidth = 640, kHeight = 480;
     const float across_deg = 2 * std::atan(std::tan(kCameraFov_deg * kPi / 360) * kWidth / kHeight) * 180 / kPi;
-    const auto seen = view_maps(traced, Pinhole::with_fov(kWidth, kHeight, across_deg), {}, {}).instance;
+    const Pinhole camera = Pinhole::with_fov(kWidth, kHeight, across_deg);
+    const auto seen = view_maps(traced, camera, {}, {}).instance;
     ImageMask gray(kWidth, kHeight);
     std::copy(seen.pixels.begin(), seen.pixels.end(), gray.pixels.begin());
     save_png(stem.string() + ".instances.png", gray);
     write_json(stem.string() + ".instances.json", instances_json(instances_of(room)));
+    save_png(stem.string() + ".colors.png", colors_of(room, camera));
 }
 
 // Furnished rooms for engines: day and night, glass, mirrors, screens, lamps.
 void write_rooms(const std::filesystem::path& dir) {
-    constexpr BakeParams kSmall{.texels_per_metre = 32, .texture_size = 256};
     for (const auto& [name, prompt] :
          {std::pair{"bedroom", "a cozy bedroom with a red armchair and a large window"},
           std::pair{"bathroom", "a marble bathroom at night with a mirror, a shower and candles"},
@@ -110,7 +130,7 @@ void write_rooms(const std::filesystem::path& dir) {
         make_directories(dir / textures);
         for (const NamedBytes& texture : usda.textures) write_file(dir / textures / texture.name, texture.bytes);
         write_file(dir / fmt::format("{}.room.usda", name), usda.text);
-        write_instances(dir / name, room);
+        write_views(dir / name, room);
     }
 }
 

@@ -2,7 +2,9 @@
 #include <gtest/gtest.h>
 #include <meshoptimizer.h>
 
+#include <array>
 #include <cmath>
+#include <optional>
 #include <set>
 
 #include "fastscene/export/bake.h"
@@ -12,12 +14,14 @@
 #include "fastscene/export/labels.h"
 #include "fastscene/export/meshopt.h"
 #include "fastscene/export/room_glb.h"
+#include "fastscene/export/test_rooms.h"
 #include "fastscene/image/color.h"
 #include "fastscene/io/image_io.h"
 #include "fastscene/rooms/rooms.h"
 #include "fastscene/scene/box.h"
 #include "fastscene/trace/standable.h"
 #include "fastscene/trace/texture.h"
+#include "fastscene/trace/trace.h"
 
 namespace fastscene {
 namespace {
@@ -210,6 +214,70 @@ TEST(RoomGlb, TurnsTheWorldWithoutMirroringIt) {
             EXPECT_NEAR(found[k], wanted[k], 2e-3 * (1 + std::fabs(wanted[k]))) << ids[i];
         }
     }
+}
+
+struct Face {
+    std::array<Vec3f, 3> corners;
+    Vec3f normal;
+    std::size_t mesh;
+};
+std::vector<Face> faces_of_the_shell(const Room& room) {
+    std::vector<Face> faces;
+    for (std::size_t m = 0; m < room.meshes.size(); ++m) {
+        const Mesh& mesh = room.meshes[m];
+        const std::string kind = mesh.object < 0 ? "" : room.objects[static_cast<std::size_t>(mesh.object)].kind;
+        if (mesh.object >= 0 && kind != "window" && kind != "wainscoting") continue;
+        for (std::size_t t = 0; t < mesh.triangles.size(); t += 3) {
+            const auto corner = [&](std::size_t i) { return mesh.positions[mesh.triangles[t + i]]; };
+            const Vec3f normal = cross(corner(1) - corner(0), corner(2) - corner(0));
+            if (length(normal) > 0) faces.push_back({{corner(0), corner(1), corner(2)}, normalize(normal), m});
+        }
+    }
+    return faces;
+}
+// The middle of what two faces of two meshes have in common: in one plane, both seen from the same side.
+std::optional<Vec3f> middle_of_overlap(const Face& one, const Face& other) {
+    constexpr float kOnePlane_m = 1e-4f, kLeastArea_m2 = 1e-4f;
+    if (one.mesh == other.mesh || dot(one.normal, other.normal) < 0.9999f ||
+        std::fabs(dot(other.corners[0] - one.corners[0], one.normal)) > kOnePlane_m)
+        return std::nullopt;
+    std::vector<Vec3f> left(one.corners.begin(), one.corners.end());
+    for (std::size_t side = 0; side < 3 && !left.empty(); ++side) {
+        const Vec3f a = other.corners[side], along = other.corners[(side + 1) % 3] - a;
+        const auto within = [&](Vec3f p) { return dot(cross(along, p - a), one.normal); };
+        std::vector<Vec3f> kept;
+        for (std::size_t i = 0; i < left.size(); ++i) {
+            const Vec3f p = left[i], q = left[(i + 1) % left.size()];
+            const float at_p = within(p), at_q = within(q);
+            if (at_p >= 0) kept.push_back(p);
+            if ((at_p < 0) != (at_q < 0)) kept.push_back(p + (q - p) * (at_p / (at_p - at_q)));
+        }
+        left = std::move(kept);
+    }
+    Vec3f sum{};
+    float area = 0;
+    for (std::size_t i = 0; i < left.size(); ++i) {
+        sum += left[i];
+        if (i >= 2) area += 0.5f * length(cross(left[i - 1] - left[0], left[i] - left[0]));
+    }
+    if (area < kLeastArea_m2) return std::nullopt;
+    return sum / static_cast<float>(left.size());
+}
+
+// Where two faces lie in one plane, renderers show one, the other, or black: of walls, trim and sills.
+TEST(RoomGlb, NoTwoFacesOfTheShellThatAreSeenLieInOnePlane) {
+    for (const std::string text : {"a classic bedroom with a large window", "a victorian living room with wainscoting",
+                                   "a cabin with a round window", "a library with an arched window"})
+        for (const std::uint64_t seed : {1, 2}) {
+            const Room room = room_from(text, seed);
+            const TracedRoom traced(room);
+            const std::vector<Face> faces = faces_of_the_shell(room);
+            for (const Face& one : faces)
+                for (const Face& other : faces)
+                    if (const auto p = middle_of_overlap(one, other)) {
+                        ASSERT_FALSE(traced.sees({}, *p)) << text << ": " << p->x << " " << p->y << " " << p->z;
+                    }
+        }
 }
 
 TEST(RoomGlb, SharesTheMeshOfEqualThings) {

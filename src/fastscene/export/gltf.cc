@@ -78,10 +78,10 @@ int Gltf::add_indices(const std::vector<std::uint32_t>& values) {
                              {"type", "SCALAR"}});
 }
 
-int Gltf::add_image(const std::string& encoded, const char* mime) {
+int Gltf::add_image(const std::string& encoded, const char* mime, const std::string& name) {
     const std::size_t begin = binary_.size();
     binary_ += encoded;
-    return add("images", {{"bufferView", view(begin, kNoTarget)}, {"mimeType", mime}});
+    return add("images", {{"name", name}, {"bufferView", view(begin, kNoTarget)}, {"mimeType", mime}});
 }
 
 void Gltf::use(const std::string& extension) {

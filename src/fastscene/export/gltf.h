@@ -22,7 +22,7 @@ class Gltf {
     int add_vectors(const std::vector<Vec3f>& values);
     int add_uv(const std::vector<Vec2f>& values);
     int add_indices(const std::vector<std::uint32_t>& values);  // 16 bits each if they fit
-    int add_image(const std::string& encoded, const char* mime);
+    int add_image(const std::string& encoded, const char* mime, const std::string& name);
     // Appends to one of the format's arrays: "materials", "nodes" …; returns its index there.
     int add(const std::string& array, Json entry);
     void use(const std::string& extension);

@@ -264,7 +264,7 @@ std::string range_mesh_glb_bytes(const std::vector<Panorama>& panoramas, int tex
         const std::string name = fmt::format("panorama-{:03}", i);
         Json primitive = primitive_of(gltf, surfaces[i]);
         primitive["attributes"]["TEXCOORD_0"] = gltf.add_uv(surfaces[i].uv);
-        const int image = gltf.add_image(texture_of(panoramas[i], texture_size), "image/jpeg");
+        const int image = gltf.add_image(texture_of(panoramas[i], texture_size), "image/jpeg", name);
         primitive["material"] = gltf.add(
             "materials",
             {{"name", name},

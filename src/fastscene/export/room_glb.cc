@@ -82,7 +82,7 @@ class Writer {
         Json surface{{"baseColorFactor", {of.color.x, of.color.y, of.color.z, of.opacity}},
                      {"metallicFactor", of.metal},
                      {"roughnessFactor", of.roughness}};
-        if (of.texture >= 0) surface["baseColorTexture"] = {{"index", texture(of.texture)}};
+        if (of.texture >= 0) surface["baseColorTexture"] = {{"index", texture(of.texture, of.name)}};
         Json out{{"name", of.name}, {"pbrMetallicRoughness", surface}, {"doubleSided", true}};
         if (of.opacity < 1) out["alphaMode"] = "BLEND";
         if (of.unlit) {
@@ -100,11 +100,12 @@ class Writer {
         }
         return out;
     }
-    int texture(int index) {
+    // Its image has the name of the first material that shows it: importers list images by name.
+    int texture(int index, const std::string& name) {
         const auto found = textures_.find(index);
         if (found != textures_.end()) return found->second;
         const std::string jpeg = texture_jpeg(model_.textures[at(index)]);
-        return textures_[index] = gltf_.add("textures", {{"source", gltf_.add_image(jpeg, "image/jpeg")}});
+        return textures_[index] = gltf_.add("textures", {{"source", gltf_.add_image(jpeg, "image/jpeg", name)}});
     }
 
     Json light_node(const std::string& name, const char* type, const std::string& light_name, const ModelLight& light) {

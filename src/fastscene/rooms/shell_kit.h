@@ -51,6 +51,8 @@ inline int add_material(Room& room, Material m) {
 Material as_asked(const Plan& plan, std::string_view kind, Material usual);
 
 inline constexpr float kCasing = 0.08f;  // width of the frame about doors and windows
+// What keeps two faces out of one plane, where renderers show one, the other, or black.
+inline constexpr float kHair_m = 0.001f;
 
 // The parts of a face that no opening of these kinds takes between heights y0 and y1, with `margin` beside openings.
 std::vector<std::pair<float, float>> between_openings(const Plan& plan, const WallFace& face, float y0, float y1,

@@ -45,6 +45,12 @@ void ring(const WallBuilder& wall, const Opening& o, float inside, float outside
     wall.band(edge_of(o, inside), edge_of(o, outside), w0, w1, material, object);
 }
 
+// It covers the wall below the window.
+void build_sill(const Opening& o, const WallBuilder& wall, int material, int object) {
+    wall.box(o.u0 - kSillBeside, o.u1 + kSillBeside, o.y0 - kSillThickness, o.y0 + kHair_m, -kRevealDepth, kSillReach,
+             material, object);
+}
+
 // Frame, bars and casing of a window that is not square; only an arched one has a sill.
 void build_shaped_window(const Plan& plan, const Opening& o, const WallBuilder& wall, Room& room, int frame,
                          int object) {
@@ -52,7 +58,7 @@ void build_shaped_window(const Plan& plan, const Opening& o, const WallBuilder& 
     ring(wall, o, -bar, 0, w0, w1, frame, object);
     const auto upright = [&](float u, float half) {
         const auto [low, high] = extent_at(o, u);
-        wall.box(u - half, u + half, low + 0.5f * bar, high - 0.5f * bar, w0, w1, frame, object);
+        wall.box(u - half, u + half, low + 0.5f * bar, high - 0.5f * bar, w0 + kHair_m, w1 - kHair_m, frame, object);
     };
     if (o.shape == Opening::Shape::round) {
         // A porthole has one pane and a heavy ring; larger ones have a cross.
@@ -90,8 +96,7 @@ void build_shaped_window(const Plan& plan, const Opening& o, const WallBuilder& 
         const float y = o.y0 + (spring - o.y0) * static_cast<float>(i) / static_cast<float>(rows);
         wall.box(o.u0 + bar, o.u1 - bar, y - 0.014f, y + 0.014f, w0 + 0.008f, w1 - 0.008f, frame, object);
     }
-    wall.box(o.u0 - kSillBeside, o.u1 + kSillBeside, o.y0 - kSillThickness, o.y0, -kRevealDepth, kSillReach, frame,
-             object);
+    build_sill(o, wall, frame, object);
     if (plan.style.mouldings == Mouldings::none) return;
     wall.box(o.u0 - kCasing, o.u0, o.y0, spring, 0, 0.025f, frame, object);
     wall.box(o.u1, o.u1 + kCasing, o.y0, spring, 0, 0.025f, frame, object);
@@ -124,8 +129,7 @@ void build_window(const Plan& plan, const Opening& o, Room& room, int trim) {
         wall.box(o.u0 + bar, o.u1 - bar, y - 0.014f, y + 0.014f, w0 + 0.008f, w1 - 0.008f, frame, object);
     }
     // The sill, and a casing on the wall where the style has mouldings.
-    wall.box(o.u0 - kSillBeside, o.u1 + kSillBeside, o.y0 - kSillThickness, o.y0, -kRevealDepth, kSillReach, frame,
-             object);
+    build_sill(o, wall, frame, object);
     if (plan.style.mouldings != Mouldings::none) {
         wall.box(o.u0 - 0.08f, o.u0, o.y0, o.y1, 0, 0.025f, frame, object);
         wall.box(o.u1, o.u1 + 0.08f, o.y0, o.y1, 0, 0.025f, frame, object);

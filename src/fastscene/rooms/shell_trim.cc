@@ -10,14 +10,17 @@ namespace {
 
 constexpr float kSkirting = 0.09f, kDado = 0.95f;
 
+// Strips of two walls meet in a corner: those along z lie a hair lower.
+float lowered(const WallFace& face) { return std::abs(face.along.z) > 0.5f ? kHair_m : 0.f; }
+
 void build_skirting(const Plan& plan, const WallFace& face, Room& room, int trim) {
     const WallBuilder wall(face, room);
     const float high = plan.style.mouldings == Mouldings::rich ? 0.14f : kSkirting;
     for (const auto& [u0, u1] : between_openings(plan, face, 0, high, kCasing))
-        wall.box(u0, u1, 0, high, 0, 0.02f, trim);
+        wall.box(u0, u1, 0, high - lowered(face), 0, 0.02f, trim);
     if (plan.style.mouldings == Mouldings::none || plan.knee > 0) return;
     // One plain profile: finer ones are thinner than the light is sampled.
-    wall.box(0, face.length, plan.height - 0.1f, plan.height, 0, 0.06f, trim);
+    wall.box(0, face.length, plan.height - 0.1f - lowered(face), plan.height, 0, 0.06f, trim);
 }
 
 // Parts of the shell that a prompt may ask for are objects of the room, so that they can be found in it.
@@ -41,8 +44,8 @@ void build_panelling(const Plan& plan, const WallFace& face, Room& room, int tri
     constexpr float kBack = 0.008f, kProud = 0.022f, kFrame = 0.06f;
     for (const auto& [u0, u1] : between_openings(plan, face, 0.05f, top + 0.06f, kCasing)) {
         if (u1 - u0 < 0.15f) continue;
-        wall.box(u0, u1, 0, top, 0, kBack, trim, object);
-        wall.box(u0, u1, top, top + 0.05f, 0, 0.035f, trim, object);
+        wall.box(u0 + kHair_m, u1 - kHair_m, 0, top, 0, kBack, trim, object);  // ends within the skirting
+        wall.box(u0, u1, top - lowered(face), top + 0.05f - lowered(face), 0, 0.035f, trim, object);
         if (plan.style.mouldings == Mouldings::rich) {
             const int count = std::max(1, static_cast<int>(std::lround((u1 - u0) / 0.75f)));
             const float step = (u1 - u0) / static_cast<float>(count);
@@ -57,7 +60,7 @@ void build_panelling(const Plan& plan, const WallFace& face, Room& room, int tri
             }
         } else {
             for (float u = u0; u + 0.1f < u1; u += 0.118f)
-                wall.box(u + 0.004f, std::min(u + 0.112f, u1), 0.02f, top, kBack, 0.017f, trim, object);
+                wall.box(u + 0.004f, std::min(u + 0.112f, u1 - kHair_m), 0.02f, top, kBack, 0.017f, trim, object);
         }
     }
 }
