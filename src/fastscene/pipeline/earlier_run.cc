@@ -49,7 +49,7 @@ std::optional<EarlierRun> find_earlier_run(const SceneRequest& request, const Ru
     try {
         if (const std::string why = obstacle(out.folder, *source, request); !why.empty()) return nothing(why);
         const Run quiet{run.seed, nullptr, run.stop};
-        out.room = room_of_run(out.folder, recorded_run(out.folder), 0, quiet);
+        out.room = room_with_kept_light(out.folder, recorded_run(out.folder), quiet);
         out.change = change_between(out.room->room(),
                                     make_unlit_room(origin_of(request.source), request.params.panorama, quiet).room());
     } catch (const Error& e) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "fastscene/base/file.h"
 #include "fastscene/io/image_io.h"
 #include "fastscene/pipeline/resolve.h"
 #include "fastscene/pipeline/same_room.h"
@@ -40,6 +41,18 @@ std::shared_ptr<const TracedRoom> room_of_run(const RunFolder& folder, const Rec
     check_room(*room, folder, recorded.request);
     const bool suffices = own.trace.cell_samples >= panorama.trace.cell_samples;
     light_room(*room, panorama, suffices ? folder.room_light() : std::filesystem::path(), as_made);
+    return room;
+}
+
+std::shared_ptr<const TracedRoom> room_with_kept_light(const RunFolder& folder, const RecordedRun& recorded,
+                                                       const Run& run) {
+    const PanoramaParams& panorama = recorded.request.params.panorama;
+    const Run as_made{recorded.seed, run.events, run.stop};
+    auto room = std::make_shared<TracedRoom>(
+        make_unlit_room(origin_of_run(folder, recorded.request), panorama, as_made));
+    const std::string file = folder.room_light().string();
+    if (!room->take_light(panorama.trace, read_file(file), file))
+        throw Error("{}: a graphics card gathers light anew", file);
     return room;
 }
 

@@ -11,6 +11,9 @@ namespace fastscene {
 // if the run has no known room, Error if this version of the program would make another room than the run's.
 std::shared_ptr<const TracedRoom> room_of_run(const RunFolder& folder, const RecordedRun& recorded,
                                               int least_cell_samples, const Run& run);
+// The same with the light that the run keeps. Throws Error if that is of another room or settings, or damaged.
+std::shared_ptr<const TracedRoom> room_with_kept_light(const RunFolder& folder, const RecordedRun& recorded,
+                                                       const Run& run);
 // The same room without its light, in a fraction of a second.
 std::shared_ptr<const TracedRoom> unlit_room_of_run(const RunFolder& folder, const RecordedRun& recorded,
                                                     const Run& run);

@@ -14,7 +14,7 @@ namespace fs = std::filesystem;
 namespace {
 
 // Splats of an edited scene are nearly right: they need a part of the steps, at the learning rates of a training's end.
-constexpr float kContinuedSteps = 0.3f, kBegun = 0.5f;
+constexpr float kContinuedSteps = 0.25f, kBegun = 0.5f;
 
 }  // namespace
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "fastscene/trace/irradiance_cells.h"
 #include "fastscene/trace/response.h"
@@ -65,8 +66,10 @@ LightTree::Emitter box_of(std::initializer_list<Vec3f> points) {
 
 }  // namespace
 
-Lights::Lights(const Room& room, float outside_detail, const SceneBvh* bvh)
-    : outdoors_(room, outside_detail), first_of_mesh_(room.meshes.size(), -1), large_(room.meshes.size(), false) {
+Lights::Lights(const Room& room, float outside_detail, const SceneBvh* bvh, std::shared_ptr<const Outdoors> outdoors)
+    : outdoors_(outdoors ? std::move(outdoors) : std::make_shared<const Outdoors>(room, outside_detail)),
+      first_of_mesh_(room.meshes.size(), -1),
+      large_(room.meshes.size(), false) {
     for (const Mesh& mesh : room.meshes) closed_.push_back(is_closed(mesh));
     std::vector<LightTree::Emitter> tree;
     for (std::size_t i = 0; i < room.portals.size(); ++i) {
@@ -78,7 +81,7 @@ Lights::Lights(const Room& room, float outside_detail, const SceneBvh* bvh)
         emitters_.push_back({.portal = static_cast<std::int32_t>(i)});
         tree.push_back(box_of({p.corner, p.corner + p.edge_u, p.corner + p.edge_v, p.corner + p.edge_u + p.edge_v}));
         tree.back().normal = inwards;
-        tree.back().power = area * brightness_behind(outdoors_, inwards);
+        tree.back().power = area * brightness_behind(*outdoors_, inwards);
     }
     for (std::size_t m = 0; m < room.meshes.size(); ++m) {
         const int count = static_cast<int>(room.meshes[m].triangles.size() / 3);
@@ -133,7 +136,7 @@ Lights::LightSample Lights::draw(const Room& room, Vec3f position, Vec3f normal,
         const Portal& p = room.portals[static_cast<std::size_t>(emitter.portal)];
         out.direction = normalize(p.corner + p.edge_u * uv.x + p.edge_v * uv.y - from);
         out.far = kFar;
-        out.radiance = outdoors_.light(out.direction);
+        out.radiance = outdoors_->light(out.direction);
         out.pdf = portal_pdf(room, position, normal, out.direction);
         return out;
     }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -22,8 +23,9 @@ class Lights {
   public:
     // `outside_detail`: pixels per degree of the view through windows (Outdoors); illumination does not need it. `bvh`:
     // of the room; with it, emitters whose light is caught close by (embers under logs, the inside of a flame) are
-    // sampled less.
-    explicit Lights(const Room& room, float outside_detail = 0, const SceneBvh* bvh = nullptr);
+    // sampled less. `outdoors`: of another room with the same outside; null: it is built, which takes seconds.
+    explicit Lights(const Room& room, float outside_detail = 0, const SceneBvh* bvh = nullptr,
+                    std::shared_ptr<const Outdoors> outdoors = nullptr);
 
     // A sampled direction to a lamp or window, and the radiance that arrives if nothing is in between.
     struct LightSample {
@@ -50,7 +52,8 @@ class Lights {
     // Large lamps (more than half a square metre) are not sampled; gathering rays find them.
     bool is_large(int mesh) const { return large_[static_cast<std::size_t>(mesh)]; }
 
-    const Outdoors& outdoors() const { return outdoors_; }
+    const Outdoors& outdoors() const { return *outdoors_; }
+    std::shared_ptr<const Outdoors> shared_outdoors() const { return outdoors_; }
 
     // An emissive triangle, or a window.
     struct Emitter {
@@ -65,7 +68,7 @@ class Lights {
 
   private:
     float portal_pdf(const Room& room, Vec3f position, Vec3f normal, Vec3f direction) const;
-    Outdoors outdoors_;
+    std::shared_ptr<const Outdoors> outdoors_;
     std::vector<Emitter> emitters_;
     std::optional<LightTree> tree_;
     std::vector<std::int32_t> first_of_mesh_;

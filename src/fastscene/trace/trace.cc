@@ -59,9 +59,10 @@ struct TracedRoom::Impl {
 
     // Built on first use: geometry alone needs no light, and the outside takes seconds.
     const Lights& lights() const {
-        std::call_once(lights_once_, [&] { lights_.emplace(room, params.outside_detail, &bvh); });
+        std::call_once(lights_once_, [&] { lights_.emplace(room, params.outside_detail, &bvh, outdoors); });
         return *lights_;
     }
+    std::shared_ptr<const Outdoors> outdoors;  // of a room with the same outside, if there is one
     mutable std::once_flag lights_once_;
     mutable std::optional<Lights> lights_;
 
@@ -196,6 +197,7 @@ double TracedRoom::gather_light_again(const TraceParams& params, const Run& run,
         gather_light(params, run, viewpoints);
         return 0;
     }
+    impl_->outdoors = before.impl_->lights().shared_outdoors();
     impl_->light = IrradianceCache::gather_again(impl_->room, impl_->bvh, impl_->lights(), params, run, viewpoints,
                                                  {*before.impl_->light, change});
     const Look own = impl_->automatic_look(run), &kept = before.room().look;
