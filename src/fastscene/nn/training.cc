@@ -27,7 +27,7 @@ using Clock = std::chrono::steady_clock;
 constexpr int kShares = 1'000'000;  // resolution of the progress display: each step of a long training is seen
 
 constexpr double kLookForNewcomers_s = 1;
-constexpr double kLeastPatience_s = 5, kStepsOfPatience = 2;  // with those who should meet again
+constexpr double kMinRejoinTimeout_s = 5, kRejoinTimeoutSteps = 2;  // for members to rejoin: the longer of the two
 constexpr int kMostLostInVain = 5;
 
 double seconds_since(Clock::time_point begin) { return std::chrono::duration<double>(Clock::now() - begin).count(); }
@@ -84,16 +84,16 @@ void settle_settings(const TrainingTask& task, const TrainingParams& params, con
                 path.string(), name, value.dump(), found.contains(name) ? found[name].dump() : "none");
 }
 
-// Broadcasts the first process's state, including its checkpoint, to the group.
+// Broadcasts the state of rank 0, including its checkpoint, to the group.
 std::int64_t same_beginning(const TrainingTask& task, std::int64_t step, ProcessGroup& group) {
     std::vector<at::Tensor> tensors;
     for (const auto& [name, tensor] : whole_state(task)) tensors.push_back(tensor);
-    group.from_first(tensors);
+    group.broadcast(tensors);
     for (Learner* learner : task.learners) {
-        learner->set_steps(group.from_first(learner->steps()));
+        learner->set_steps(group.broadcast(learner->steps()));
         learner->join(group);
     }
-    return group.from_first(step);
+    return group.broadcast(step);
 }
 
 // Running means over several steps.
@@ -125,7 +125,7 @@ class Means {
 class Drawer {
   public:
     Drawer(const TrainingTask& task, std::uint64_t seed, const ProcessGroup* group)
-        : task_(task), seed_(seed), processes_(group ? group->size() : 1), process_(group ? group->rank() : 0) {}
+        : task_(task), seed_(seed), world_size_(group ? group->world_size() : 1), rank_(group ? group->rank() : 0) {}
     Batch at(std::int64_t step, bool another_follows) {
         Batch now = next_.valid() ? next_.get() : draw(step);
         if (another_follows) next_ = std::async(std::launch::async, [this, step] { return draw(step + 1); });
@@ -134,12 +134,12 @@ class Drawer {
 
   private:
     Batch draw(std::int64_t step) const {
-        Random rng(seed_, "training step", static_cast<std::uint64_t>(step * processes_ + process_));
+        Random rng(seed_, "training step", static_cast<std::uint64_t>(step * world_size_ + rank_));
         return task_.draw(rng);
     }
     const TrainingTask& task_;
     std::uint64_t seed_;
-    std::int64_t processes_, process_;
+    std::int64_t world_size_, rank_;
     std::future<Batch> next_;
 };
 
@@ -175,10 +175,10 @@ struct Whole {
     Clock::time_point begin = Clock::now();
     double longest_step_s = 0;
     int lost_in_vain = 0;  // how often in a row a process was lost before a step was done
-    bool keeps() const { return !group || group->rank() == 0; }  // only the first process writes
+    bool keeps() const { return !group || group->rank() == 0; }  // only rank 0 writes
 };
 
-// The steps from one meeting of the processes to the next; alone, all of them. Begins with the last checkpoint.
+// The steps from one rendezvous of the processes to the next; alone, all of them. Begins with the last checkpoint.
 class Stretch {
   public:
     explicit Stretch(Whole& whole)
@@ -196,11 +196,11 @@ class Stretch {
     }
     std::int64_t first() const { return first_; }
 
-    // Nothing if the processes must meet again, since one more wants to take part.
+    // Nothing if the processes must rejoin, since one more waits to take part.
     std::optional<TrainingOutcome> go();
 
   private:
-    enum Next : std::int64_t { goes_on, time_is_up, stopped, meets_again };
+    enum Next : std::int64_t { goes_on, time_is_up, stopped, must_rejoin };
 
     std::int64_t beginning() {
         for (Learner* learner : task_.learners) learner->forget_gradients();  // of a step that was not finished
@@ -241,14 +241,14 @@ class Stretch {
         kept_ = Clock::now();
     }
 
-    // All processes end after the same step: the first one's clock and user decide.
+    // All processes end after the same step: rank 0's clock and user decide.
     Next now_what() {
         const bool up = params_.minutes > 0 && minutes_since(whole_.begin) >= params_.minutes;
         const Next mine = run_.stop.stop_requested() ? stopped
                           : up                       ? time_is_up
-                          : has_newcomer()           ? meets_again
+                          : has_newcomer()           ? must_rejoin
                                                      : goes_on;
-        return group_ ? static_cast<Next>(group_->from_first(mine)) : mine;
+        return group_ ? static_cast<Next>(group_->broadcast(mine)) : mine;
     }
     bool has_newcomer() {
         if (!group_ || !whole_.keeps() || seconds_since(looked_) < kLookForNewcomers_s) return false;
@@ -263,15 +263,15 @@ class Stretch {
         outcome_.finished = outcome_.steps == params_.steps;
     }
 
-    // Whether more processes would be of use: how much of a step they spend on each other.
+    // Tells whether more processes would help: the share of a step that is communication.
     void tell_costs() {
-        if (!group_ || group_->size() == 1 || !whole_.keeps() || outcome_.steps == first_) return;
+        if (!group_ || group_->world_size() == 1 || !whole_.keeps() || outcome_.steps == first_) return;
         const auto steps = static_cast<double>(outcome_.steps - first_);
         const GroupCosts costs = group_->take_costs();
         run_.note(fmt::format(
             "training: {} processes, {:.3g} s a step: {:.2g} s ({:.1f} %) averaging {:.3g} MB of gradients, {:.2g} s "
             "({:.1f} %) waiting for each other",
-            group_->size(), steps_s_ / steps, costs.averaging_s / steps, 100 * costs.averaging_s / steps_s_,
+            group_->world_size(), steps_s_ / steps, costs.averaging_s / steps, 100 * costs.averaging_s / steps_s_,
             static_cast<double>(costs.bytes) / steps / 1e6, costs.waiting_s / steps, 100 * costs.waiting_s / steps_s_));
     }
 
@@ -310,7 +310,7 @@ std::optional<TrainingOutcome> Stretch::go() {
     for (int shown = 0; outcome_.steps < params_.steps;) {
         const Clock::time_point before = Clock::now();
         const Next next = now_what();
-        if (next == stopped || next == meets_again) {
+        if (next == stopped || next == must_rejoin) {
             log_now();
             keep();
             tell_costs();
@@ -378,7 +378,7 @@ double learning_rate_at(const TrainingParams& params, std::int64_t step) {
 
 TrainingOutcome train(const TrainingTask& task, const TrainingParams& params, const fs::path& folder, const Run& run) {
     use_our_threads();
-    const std::unique_ptr<ProcessGroup> group = ProcessGroup::meet(params, run);
+    const std::unique_ptr<ProcessGroup> group = ProcessGroup::join(params, run);
     Whole whole{task, params, folder, run, group.get()};
     std::optional<FolderLock> lock;
     if (whole.keeps()) {
@@ -398,7 +398,7 @@ TrainingOutcome train(const TrainingTask& task, const TrainingParams& params, co
         }
         before = group->members();
         // A process may be within a step while the others notice that one is gone.
-        group->meet_again(run, std::max(kLeastPatience_s, kStepsOfPatience * whole.longest_step_s));
+        group->rejoin(run, std::max(kMinRejoinTimeout_s, kRejoinTimeoutSteps * whole.longest_step_s));
     }
 }
 
