@@ -16,7 +16,6 @@
 #include "fastscene/base/memory.h"
 #include "fastscene/base/parallel.h"
 #include "fastscene/base/program.h"
-#include "fastscene/batch/estimates.h"
 #include "fastscene/batch/index_page.h"
 #include "fastscene/batch/manifest.h"
 #include "fastscene/batch/slurm.h"

@@ -12,7 +12,7 @@
 #include "fastscene/base/file.h"
 #include "fastscene/base/hash.h"
 #include "fastscene/base/program.h"
-#include "fastscene/batch/estimates.h"
+#include "fastscene/batch/task_cost.h"
 #include "fastscene/batch/manifest.h"
 #include "fastscene/pipeline/run_folder.h"
 

@@ -1,7 +1,9 @@
-#include "fastscene/batch/estimates.h"
+#include "fastscene/batch/task_cost.h"
 
 #include <algorithm>
 #include <cmath>
+
+#include "fastscene/pipeline/scene_cost.h"
 
 namespace fastscene {
 namespace {
@@ -11,23 +13,7 @@ constexpr double kTimeMargin = 4;       // nodes differ, and file systems are bu
 constexpr int kLeastMinutes = 15;       // of a time limit
 constexpr int kMibOfGib = 1024;
 
-struct SceneCost {
-    const char* quality;
-    double gib, core_seconds;
-};
-// Measured and rounded up (docs/benchmarks.md); "high" is estimated from its number of splats.
-constexpr SceneCost kSceneCosts[] = {{"draft", 1.2, 90}, {"standard", 2.2, 400}, {"high", 7, 3600}};
-
-const SceneCost& cost_of(const std::string& quality) {
-    for (const SceneCost& cost : kSceneCosts)
-        if (quality == cost.quality) return cost;
-    return kSceneCosts[1];
-}
-
 }  // namespace
-
-double scene_gib(const std::string& quality) { return cost_of(quality).gib; }
-double scene_core_seconds(const std::string& quality) { return cost_of(quality).core_seconds; }
 
 int TaskCost::minutes(int cores) const {
     return std::max(kLeastMinutes, static_cast<int>(std::ceil(core_seconds / cores / 60)));
@@ -36,8 +22,8 @@ int TaskCost::minutes(int cores) const {
 TaskCost task_cost(const std::vector<BatchScene>& scenes, const std::string& quality, int of_task) {
     double gib = 0, seconds = 0;
     for (const BatchScene& scene : scenes) {
-        const std::string& its = scene.quality.empty() ? quality : scene.quality;
-        gib = std::max(gib, scene_gib(its)), seconds = std::max(seconds, scene_core_seconds(its));
+        const SceneCost cost = scene_cost(scene.quality.empty() ? quality : scene.quality);
+        gib = std::max(gib, cost.gib), seconds = std::max(seconds, cost.max_core_seconds);
     }
     return {static_cast<int>(std::ceil(kMemoryMargin * gib * kMibOfGib)), kTimeMargin * seconds * of_task};
 }
