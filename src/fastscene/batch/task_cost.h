@@ -8,7 +8,7 @@
 
 namespace fastscene {
 
-// Of a task that makes some of these scenes, one after the other; the dearest of them fits.
+// Of a task that makes some of these scenes, one after the other; sized for the most expensive of them.
 struct TaskCost {
     int memory_mib = 0;
     double core_seconds = 0;
