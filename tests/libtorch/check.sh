@@ -42,7 +42,7 @@ check() {
 export -f check
 status=0
 printf '%s\0' "${sources[@]}" | xargs -0 -P "$(nproc)" -I{} bash -c 'check "$@"' - "${flags[@]}" {} || status=1
-for source in $nn/process_group.cc $nn/meeting.cc; do
+for source in $nn/process_group.cc $nn/rendezvous.cc; do
   [ -z "$has_gloo" ] || check "${flags[@]}" -DUSE_C10D_GLOO $source || status=1
 done
 # The parts for CUDA need its toolkit's headers, and one that only CUDA builds of libtorch have.

@@ -16,7 +16,6 @@
 #include "fastscene/base/memory.h"
 #include "fastscene/base/parallel.h"
 #include "fastscene/base/program.h"
-#include "fastscene/batch/estimates.h"
 #include "fastscene/batch/index_page.h"
 #include "fastscene/batch/manifest.h"
 #include "fastscene/batch/slurm.h"
@@ -31,7 +30,7 @@ namespace {
 
 constexpr double kMemoryShare = 0.85;        // of the free memory that scenes may take
 constexpr double kLongestWaitSeconds = 900;  // for another process that makes the scene: the longest at `standard`
-constexpr double kIndexEverySeconds = 20;    // the page is written again at most so often
+constexpr double kIndexEverySeconds = 20;    // least time between two writes of the page
 
 double seconds() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
 
@@ -60,7 +59,7 @@ std::vector<std::string> arguments_of(const BatchScene& scene, const fs::path& o
     return out;
 }
 
-// The program's last line that tells of an error.
+// The last line of the program's output that reports an error.
 std::string error_in(const fs::path& log) {
     const std::string text = fs::exists(log) ? read_file(log) : "";
     std::string last, error;
@@ -93,7 +92,7 @@ class Engine {
         const int jobs = std::min<int>(params_.jobs > 0 ? params_.jobs : jobs_that_fit(params_),
                                        std::max<int>(1, static_cast<int>(waiting_.size())));
         const int threads = std::max(1, (params_.threads > 0 ? params_.threads : thread_count()) / jobs);
-        run_.note(fmt::format("batch: {} scenes, {} of them done before; {} at a time, {} threads each",
+        run_.note(fmt::format("batch: {} scenes, {} already done; {} at a time, {} threads each",
                               waiting_.size() + done_before_, done_before_, jobs, threads));
         progress_.emplace(run_, "batch", static_cast<std::int64_t>(waiting_.size()));
         {
@@ -123,7 +122,7 @@ class Engine {
         try {
             try_to_make(scene, space.path(), threads, record);
         } catch (const Stopped&) {
-            space.bring_home();  // whoever goes on may be another machine
+            space.bring_home();  // another machine may resume it
             throw;
         }
         space.bring_home();
@@ -148,7 +147,7 @@ class Engine {
                 continue;
             }
             if (code != 2) continue;
-            break;  // the request itself is wrong: a second try would fail alike
+            break;  // the request itself is wrong: a second attempt would fail the same way
         }
     }
 
@@ -200,7 +199,7 @@ std::vector<BatchRecord> run_batch(const std::vector<BatchScene>& scenes, const 
     make_directories(folder);
     const FolderLock lock(folder);
     if (is_submitted(folder) && tasks_in_slurm(folder).value_or(0) > 0)
-        throw Error("{}: tasks of this batch still wait or run in Slurm; let them end, or use --cancel",
+        throw Error("{}: tasks of this batch are pending or running in Slurm; wait for them, or use --cancel",
                     folder.string());
     collect_journals(folder);
     write_json(folder / "batch.json", batch_settings(static_cast<int>(scenes.size()), params));

@@ -1,5 +1,5 @@
-// Batch: many scenes, each made by a process of its own. A scene that fails does so alone; a batch that was stopped
-// goes on with what is left.
+// Batch: many scenes, each made by its own process. One that fails does not affect the others; a stopped batch resumes
+// with what is left.
 #pragma once
 
 #include <filesystem>
@@ -20,8 +20,8 @@ struct BatchParams {
     std::vector<std::string> flags;  // of that command, for all scenes
     int jobs = 0;                    // scenes at a time; 0: as many as cores and memory allow
     int threads = 0;                 // of all scenes together; 0: all cores
-    int tries = 2;                   // before a scene is given up
-    std::filesystem::path scratch;   // where scenes are made before they are moved to the batch; empty: nowhere else
+    int tries = 2;                   // attempts per scene
+    std::filesystem::path scratch;   // where scenes are made before they are moved to the batch; empty: in place
 };
 
 // Scenes at a time that cores and free memory allow.
@@ -41,8 +41,9 @@ std::vector<BatchRecord> run_chunk(const std::filesystem::path& folder, int numb
 // Whether the journal knows that the scene was made with these settings.
 bool is_done(const BatchScene& scene, const BatchParams& params, const BatchJournal& journal);
 
-// How far a batch is: done, failed, total (-1: unknown), seconds_a_scene, failures, and slurm for one that was
-// submitted there (slurm.h). Writes the page anew if chunks are made and it may. Throws UsageError if `folder` is none.
+// The progress of a batch: done, failed, total (-1: unknown), seconds_a_scene, failures, and slurm for one that was
+// submitted there (slurm.h). Updates the page of a batch made in chunks, if it may. Throws UsageError if `folder` is
+// not a batch.
 Json batch_status(const std::filesystem::path& folder);
 
 }  // namespace fastscene

@@ -62,7 +62,7 @@ TEST_F(Batch, LinesThatGiveNoSceneAreNamedAndTheRestGoesOn) {
     ASSERT_EQ(list.problems.size(), 6u);
     EXPECT_NE(list.problems[0].find("list.jsonl:2: "), std::string::npos) << list.problems[0];
     EXPECT_NE(list.problems[0].find("\"promt\""), std::string::npos) << list.problems[0];
-    EXPECT_NE(list.problems[2].find("\"one\" of line 1"), std::string::npos) << list.problems[2];
+    EXPECT_NE(list.problems[2].find("\"one\", the name in line 1"), std::string::npos) << list.problems[2];
     EXPECT_THROW(read_scene_list(folder_ / "none.txt", 0), Error);
     EXPECT_THROW(read_scene_list(folder_, 0), Error);
 }

@@ -8,7 +8,7 @@
 
 namespace fastscene {
 
-// Writes folder/index.html. Pictures are loaded as one scrolls to them, so a page of 10,000 scenes opens at once.
+// Writes folder/index.html. Pictures load lazily, so a page of 10,000 scenes opens immediately.
 void save_index(const std::vector<BatchRecord>& records, const std::filesystem::path& folder);
 
 }  // namespace fastscene

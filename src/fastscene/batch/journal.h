@@ -1,6 +1,6 @@
-// What became of each scene of a batch: a file of lines, one for every try that ended. Lines are only ever appended, so
-// a process that is killed loses at most the line it was writing. A file has one writer: batch.jsonl the process that
-// makes the batch, tasks/NUMBER.jsonl the one that makes that chunk.
+// The outcome of each scene of a batch: a file of lines, one for every attempt that ended. Lines are only ever
+// appended, so a process that is killed loses at most the line it was writing. A file has one writer: batch.jsonl the
+// process that makes the batch, tasks/NUMBER.jsonl the one that makes that chunk.
 #pragma once
 
 #include <filesystem>
@@ -18,10 +18,10 @@ struct BatchRecord {
     bool done = false;  // else it failed
     int tries = 0;
     double seconds = 0;
-    std::string error;  // the last one of the program's own words
+    std::string error;  // the program's last error message
 };
 
-// The last record of each name, in the order of their first.
+// The last record of each name, in the order of the first ones.
 class BatchRecords {
   public:
     void keep(BatchRecord record);
@@ -35,7 +35,7 @@ class BatchRecords {
 
 class BatchJournal {
   public:
-    // Reads what there is; a last line without its end is dropped. Throws Error naming a line that is none of ours.
+    // Reads the existing file; an incomplete last line is dropped. Throws Error naming a line that is not a record.
     explicit BatchJournal(const std::filesystem::path& folder, const std::string& name = "batch.jsonl");
     // Throws Error if it cannot be written.
     void add(const BatchRecord& record);

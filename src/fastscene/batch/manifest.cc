@@ -7,7 +7,7 @@
 #include "fastscene/base/error.h"
 #include "fastscene/base/file.h"
 #include "fastscene/base/hash.h"
-#include "fastscene/batch/estimates.h"
+#include "fastscene/batch/task_cost.h"
 #include "fastscene/pipeline/build_info.h"
 #include "fastscene/pipeline/run_folder.h"
 #include "fastscene/pipeline/stage_code.h"

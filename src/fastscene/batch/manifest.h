@@ -1,5 +1,5 @@
 // A batch on disk, for processes that share nothing but its folder: batch.json has the settings, scenes.jsonl the
-// scenes that are left. They are made in chunks; each chunk has a journal of its own, tasks/NUMBER.jsonl.
+// scenes that are left. They are made in chunks; each chunk has its own journal, tasks/NUMBER.jsonl.
 #pragma once
 
 #include <filesystem>
@@ -23,12 +23,12 @@ std::string batch_version();
 Json batch_settings(int total, const BatchParams& params);
 
 // Writes the manifest of all scenes that the journals do not know as done. The journals of earlier chunks go into the
-// batch's own. `of_chunk` 0: so many that there are at most `most_chunks`. Throws UsageError if there would be more.
+// batch's own. `of_chunk` 0: as many as keep the chunks within `most_chunks`. Throws UsageError if there would be more.
 // No process may work on the batch.
 ChunkPlan write_manifest(const std::vector<BatchScene>& scenes, const std::filesystem::path& folder,
                          const BatchParams& params, int of_chunk, int most_chunks);
 
-// The same for schedulers that the program does not speak to. Throws Error if another process makes the batch.
+// The same for schedulers that the program has no interface to. Throws Error if another process works on the batch.
 ChunkPlan prepare_chunks(const std::vector<BatchScene>& scenes, const std::filesystem::path& folder,
                          const BatchParams& params, int of_chunk);
 

@@ -82,8 +82,8 @@ class Collector {
         if (!has_seed) scene.seed = first_seed_ + place;
         if (scene.name.empty()) scene.name = name_at(place, scene.prompt);
         if (const auto [found, is_new] = lines_.try_emplace(scene.name, line); !is_new)
-            throw Problem{
-                fmt::format("name: expected one of its own, found \"{}\" of line {}", scene.name, found->second)};
+            throw Problem{fmt::format("name: expected a unique one, found \"{}\", the name in line {}", scene.name,
+                                      found->second)};
         list.scenes.push_back(std::move(scene));
     }
     void refuse(int line, const Problem& problem) {

@@ -12,7 +12,7 @@
 #include "fastscene/base/file.h"
 #include "fastscene/base/hash.h"
 #include "fastscene/base/program.h"
-#include "fastscene/batch/estimates.h"
+#include "fastscene/batch/task_cost.h"
 #include "fastscene/batch/manifest.h"
 #include "fastscene/pipeline/run_folder.h"
 
@@ -24,7 +24,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int kTaskCores = 4;  // unless --threads says so: more make one scene hardly faster
+constexpr int kTaskCores = 4;  // without --threads: more hardly speed up one scene
 // Slurm reads both as text that it may split or replace.
 constexpr const char* kBadInFolder = "\"\\\n%";
 constexpr const char* kBadInScratch = "\"\\\n`";
@@ -53,7 +53,7 @@ std::string one_line(std::string text) {
     return text;
 }
 
-// Throws Error in Slurm's own words if it does not do as asked.
+// Throws Error with Slurm's message if the command fails.
 std::string demand(const std::string& name, const std::vector<std::string>& arguments) {
     const auto answer = ask(name, arguments);
     if (!answer) throw Error("--engine slurm: expected Slurm's programs on PATH, found no {}", name);

@@ -1,5 +1,5 @@
-// A batch as a Slurm job array. Slurm's own programs are asked (sbatch, squeue, sacct, scancel, scontrol); nothing is
-// linked.
+// A batch as a Slurm job array. Calls Slurm's programs (sbatch, squeue, sacct, scancel, scontrol); links no
+// library.
 #pragma once
 
 #include <filesystem>
@@ -23,8 +23,8 @@ struct SlurmJob {
     int scenes = 0, tasks = 0;
 };
 
-// Writes the manifest and the script folder/slurm/batch.sh, and submits it. Throws UsageError if the arguments cannot
-// be of sbatch, Error with Slurm's own words if it is not there or refuses, or if tasks of the batch are still at work.
+// Writes the manifest and the script folder/slurm/batch.sh, and submits it. Throws UsageError if the arguments are
+// not flags of sbatch; Error, with Slurm's message, if it is missing or refuses, or if tasks of the batch are active.
 SlurmJob submit_to_slurm(const std::vector<BatchScene>& scenes, const std::filesystem::path& folder,
                          const BatchParams& params, const SlurmParams& slurm, const Run& run);
 
@@ -36,11 +36,11 @@ std::optional<Json> slurm_status(const std::filesystem::path& folder);
 // Whether the batch was ever submitted.
 bool is_submitted(const std::filesystem::path& folder);
 
-// Cancels what waits and what runs; returns how many tasks that were. Throws UsageError if the batch was never
+// Cancels pending and running tasks; returns their number. Throws UsageError if the batch was never
 // submitted, Error if Slurm does not answer.
 int cancel_in_slurm(const std::filesystem::path& folder);
 
-// Tasks of the batch that wait or run; nothing if Slurm cannot be asked.
+// Number of pending and running tasks of the batch; nothing if Slurm does not answer.
 std::optional<int> tasks_in_slurm(const std::filesystem::path& folder);
 
 }  // namespace fastscene

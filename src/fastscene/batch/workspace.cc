@@ -25,7 +25,7 @@ void copy_whole(const fs::path& from, const fs::path& to) {
 
 Workspace::Workspace(fs::path home, const fs::path& scratch) : home_(std::move(home)), path_(home_) {
     if (scratch.empty()) return;
-    // The name is the same for each try, so that a try after a kill finds what there is.
+    // The name is the same for each attempt, so that one after a kill finds what is there.
     path_ = scratch / ("fastscene-" + Hash().add(fs::absolute(home_).string()).hex());
     make_directories(scratch);
     try {

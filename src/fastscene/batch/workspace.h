@@ -1,4 +1,4 @@
-// Where a scene is made: in its own folder, or on a disk of the node's own and moved to its folder at the end.
+// Where a scene is made: in its own folder, or on the node's local disk, to be moved to its folder at the end.
 #pragma once
 
 #include <filesystem>

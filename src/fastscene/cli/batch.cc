@@ -43,11 +43,12 @@ std::string slurm_text(const Json& status) {
     if (slurm.contains("reasons")) text += "; wait for " + counts_text(slurm.at("reasons"));
     if (const int requeues = slurm.at("requeues").get<int>(); requeues > 0)
         text += fmt::format(
-            "\n{} times a task met its time limit and was requeued; --slurm-args=--time=MINUTES gives more", requeues);
+            "\ntasks reached their time limit and were requeued {} times; --slurm-args=--time=MINUTES raises it",
+            requeues);
     const int missing = status.at("total").get<int>() - status.at("done").get<int>() - status.at("failed").get<int>();
     if (missing > 0 && source != "files" && !is_active)
         text += fmt::format(
-            "\n{} scenes have no result: slurm/*.out tells why; the command that submitted them goes on", missing);
+            "\n{} scenes have no result: see slurm/*.out; the command that submitted them submits them again", missing);
     return text;
 }
 
@@ -88,7 +89,7 @@ SceneList checked_scenes(const BatchFlags& flags, const Run& run) {
     SceneList list = scenes_of(flags);
     for (const std::string& problem : list.problems) {
         if (flags.strict) throw UsageError("{}", problem);
-        run.warn(problem + "; left out");
+        run.warn(problem + "; skipped");
     }
     if (list.scenes.empty()) throw UsageError("{}: expected prompts, found none", flags.list);
     return list;
@@ -126,7 +127,7 @@ void submit(const BatchFlags& flags, const BatchParams& params, const Session& s
 
 void prepare(const BatchFlags& flags, const BatchParams& params, const Session& session, const Run& run) {
     const ChunkPlan plan = prepare_chunks(checked_scenes(flags, run).scenes, flags.out, params, flags.chunk_scenes);
-    session.print(fmt::format("{} scenes in {} chunks, to be made in any order:\n"
+    session.print(fmt::format("{} scenes in {} chunks; run them in any order:\n"
                               "fastscene batch --chunk NUMBER -o {}    # 0 to {}",
                               plan.scenes, plan.chunks(), flags.out, plan.chunks() - 1),
                   {{"scenes", plan.scenes}, {"chunks", plan.chunks()}});
@@ -149,7 +150,8 @@ void act(BatchFlags flags, const Session& session) {
     if (flags.out.empty()) throw UsageError("--out: expected the folder of the scenes, found none");
     if (flags.cancel) {
         const int tasks = cancel_in_slurm(flags.out);
-        return session.print(fmt::format("{} tasks cancelled; what is finished stays", tasks), {{"cancelled", tasks}});
+        return session.print(fmt::format("{} tasks cancelled; finished scenes are kept", tasks),
+                             {{"cancelled", tasks}});
     }
     if (flags.status) {
         const Json status = batch_status(flags.out);
@@ -175,19 +177,19 @@ void add_cluster_flags(CLI::App& verb, const std::shared_ptr<BatchFlags>& flags)
         ->check(one_of({"local", "slurm", "manual"}))
         ->capture_default_str();
     verb.add_option("--slurm-args", flags->slurm_arguments,
-                    "Flags of sbatch, over the estimates: \"--partition=long --time=120\".")
+                    "Flags for sbatch; they override the estimates: \"--partition=long --time=120\".")
         ->type_name("TEXT");
-    verb.add_option("--chunk-scenes", flags->chunk_scenes, "Scenes of a chunk; 0: as few as a job array allows.")
+    verb.add_option("--chunk-scenes", flags->chunk_scenes,
+                    "Scenes per chunk; 0: as few as the limit on job arrays allows.")
         ->type_name("N")
         ->check(whole_number_within(0, 1000000))
         ->capture_default_str();
-    verb.add_option("--scratch", flags->scratch,
-                    "Folder on a disk of the machine's own: scenes are made there and then moved.")
+    verb.add_option("--scratch", flags->scratch, "Folder on a local disk: scenes are made there, then moved to --out.")
         ->type_name("DIR");
-    verb.add_option("--chunk", flags->chunk, "Only make this chunk of the batch in --out: what a scheduler calls.")
+    verb.add_option("--chunk", flags->chunk, "Only make this chunk of the batch in --out; for schedulers to call.")
         ->type_name("N")
         ->check(whole_number_within(0, 1000000));
-    verb.add_flag("--cancel", flags->cancel, "Only cancel the tasks of the batch in --out in Slurm.");
+    verb.add_flag("--cancel", flags->cancel, "Only cancel the Slurm tasks of the batch in --out.");
 }
 
 }  // namespace
@@ -195,33 +197,32 @@ void add_cluster_flags(CLI::App& verb, const std::shared_ptr<BatchFlags>& flags)
 Verb add_batch(CLI::App& app) {
     auto flags = std::make_shared<BatchFlags>();
     CLI::App* verb = app.add_subcommand(
-        "batch",
-        "Makes many scenes, each in a process of its own; what failed or was stopped is made by the same command.");
+        "batch", "Makes many scenes, each in its own process; the same command resumes, and retries what failed.");
     verb->add_option("list", flags->list,
-                     "A prompt a line; or .jsonl: objects with prompt, and optionally seed, name, quality, flags.")
+                     "One prompt per line; or .jsonl: objects with prompt and, optionally, seed, name, quality, flags.")
         ->type_name("FILE");
     verb->add_option("-o,--out", flags->out, "Folder of the scenes; index.html shows them all.")->type_name("DIR");
-    verb->add_option("--count", flags->count, "Instead of a list: so many made-up prompts of all rooms and styles.")
+    verb->add_option("--count", flags->count, "Instead of a list: N generated prompts, covering all rooms and styles.")
         ->type_name("N")
         ->check(whole_number_within(1, 1000000));
-    verb->add_option("--seed", flags->seed, "Seed of the first scene; the others follow.")
+    verb->add_option("--seed", flags->seed, "Seed of the first scene; it grows by 1 from scene to scene.")
         ->type_name("N")
         ->capture_default_str();
-    verb->add_option("--stage", flags->stage, "make: scenes; panorama: their panoramas alone.")
+    verb->add_option("--stage", flags->stage, "make: scenes; panorama: only their panoramas.")
         ->type_name("make|panorama")
         ->check(one_of({"make", "panorama"}))
         ->capture_default_str();
     verb->add_option("--jobs,--parallel", flags->jobs,
-                     "Scenes at a time, in Slurm tasks; 0: as many as cores and memory allow, or as Slurm starts.")
+                     "Scenes at a time, with Slurm tasks; 0: as many as cores and memory allow, with Slurm no limit.")
         ->type_name("N")
         ->check(whole_number_within(0, 100000))
         ->capture_default_str();
-    verb->add_option("--tries", flags->tries, "How often a scene is tried.")
+    verb->add_option("--tries", flags->tries, "Attempts per scene.")
         ->type_name("N")
         ->check(whole_number_within(1, 100))
         ->capture_default_str();
-    verb->add_flag("--strict", flags->strict, "Stop at a line that gives no scene, instead of leaving it out.");
-    verb->add_flag("--status", flags->status, "Only tell how far the batch in --out is.");
+    verb->add_flag("--strict", flags->strict, "Stop at an invalid line instead of skipping it.");
+    verb->add_flag("--status", flags->status, "Only report the progress of the batch in --out.");
     add_cluster_flags(*verb, flags);
     add_param_flags(*verb, flags->scene, "splat");
     verb->footer(

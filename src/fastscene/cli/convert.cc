@@ -45,7 +45,7 @@ std::string own_up_axes() {
     return text;
 }
 
-// What the format cannot store is told before it is left out.
+// Warns of what the format cannot store.
 void warn_of_losses(const std::string& to, const Splats& splats, const Run& run) {
     const SplatFormat& format = *splat_format_of_name(to);
     if (splats.sh_degree > format.sh_degree)
@@ -197,8 +197,8 @@ Verb add_convert(CLI::App& app) {
     verb->add_flag("--compact", flags->compact,
                    "PLY: only the existing SH degrees, instead of always 62 floats per splat.");
     verb->add_flag("--local", flags->local,
-                   "Georeferenced splats: leave out the offset that was taken from their positions, instead of adding "
-                   "it again (PLY: in double; GLB: in the node).");
+                   "Georeferenced splats: omit the offset that was subtracted from their positions, instead of "
+                   "adding it back (PLY: as doubles; GLB: in the node).");
     verb->footer("Example:\n  fastscene convert out/bedroom bedroom.spz --max-splats 100000");
     return {verb, [flags](const Session& session) { convert(*flags, session); }};
 }

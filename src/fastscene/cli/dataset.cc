@@ -4,7 +4,7 @@ namespace fastscene::cli {
 
 Verb add_dataset(CLI::App& app) {
     CLI::App* verb = app.add_subcommand(
-        "dataset", "Sets of `rooms dataset`: formats to train with, checks, statistics, data cards.");
+        "dataset", "Datasets of `rooms dataset`: export to training formats, checks, statistics, data cards.");
     verb->require_subcommand(1);
     verb->footer(
         "Examples:\n  fastscene rooms dataset --count 1000 --size 512x256 -o data/rooms\n  fastscene dataset export "

@@ -42,15 +42,15 @@ dataset::ExportSettings export_settings(const ExportSetFlags& flags) {
 
 Verb add_dataset_export(CLI::App& app) {
     auto flags = std::make_shared<ExportSetFlags>();
-    CLI::App* verb = app.add_subcommand("export", "Writes a set in a format that others train with.");
+    CLI::App* verb = app.add_subcommand("export", "Exports a dataset in a common training format.");
     const std::vector<std::string> names = registered_names<DatasetFormat>();
-    verb->add_option("set", flags->set, "Folder of a complete set.")->type_name("DIR")->required();
-    verb->add_option("--format", flags->format, "What to write.")
+    verb->add_option("set", flags->set, "Folder of a complete dataset.")->type_name("DIR")->required();
+    verb->add_option("--format", flags->format, "Format to write.")
         ->type_name(fmt::format("{}", fmt::join(names, "|")))
         ->check(one_of(names))
         ->required();
     verb->add_option("-o,--out", flags->out,
-                     "Folder to write, new or empty; or an export of the same settings, which is made again.")
+                     "Output folder: new, empty, or an export with the same settings, which is made again.")
         ->type_name("DIR")
         ->required();
     verb->add_option("--splits", flags->splits,
@@ -58,10 +58,10 @@ Verb add_dataset_export(CLI::App& app) {
         ->type_name("TRAIN,VAL,TEST")
         ->capture_default_str();
     const dataset::ExportSettings usual;
-    verb->add_option("--shard-samples", flags->samples, "webdataset: pictures of an archive, at most.")
+    verb->add_option("--shard-samples", flags->samples, "webdataset: maximum number of pictures per archive.")
         ->type_name("N")
         ->default_str(std::to_string(usual.shard_samples));
-    verb->add_option("--shard-mb", flags->megabytes, "webdataset: megabytes of an archive, at most.")
+    verb->add_option("--shard-mb", flags->megabytes, "webdataset: maximum size of an archive in megabytes.")
         ->type_name("N")
         ->default_str(std::to_string(usual.shard_bytes / 1000000));
     verb->footer("Formats:\n" + formats_text() +

@@ -7,8 +7,8 @@ namespace fastscene::cli {
 Verb add_dataset_stats(CLI::App& app) {
     auto folder = std::make_shared<std::string>();
     CLI::App* verb = app.add_subcommand(
-        "stats", "Counts what is in a set: rooms, styles, classes, ranges, bytes; also of one that is still in work.");
-    verb->add_option("set", *folder, "Folder of a set.")->type_name("DIR")->required();
+        "stats", "Statistics of a dataset, complete or not: rooms, styles, classes, ranges, bytes.");
+    verb->add_option("set", *folder, "Folder of a dataset.")->type_name("DIR")->required();
     verb->footer("Example:\n  fastscene dataset stats data/rooms --json");
     return {verb, [folder](const Session& session) {
                 const dataset::Statistics statistics = dataset::statistics_of(dataset::DataSet(*folder, false));
@@ -21,10 +21,10 @@ Verb add_dataset_card(CLI::App& app) {
         std::string folder, license;
     };
     auto flags = std::make_shared<Flags>();
-    CLI::App* verb = app.add_subcommand(
-        "card", "Writes the data card of a complete set, README.md, anew; exports take it over.");
-    verb->add_option("set", flags->folder, "Folder of a set.")->type_name("DIR")->required();
-    verb->add_option("--license", flags->license, "The licence under which you publish the set: \"cc-by-4.0\".")
+    CLI::App* verb = app.add_subcommand("card",
+                                        "Rewrites the data card, README.md, of a complete dataset; exports copy it.");
+    verb->add_option("set", flags->folder, "Folder of a dataset.")->type_name("DIR")->required();
+    verb->add_option("--license", flags->license, "The licence under which you publish the dataset: \"cc-by-4.0\".")
         ->type_name("NAME");
     verb->footer("Example:\n  fastscene dataset card data/rooms --license cc-by-4.0");
     return {verb, [flags](const Session& session) {

@@ -11,8 +11,9 @@ using dataset::VerifyReport;
 constexpr std::size_t kListedFaults = 50;  // on a screen; --json has all
 
 std::string report_text(const std::string& folder, const VerifyReport& report) {
-    if (report.faults.empty()) return fmt::format("{}: {} files, all whole", folder, report.files);
-    std::string text = fmt::format("{}: {} of {} files are not whole", folder, report.faults.size(), report.files);
+    if (report.faults.empty()) return fmt::format("{}: {} files, all intact", folder, report.files);
+    std::string text = fmt::format("{}: {} of {} files are missing or damaged", folder, report.faults.size(),
+                                   report.files);
     for (std::size_t i = 0; i < std::min(kListedFaults, report.faults.size()); ++i)
         text += fmt::format("\n  {}: {}", report.faults[i].file, report.faults[i].fault);
     if (report.faults.size() > kListedFaults)
@@ -45,10 +46,11 @@ Verb add_dataset_verify(CLI::App& app) {
     };
     auto flags = std::make_shared<Flags>();
     CLI::App* verb = app.add_subcommand(
-        "verify", "Finds missing, truncated and damaged files of a set or of an export; exit code 1 if there are any.");
-    verb->add_option("folder", flags->folder, "Folder of a set, or of an export.")->type_name("DIR")->required();
-    verb->add_flag("--quick", flags->quick, "Look at names and sizes only, not at contents.");
-    verb->add_flag("--repair", flags->repair, "Make what is missing or damaged again, and look once more.");
+        "verify",
+        "Finds missing, truncated and damaged files of a dataset or an export; exit code 1 if there are any.");
+    verb->add_option("folder", flags->folder, "Folder of a dataset, or of an export.")->type_name("DIR")->required();
+    verb->add_flag("--quick", flags->quick, "Check names and sizes only, not contents.");
+    verb->add_flag("--repair", flags->repair, "Regenerate what is missing or damaged, then check again.");
     verb->footer("Example:\n  fastscene dataset verify data/rooms --repair");
     return {verb, [flags](const Session& session) {
                 VerifyReport report = dataset::verify(flags->folder, flags->quick, session.run(0));
@@ -61,7 +63,7 @@ Verb add_dataset_verify(CLI::App& app) {
                     made = repair(flags->folder, report, session);
                     report = dataset::verify(flags->folder, flags->quick, session.run(0));
                 }
-                const std::string repaired = flags->repair ? fmt::format("; {} pictures made again", made) : "";
+                const std::string repaired = flags->repair ? fmt::format("; {} pictures regenerated", made) : "";
                 session.print(report_text(flags->folder, report) + repaired, report_json(flags->folder, report, made));
                 if (!report.faults.empty())
                     throw Error("{}: {} of {} files are missing, truncated or damaged", flags->folder,

@@ -26,7 +26,7 @@ SceneRequest demo_request(const std::string& prompt) {
     return request;
 }
 
-// Opens the page where there is a screen; whoever is on a server reads the address.
+// Opens the page if there is a display; on a server the address is printed.
 bool opened(const std::string& address, std::stop_token stop) {
     const bool screen = std::getenv("DISPLAY") || std::getenv("WAYLAND_DISPLAY");
     const auto opener = find_program("xdg-open");
@@ -35,8 +35,8 @@ bool opened(const std::string& address, std::stop_token stop) {
 
 std::string next_steps(const std::string& folder) {
     return fmt::format(
-        "What next:\n"
-        "  fastscene make \"your own room in a sentence\"            a scene of yours; --quality high for a fine one\n"
+        "Next:\n"
+        "  fastscene make \"your own room in a sentence\"            your own scene; --quality high for the best one\n"
         "  fastscene edit {0} \"make the armchair green\"  change it\n"
         "  fastscene render {0} --path tour -o tour.mp4    a film\n"
         "  fastscene export {0} room.glb                   the room for Blender and game engines\n"
@@ -54,13 +54,13 @@ Verb add_demo(CLI::App& app) {
     };
     auto flags = std::make_shared<Flags>();
     CLI::App* verb = app.add_subcommand("demo", "Makes a small scene in about a minute, and opens it in a browser.");
-    verb->add_option("prompt", flags->prompt, "Another room.")->type_name("PROMPT")->capture_default_str();
+    verb->add_option("prompt", flags->prompt, "The room in a sentence.")->type_name("PROMPT")->capture_default_str();
     verb->add_option("-o,--out", flags->out, "Folder of the scene.")->type_name("DIR")->capture_default_str();
     verb->add_option("--port", flags->port, "Port of the page; 0 = any free one.")
         ->type_name("N")
         ->check(whole_number_within(0, 65535))
         ->capture_default_str();
-    verb->add_flag("--no-view", flags->no_view, "Make the scene only.");
+    verb->add_flag("--no-view", flags->no_view, "Only make the scene.");
     verb->footer("Example:\n  fastscene demo");
     return {verb, [flags](const Session& session) {
                 const RunFolder folder{flags->out};

@@ -114,7 +114,7 @@ std::vector<std::string> export_names() {
     return out;
 }
 
-// By --what and the ending; without --what the first whose files end so, and that there is without a known room.
+// By --what and the extension; without --what the first with this extension that the scene has.
 const ExportKind& export_kind_of(const ExportFlags& flags, bool has_known) {
     const std::string ending = fs::path(flags.out).extension().string();
     std::vector<std::string> endings;
@@ -145,7 +145,7 @@ Verb add_export(CLI::App& app) {
     auto flags = std::make_shared<ExportFlags>();
     CLI::App* verb = app.add_subcommand(
         "export",
-        "Writes a scene for engines and tools: its room, if it is from a prompt; a mesh of what panoramas show.");
+        "Exports a scene for engines and tools: its room, if made from a prompt, or a mesh of its panoramas.");
     verb->add_option("scene", flags->scene, "Folder of a run.")->type_name("DIR")->required();
     verb->add_option("file", flags->out,
                      "The file to write: .glb, .usda, .json, .svg, .ply or .npy; a folder for --what views.")
@@ -153,8 +153,8 @@ Verb add_export(CLI::App& app) {
         ->required();
     verb->add_option(
             "--what", flags->what,
-            "What to write; without it, the first of these with the file's ending: the room (a mesh, if there is no "
-            "known room), labels, the plan or labelled splats.")
+            "What to write; default: the first that fits the file's extension: the room (a mesh, if there is no known "
+            "room), labels, the plan or labelled splats.")
         ->type_name(fmt::format("{}", fmt::join(export_names(), "|")))
         ->check(one_of(export_names()));
     const std::vector<std::string> maps{kViewMaps.begin(), kViewMaps.end()};
@@ -165,12 +165,11 @@ Verb add_export(CLI::App& app) {
         ->check(one_of(maps))
         ->default_str("all");
     verb->add_flag("--baked-light", flags->baked_light,
-                   "With the room: textures that hold the light, for viewers that compute none.")
+                   "With the room: bake the light into the textures, for viewers without lighting.")
         ->group("Textures");
-    verb->add_flag(
-        "--compress", flags->compress,
-        "With .glb files of the room or mesh: meshes compressed by EXT_meshopt_compression, for readers that "
-        "know it.");
+    verb->add_flag("--compress", flags->compress,
+                   "With .glb files of the room or mesh: compress meshes by EXT_meshopt_compression, for readers that "
+                   "know it.");
     add_fields(*verb, "", BakeParams{}, flags->given, "Textures");
     verb->footer(
         "Example:\n  fastscene export out/bedroom bedroom.glb\n  fastscene export out/bedroom collision.glb --what "

@@ -117,7 +117,7 @@ Verb add_regularizers(CLI::App& models_verb) {
         "pull",
         "Downloads models. Interrupted downloads are resumed by the same command; damaged files are downloaded again.");
     verb->add_option("names", flags->names, "Names from `models list`.")->type_name("NAME")->required();
-    verb->add_flag("--accept", flags->accept, "I have read the licence and accept it. Needed once per model.");
+    verb->add_flag("--accept", flags->accept, "I have read the licence and accept it. Required once per model.");
     verb->add_option("--mirror", flags->mirror,
                      "A folder or URL that contains FOLDER/FILE for each file, for sites without internet access; "
                      "default: $FASTSCENE_MODELS_MIRROR.")

@@ -211,25 +211,24 @@ void add_film_flags(CLI::App& verb, RenderFlags& flags) {
     const std::string group = "Films";
     verb.add_option(
             "--path", flags.path,
-            "A film along a path of its own over the walkable floor, at eye height: tour (from thing to thing), "
-            "orbit (around the main one) or walkthrough (from the door through the room); or a file with a "
-            "path: ours, nerfstudio's camera_path.json, Blender's .chan, SuperSplat's settings; or cameras to "
-            "render from: a cameras.json, a transforms.json or the folder of a COLMAP model or capture.")
+            "Film along a planned path over the walkable floor, at eye height: tour (from thing to thing), orbit "
+            "(around the main one) or walkthrough (from the door through the room); or along the path in a file: "
+            "ours, nerfstudio's camera_path.json, Blender's .chan, SuperSplat's settings; or pictures from the "
+            "cameras in a cameras.json, a transforms.json or the folder of a COLMAP model or capture.")
         ->type_name("tour|orbit|walkthrough|FILE|DIR")
         ->group(group);
-    verb.add_option(
-            "--seconds", flags.seconds,
-            "Length of a film along a path of its own; default: what a slow walk takes. A tour makes fewer stops "
-            "in a shorter one.")
+    verb.add_option("--seconds", flags.seconds,
+                    "Length of a film along a planned path; default: that of a slow walk. A shorter tour makes fewer "
+                    "stops.")
         ->type_name("X")
         ->group(group);
-    verb.add_option("--fps", flags.fps, "Frames a second, unless the path's file has a rate of its own.")
+    verb.add_option("--fps", flags.fps, "Frames per second, unless the path's file specifies them.")
         ->type_name("X")
         ->capture_default_str()
         ->group(group);
     verb.add_option("--stereo", flags.stereo,
-                    "With --sphere: for both eyes. top-bottom: all around, the left eye above; vr180: the front half, "
-                    "the left eye on the left.")
+                    "With --sphere: stereo pictures. top-bottom: 360 degrees, the left eye on top; vr180: the front "
+                    "half, side by side.")
         ->type_name("mono|top-bottom|vr180")
         ->check(one_of({"mono", "top-bottom", "vr180"}))
         ->capture_default_str()

@@ -27,7 +27,7 @@ Verb add_rooms_plan(CLI::App& rooms) {
     CLI::App* verb = rooms.add_subcommand(
         "plan", "Furnishes a room and writes it as a document, to be edited and built with `make --room`.");
     verb->add_option("prompt", flags->prompt, "The sentence.")->type_name("PROMPT");
-    verb->add_option("--room", flags->room, "Complete this document instead: all that it leaves open is chosen.")
+    verb->add_option("--room", flags->room, "Complete this document instead: whatever it leaves open is chosen.")
         ->type_name("FILE");
     verb->add_option("-o,--out", flags->out, "The document to write.")->type_name("FILE")->capture_default_str();
     verb->add_option("--seed", flags->seed, "Seed of the room.")->type_name("N")->capture_default_str();

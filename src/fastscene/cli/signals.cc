@@ -16,7 +16,7 @@ using namespace std::chrono_literals;
 
 // From a stop request to a forced exit. With what duties take, the program is gone within two seconds.
 constexpr auto kPatience = 1000ms;
-// What holds the exit longer, such as a checkpoint that is being written, is told of.
+// Reports what delays the exit, such as a checkpoint that is being written.
 constexpr auto kSaySaving = 1500ms;
 
 sigset_t watched() {

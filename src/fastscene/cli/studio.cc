@@ -52,7 +52,7 @@ studio::WebParams web_params(const StudioFlags& flags) {
     if (!flags.token.empty() && flags.token.size() < kLeastToken)
         throw UsageError("--token: expected at least {} characters, found {}", kLeastToken, flags.token.size());
     for (const std::string& file : {flags.certificate, flags.key})
-        if (!file.empty() && !fs::exists(file)) throw UsageError("{}: there is no such file", file);
+        if (!file.empty() && !fs::exists(file)) throw UsageError("{}: expected a file, found none", file);
     const auto pages = find_data("studio");
     if (!pages || !fs::exists(*pages / "index.html"))
         throw Error(
@@ -62,7 +62,7 @@ studio::WebParams web_params(const StudioFlags& flags) {
     return {*pages, flags.host, flags.port, token, flags.certificate, flags.key};
 }
 
-// With a display; that there is no browser is no reason to stop.
+// If there is a display; a missing browser is no error.
 void open_in_browser(const std::string& address) {
     if (!std::getenv("DISPLAY") && !std::getenv("WAYLAND_DISPLAY")) return;
     const auto opener = find_program("xdg-open");
@@ -84,7 +84,7 @@ void act_studio(const StudioFlags& flags, const Session& session) {
     const std::jthread warming([&] { api.warm_up(); });
     studio::serve(api, library, board, web, session.stop, [&](const std::string& address) {
         session.print(address, {{"address", address}, {"folder", library.root().string()}});
-        session.run(0).note("Ctrl-C ends it; what is being made goes on at the next start");
+        session.run(0).note("Ctrl-C ends it; unfinished scenes resume at the next start");
         if (!flags.no_open) open_in_browser(address);
     });
 }
@@ -94,9 +94,9 @@ void act_studio(const StudioFlags& flags, const Session& session) {
 Verb add_studio(CLI::App& app) {
     auto flags = std::make_shared<StudioFlags>();
     CLI::App* verb = app.add_subcommand(
-        "studio", "A page in the browser to make scenes, walk in them and change them; until Ctrl-C.");
+        "studio", "Serves a web page to make scenes, walk through them and change them, until Ctrl-C.");
     flags->verb = verb;
-    verb->add_option("folder", flags->folder, "Folder of the scenes; those that are there are shown.")
+    verb->add_option("folder", flags->folder, "Folder of the scenes; existing ones are shown.")
         ->type_name("DIR")
         ->capture_default_str();
     verb->add_option("--port", flags->port, "Port; 0 = any free one.")
@@ -104,10 +104,10 @@ Verb add_studio(CLI::App& app) {
         ->check(whole_number_within(0, 65535))
         ->capture_default_str();
     verb->add_option("--host", flags->host,
-                     "Address to listen on. Another than this machine's own needs a token, which is printed.")
+                     "Address to listen on. Any but a loopback address requires a token, which is printed.")
         ->type_name("ADDRESS")
         ->capture_default_str();
-    verb->add_option("--token", flags->token, "Token that browsers must know; default with --host: a random one.")
+    verb->add_option("--token", flags->token, "Token that browsers must present; default with --host: a random one.")
         ->type_name("TEXT");
     verb->add_option("--tls-cert", flags->certificate, "Certificate (PEM), for https.")->type_name("FILE");
     verb->add_option("--tls-key", flags->key, "Its private key (PEM).")->type_name("FILE");

@@ -11,7 +11,7 @@ namespace fastscene::dataset {
 std::string card_of(const DataSet& set, const Statistics& statistics);
 // Writes README.md of a complete set, and returns its path.
 std::filesystem::path write_card(const std::filesystem::path& folder);
-// Keeps in dataset.json which licence whoever publishes the set chose.
+// Records in dataset.json the licence chosen by the publisher of the dataset.
 void choose_license(const std::filesystem::path& folder, const std::string& license);
 
 }  // namespace fastscene::dataset

@@ -29,7 +29,7 @@ inline constexpr std::array kChannels{
 
 // The words of --channels that there are.
 std::vector<std::string> further_channels();
-// Those of a list separated by commas, in the order of kChannels. Throws UsageError for a word that is none.
+// Those of a list separated by commas, in the order of kChannels. Throws UsageError for an unknown word.
 std::vector<std::string> asked_channels(const std::string& list);
 
 // The file's ending with its dots: ".color.jpg".

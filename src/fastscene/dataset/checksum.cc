@@ -53,7 +53,7 @@ std::string fault_of(const fs::path& file, const Checksum& expected, bool quick)
     if (bytes > expected.bytes) return fmt::format("damaged: expected {} bytes, found {}", expected.bytes, bytes);
     if (quick) return "";
     try {
-        return checksum_of(file) == expected ? "" : "damaged: its content is not what was written";
+        return checksum_of(file) == expected ? "" : "damaged: its content does not match its checksum";
     } catch (const Error&) {
         return "cannot be read";
     }

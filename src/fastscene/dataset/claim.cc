@@ -41,7 +41,7 @@ bool create(const fs::path& path) {
     const int file = ::open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0644);
     if (file < 0) {
         if (errno == EEXIST) return false;
-        throw Error("{}: expected a file that can be made, found: {}", path.string(), std::strerror(errno));
+        throw Error("{}: cannot be created: {}", path.string(), std::strerror(errno));
     }
     const std::string text = signature();
     const bool whole = ::write(file, text.data(), text.size()) == static_cast<ssize_t>(text.size());

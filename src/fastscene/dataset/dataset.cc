@@ -67,7 +67,7 @@ Json description(const DatasetPlan& plan) {
     DatasetParams params = plan.request.params;
     params.channels = fmt::format("{}", fmt::join(plan.further, ","));
     Json settings = fields_json(params);
-    // Who works on it, and how, does not change the pictures.
+    // These change how the work is done, not the pictures.
     settings.erase("stale-minutes");
     settings.erase("trace-device");
     Json out{{"format", kSetFormat},
@@ -234,7 +234,7 @@ PictureMaps maps_of(const DatasetPlan& plan, const TracedRoom& room, const Camer
     return maps;
 }
 
-// With the same rays as the picture's, so that it agrees with it to the last grain of noise.
+// With the picture's own rays, so that both have the same noise.
 Intrinsics intrinsics_seen(const DatasetPlan& plan, const TracedRoom& traced, const Camera& camera, const Run& run) {
     const Shot light = take(plan, traced, camera,
                             {.color = true, .range = false, .albedo = true, .mesh = true, .radiance = true}, run);

@@ -55,9 +55,9 @@ struct DatasetState {
     int made = 0;   // by this call
     int there = 0;  // in the folder now
 };
-// Makes the missing pictures that no other process is working on. Whoever completes the set writes its card, README.md,
-// and index.txt. Throws UsageError if the folder holds a set with other settings or the request is invalid, Error if a
-// file cannot be written, Stopped if asked to stop; finished pictures are kept.
+// Makes the missing pictures that no other process is working on. The process that completes the set writes its card,
+// README.md, and index.txt. Throws UsageError if the folder holds a set with other settings or the request is invalid,
+// Error if a file cannot be written, Stopped if asked to stop; finished pictures are kept.
 DatasetState make_dataset(const DatasetRequest& request, const std::filesystem::path& folder, const Run& run);
 
 }  // namespace fastscene

@@ -9,7 +9,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// What an export must share with one that is there already.
+// What an export must have in common with an existing one in the folder.
 Json export_description(const DataSet& set, const DatasetFormat& format, const ExportSettings& settings) {
     Json source = set.settings();
     for (const char* name : {"count", "classes", "license"}) source.erase(name);

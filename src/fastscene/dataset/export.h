@@ -1,4 +1,4 @@
-// Writes a data set in a format that others train with.
+// Exports a data set in a common training format.
 #pragma once
 
 #include <filesystem>
@@ -10,7 +10,7 @@
 
 namespace fastscene::dataset {
 
-// The same bytes for any number of threads. Going on with an export that was stopped, or damaged, is the same call.
+// The same bytes for any number of threads. The same call resumes an export that was stopped, and mends a damaged one.
 // Returns {"format", "pictures", "splits": {"train": 10, …}, "files", "bytes"}. Throws UsageError if the format cannot
 // hold the set's pictures or `out` has other files, Error if the set is not complete or damaged, or if something cannot
 // be written.

@@ -15,7 +15,7 @@ namespace fs = std::filesystem;
 constexpr std::string_view kExportFormat = "fastscene dataset export 1";
 constexpr const char *kExportJson = "export.json", *kFilesList = "files.tsv";
 
-// Written by a process that was killed meanwhile; nobody else writes, as the folder is locked.
+// Left by a process that was killed; the folder is locked, so no other one is writing.
 bool is_left_behind(const fs::path& file) {
     const std::string name = file.filename().string();
     return name.starts_with(".") && name.ends_with(".part");

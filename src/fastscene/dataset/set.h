@@ -31,7 +31,7 @@ std::string room_document_name(int room);          // "rooms-00000/0000010.json"
 // The lines of index.txt: the JSON of each picture.
 std::string index_text(int count, int shard);
 
-// A picture's JSON ends with a hash of all that stands before.
+// A picture's JSON ends with a hash of everything before it.
 void seal(Json& about);
 bool is_sealed(const Json& about);
 
@@ -57,7 +57,7 @@ class DataSet {
     bool is_panorama() const { return settings_.at("camera") == "panorama"; }
     std::vector<Channel> channels() const;  // that its pictures have
     std::vector<std::string> classes() const;
-    std::string license() const;  // that was chosen for it; empty: none yet
+    std::string license() const;  // chosen for it; empty: none yet
 
     // A file of a picture ("color", "room_document" …), and its content. Throws Error for one that is missing or
     // damaged.

@@ -1,4 +1,4 @@
-// What is in a data set, counted: for `dataset stats` and the card.
+// Statistics of a data set, for `dataset stats` and the card.
 #pragma once
 
 #include <cstdint>

@@ -33,7 +33,7 @@ PictureCheck check_picture(const fs::path& folder, int number, const DatasetPara
     if (!fs::exists(folder / json_name)) return add(json_name, "missing"), out;
     try {
         const Json about = read_json(folder / json_name);
-        if (!is_sealed(about)) return add(json_name, "damaged: its content is not what was written"), out;
+        if (!is_sealed(about)) return add(json_name, "damaged: its content does not match its checksum"), out;
         for (const auto& [name, sum] : about.at("files").items()) {
             const Checksum expected = checksum_from_json(sum);
             if (name == "room_document") {

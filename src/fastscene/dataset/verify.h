@@ -12,8 +12,8 @@ namespace fastscene::dataset {
 struct FoundFault {
     std::string file;   // within the folder
     std::string fault;  // "missing", "truncated: expected 812 bytes, found 400" …
-    int picture = -1;   // that has to be made again; -1: none
-    int room = -1;      // whose document has to be
+    int picture = -1;   // to be regenerated; -1: none
+    int room = -1;      // whose document is to be regenerated
 };
 struct VerifyReport {
     bool is_export = false;  // else a set

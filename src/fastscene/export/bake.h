@@ -19,7 +19,7 @@ struct BakeParams {
 template <class V>
 void visit_fields(BakeParams& p, V&& v) {
     v("texels-per-metre", p.texels_per_metre, Bounds{8, 4096}, "Density of baked textures.");
-    v("texture-size", p.texture_size, Bounds{64, 8192}, "Greatest width and height of a texture in pixels.");
+    v("texture-size", p.texture_size, Bounds{64, 8192}, "Maximum width and height of a texture in pixels.");
 }
 
 struct BakedMaterial {

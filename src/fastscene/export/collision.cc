@@ -191,7 +191,7 @@ std::vector<Source> sources(const Room& room, float floor_y) {
         Source source{{ids[i], pose, {}}, {}};
         for (const Mesh& mesh : room.meshes)
             if (mesh.object == static_cast<int>(i)) append(source.triangles, mesh, inverse(pose));
-        // Nobody leaves through the panes, which are not modelled.
+        // Panes are not modelled, but nobody can walk through them.
         source.whole = room.objects[i].kind.find("window") != std::string::npos;
         source.passage = room.objects[i].kind.find("door") != std::string::npos;
         out.push_back(std::move(source));

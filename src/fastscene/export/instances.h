@@ -23,7 +23,7 @@ Json instances_json(const std::vector<Instance>& instances);
 std::vector<Instance> instances_from_json(const Json& json, const std::string& where);
 
 // The numbers of the instances that have one of the ids, or are of one of the classes: their own, or NYU40's. Throws
-// UsageError for an id or a class that none has; it names the nearest, and what there is.
+// UsageError for an unknown id or class, naming the nearest one and all there are.
 std::vector<std::uint16_t> numbers_of(const std::vector<Instance>& instances, const std::vector<std::string>& ids,
                                       const std::vector<std::string>& classes);
 

@@ -50,7 +50,7 @@ std::string what_is_below(const Room& room, const std::vector<std::string>& ids,
     return found;
 }
 
-// The id of what carries it; "" for what hangs.
+// The id of what it stands on; "" for what hangs.
 std::string stands_on(const Room& room, const std::vector<std::string>& ids, std::size_t i, const ObjectBox& box) {
     const Vec3f half = box.size() * (0.5f * kFeet), middle = box.center();
     for (const Vec2f foot : {Vec2f{0, 0}, Vec2f{1, 1}, Vec2f{1, -1}, Vec2f{-1, 1}, Vec2f{-1, -1}}) {

@@ -1,4 +1,4 @@
-// What a tool or a game asks of a room besides its looks: labels of its things, where one can walk, a floor plan.
+// What tools and games need besides a room's appearance: labels of its things, the walkable area, a floor plan.
 // Coordinates are those of room.glb (kGltfAxes), metres.
 #pragma once
 

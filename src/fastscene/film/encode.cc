@@ -22,7 +22,7 @@ std::string frame_pattern(const fs::path& folder) {
 }
 
 std::vector<std::string> codec(const fs::path& film) {
-    // Near-transparent quality: a film is compressed again by whoever it is uploaded to.
+    // Near-transparent quality: sites that a film is uploaded to compress it again.
     if (film.extension() == ".webm")
         return {"-c:v", "libvpx-vp9", "-crf", "24", "-b:v", "0", "-row-mt", "1", "-deadline", "good", "-cpu-used", "4"};
     return {"-c:v", "libx264", "-crf", "18", "-preset", "medium", "-movflags", "+faststart"};

@@ -91,7 +91,7 @@ std::vector<Lookout> lookouts_for(const FilmSet& set, const FilmSubject& subject
             const Vec2f gap = set.grid.places()[one.place] - set.grid.places()[other.place];
             return std::hypot(gap.x, gap.y) > kApart_m;
         });
-        // Rays are dear: only for places that would be taken.
+        // Rays are expensive: only for places that would be chosen.
         const Vec3f eye = set.eye(set.grid.places()[one.place]);
         if (apart && is_seen(set, eye, subject) && crowded(set, eye, aim_at(eye, subject.center_m)) < kCrowded)
             best.push_back(one);

@@ -35,7 +35,7 @@ Candidate candidate_of(const Json& object) {
     return out;
 }
 
-// Furniture that is worth a look though nobody named it: no trifle, and no part of the walls.
+// Furniture worth a look although the sentence does not name it: neither small nor part of the walls.
 bool is_furniture(const Json& object) {
     const Json& size = object.at("size_m");
     const float foot = size.at(0).get<float>() * size.at(2).get<float>(), high = size.at(1);

@@ -7,7 +7,7 @@ namespace fastscene {
 namespace {
 
 constexpr float kAhead_m = 1.1f;    // the look is that far along the way
-constexpr float kGlanceDeg = 50;    // at most so far aside
+constexpr float kGlanceDeg = 50;    // largest turn to the side
 constexpr float kNoticed_m = 3.2f;  // things farther away get no glance
 constexpr float kLastShare = 0.3f;  // of the way, on which the look settles on the main subject
 
@@ -70,7 +70,7 @@ std::vector<float> headings(const std::vector<Vec2f>& curve) {
     std::vector<float> out;
     for (std::size_t i = 0; i < curve.size(); ++i) {
         const Vec2f to = curve[std::min(i + ahead, curve.size() - 1)] - curve[i];
-        constexpr float kLeast_m = 0.5f;  // at the very end there is no way ahead left: the last direction stays
+        constexpr float kLeast_m = 0.5f;  // near the end there is no way ahead: the last direction is kept
         const float last = out.empty() ? 0 : out.back();
         const bool known = out.empty() || std::hypot(to.x, to.y) > kLeast_m;
         out.push_back(known ? last + turn_between(last, std::atan2(to.x, to.y) * kDegreesPerRadian) : last);
@@ -78,7 +78,7 @@ std::vector<float> headings(const std::vector<Vec2f>& curve) {
     return calmed(std::move(out));
 }
 
-// What the walk ends with: a subject that needs little turning and fills the picture, the main ones rather.
+// What the walk ends with: a subject that needs little turning and fills the picture, preferably a main one.
 Vec3f last_look(const FilmSet& set, Vec3f eye, float heading_deg) {
     constexpr float kTurn_deg = 60, kDistance_m = 2.5f, kRank = 0.2f;  // what costs as much as one another
     const auto turn = [&](Vec3f target) { return std::fabs(turn_between(heading_deg, aim_at(eye, target).yaw_deg)); };

@@ -37,8 +37,8 @@ struct DeviceLost : Error {
     using Error::Error;
 };
 
-struct DeviceHandles;  // device.cc
-class Transfers;
+struct DeviceHandles;  // handles.h
+class Transfers;       // transfers.h
 
 class Device {
   public:

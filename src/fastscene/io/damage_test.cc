@@ -2,7 +2,6 @@
 // Error naming the file, or valid data; never a crash, nor memory allocated for data that do not exist (the sanitizer
 // builds run this too).
 #include <gtest/gtest.h>
-#include <zlib.h>
 
 #include <filesystem>
 #include <functional>
@@ -12,6 +11,7 @@
 #include "fastscene/base/random.h"
 #include "fastscene/base/bytes.h"
 #include "fastscene/io/capture_io.h"
+#include "fastscene/io/gzip.h"
 #include "fastscene/io/ply.h"
 #include "fastscene/io/splat_io.h"
 #include "fastscene/io/test_scratch.h"
@@ -33,26 +33,7 @@ Splats nine_splats(int degree) {
     return s;
 }
 
-std::string gzip(const std::string& bytes) {
-    std::string out(bytes.size() + 1000, '\0');
-    z_stream z{};
-    deflateInit2(&z, 6, Z_DEFLATED, 31, 8, Z_DEFAULT_STRATEGY);
-    z.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(bytes.data())), z.avail_in = static_cast<uInt>(bytes.size());
-    z.next_out = reinterpret_cast<Bytef*>(out.data()), z.avail_out = static_cast<uInt>(out.size());
-    deflate(&z, Z_FINISH);
-    deflateEnd(&z);
-    return out.substr(0, out.size() - z.avail_out);
-}
-std::string gunzip(const std::string& bytes) {
-    std::string out(1 << 16, '\0');
-    z_stream z{};
-    inflateInit2(&z, 31);
-    z.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(bytes.data())), z.avail_in = static_cast<uInt>(bytes.size());
-    z.next_out = reinterpret_cast<Bytef*>(out.data()), z.avail_out = static_cast<uInt>(out.size());
-    inflate(&z, Z_FINISH);
-    inflateEnd(&z);
-    return out.substr(0, out.size() - z.avail_out);
-}
+std::string gunzipped(const std::string& bytes) { return inflated(bytes, "bytes"); }
 
 // A damaged copy of `whole`; `n` selects the kind of damage.
 std::string damaged(const std::string& whole, int n, Random& random) {
@@ -104,18 +85,18 @@ TEST(Damage, Spz) {
             damage(file, whole, [&] { (void)load_splats(file); });
             if (version < 4)
                 damage(
-                    file, gunzip(whole), [&] { (void)load_splats(file); }, gzip);
+                    file, gunzipped(whole), [&] { (void)load_splats(file); }, gzipped);
         }
     }
 }
 
 TEST(Damage, RecordsOfSpzAndKsplat) {
     const fs::path spz = scratch("r.spz"), ksplat = scratch("k.ksplat");
-    std::string records = gunzip(spz_bytes(nine_splats(1), 3));
+    std::string records = gunzipped(spz_bytes(nine_splats(1), 3));
     records[14] = static_cast<char>(records[14] | 2);  // has records
     for (const std::uint32_t v : {0xadbe0003u, 4u, 6u, 0xadbe0002u, 4u, 0u}) append(records, v);
     damage(
-        spz, records, [&] { (void)load_splats(spz); }, gzip);
+        spz, records, [&] { (void)load_splats(spz); }, gzipped);
     save_splats(ksplat, nine_splats(2));
     damage(ksplat, read_file(ksplat), [&] { (void)load_splats(ksplat); });
 }
@@ -124,7 +105,7 @@ TEST(Damage, RecordsOfSpzAndKsplat) {
 TEST(Damage, PromisesOfSpzAreNotBelieved) {
     std::string header;
     for (const std::uint32_t v : {0x5053474eu, 3u, 4000000000u, 0x0c03u}) append(header, v);
-    write_file(scratch("p.spz"), gzip(header));
+    write_file(scratch("p.spz"), gzipped(header));
     EXPECT_THROW(load_splats(scratch("p.spz")), Error);
     std::string four;
     for (const std::uint32_t v : {0x5053474eu, 4u, 4000000000u, 0x06000c03u, 32u, 0u, 0u, 0u}) append(four, v);

@@ -1,7 +1,6 @@
 // Splat files as people meet them: headers by hand, other types, records, extensions, places far from the origin. All
 // hold the same two splats, which must come out right.
 #include <gtest/gtest.h>
-#include <zlib.h>
 
 #include <cmath>
 
@@ -11,6 +10,7 @@
 #include "fastscene/base/bytes.h"
 #include "fastscene/io/glb.h"
 #include "fastscene/io/glb_container.h"
+#include "fastscene/io/gzip.h"
 #include "fastscene/io/packed.h"
 #include "fastscene/io/splat_frames.h"
 #include "fastscene/io/splat_io.h"
@@ -109,32 +109,7 @@ TEST(FoundPly, ColorsAsRedGreenBlue) {
     EXPECT_NE(refusal(scratch("cloud.ply")).find("a cloud of colored points"), std::string::npos);
 }
 
-std::string gunzipped(const std::string& bytes) {
-    std::string out(1 << 16, '\0');
-    z_stream z{};
-    inflateInit2(&z, 16 + 15);
-    z.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(bytes.data()));
-    z.avail_in = static_cast<uInt>(bytes.size());
-    z.next_out = reinterpret_cast<Bytef*>(out.data());
-    z.avail_out = static_cast<uInt>(out.size());
-    inflate(&z, Z_FINISH);
-    out.resize(z.total_out);
-    inflateEnd(&z);
-    return out;
-}
-std::string gzipped(const std::string& bytes) {
-    std::string out(bytes.size() + 1000, '\0');
-    z_stream z{};
-    deflateInit2(&z, 6, Z_DEFLATED, 16 + 15, 9, Z_DEFAULT_STRATEGY);
-    z.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(bytes.data()));
-    z.avail_in = static_cast<uInt>(bytes.size());
-    z.next_out = reinterpret_cast<Bytef*>(out.data());
-    z.avail_out = static_cast<uInt>(out.size());
-    deflate(&z, Z_FINISH);
-    out.resize(z.total_out);
-    deflateEnd(&z);
-    return out;
-}
+std::string gunzipped(const std::string& bytes) { return inflated(bytes, "bytes"); }
 std::string record(std::uint32_t id, const std::string& content) {
     std::string out;
     append(out, id), append(out, static_cast<std::uint32_t>(content.size()));

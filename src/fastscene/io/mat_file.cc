@@ -7,7 +7,7 @@
 
 #include "fastscene/base/error.h"
 #include "fastscene/base/file.h"
-#include "fastscene/io/inflate.h"
+#include "fastscene/io/gzip.h"
 
 namespace fastscene {
 namespace {

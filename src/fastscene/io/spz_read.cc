@@ -1,14 +1,15 @@
 #include <fmt/ranges.h>
-#include <zlib.h>
 #include <zstd.h>
 
 #include <array>
 #include <cmath>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "fastscene/base/bytes.h"
+#include "fastscene/io/gzip.h"
 #include "fastscene/io/packed.h"
 #include "fastscene/io/spz.h"
 #include "fastscene/io/spz_layout.h"
@@ -43,43 +44,6 @@ SpzHeader parse_header(ByteReader& in) {
     if (h.fractional_bits > 24)
         in.refuse(fmt::format("expected at most 24 fractional bits, found {}", h.fractional_bits));
     return h;
-}
-
-// Decompresses incrementally: memory grows only with actual data. Stops above `limit` (known once the header is
-// decoded).
-std::string gunzip(const fs::path& path, std::string_view bytes, std::size_t& expected, bool& may_go_on) {
-    z_stream z{};
-    if (inflateInit2(&z, 16 + 15) != Z_OK) throw std::bad_alloc();
-    const std::unique_ptr<z_stream, int (*)(z_stream*)> guard(&z, inflateEnd);
-    std::string out, piece(1 << 16, '\0');
-    std::size_t at = 0;
-    bool header_known = false;
-    for (int code = Z_OK; code != Z_STREAM_END;) {
-        if (z.avail_in == 0) {
-            const std::size_t take = std::min<std::size_t>(bytes.size() - at, 1u << 30);
-            z.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(bytes.data() + at));
-            z.avail_in = static_cast<uInt>(take);
-            at += take;
-        }
-        z.next_out = reinterpret_cast<Bytef*>(piece.data());
-        z.avail_out = static_cast<uInt>(piece.size());
-        code = inflate(&z, Z_NO_FLUSH);
-        out.append(piece, 0, piece.size() - z.avail_out);
-        if (code != Z_OK && code != Z_STREAM_END)
-            throw Error("{}: byte {}: expected more of a gzip stream, found {}", path.string(), at - z.avail_in,
-                        z.msg ? z.msg : "the end of the file");
-        if (!header_known && out.size() >= kSpzHeader) {
-            header_known = true;
-            ByteReader in(path, out);
-            const SpzHeader h = parse_header(in);
-            expected = kSpzHeader;
-            for (const std::size_t b : spz_stream_bytes(h.version, h.sh_degree)) expected += b * h.count;
-            may_go_on = h.flags & kSpzHasExtensions;
-        }
-        if (header_known && out.size() > expected && !may_go_on)
-            throw Error("{}: expected {} bytes unpacked, found more", path.string(), expected);
-    }
-    return out;
 }
 
 std::string unzstd(const fs::path& path, std::string_view bytes, std::size_t at, std::size_t expected) {
@@ -117,7 +81,7 @@ void read_axes(ByteReader& in, std::size_t bytes, Packed& packed) {
         in.refuse(fmt::format("expected axes 1 to {} (4: right, up, back), found {}", kSpzMostAxes, packed.axes));
     if (packed.axes != 0) return;
     packed.axes = kSpzAxes;
-    packed.warnings.push_back("its record of the axes says none; right, up, back are assumed, as without it");
+    packed.warnings.emplace_back("its record of the axes says none; right, up, back are assumed, as without it");
 }
 
 // Records up to byte `end`. One warning names all that are unknown.
@@ -140,9 +104,19 @@ void read_records(ByteReader& in, std::size_t end, Packed& packed) {
 }
 
 Packed unpack_gzip(const fs::path& path, std::string_view bytes) {
+    std::optional<SpzHeader> header;
     std::size_t expected = kSpzHeader;
-    bool may_go_on = false;
-    const std::string whole = gunzip(path, bytes, expected, may_go_on);
+    // The header, once it is decompressed, tells how much may follow.
+    const std::string whole = inflated(bytes, path, [&](std::string_view so_far) {
+        if (!header && so_far.size() >= kSpzHeader) {
+            ByteReader in(path, so_far);
+            header = parse_header(in);
+            for (const std::size_t b : spz_stream_bytes(header->version, header->sh_degree))
+                expected += b * header->count;
+        }
+        if (header && so_far.size() > expected && !(header->flags & kSpzHasExtensions))
+            throw Error("{}: expected {} bytes unpacked, found more", path.string(), expected);
+    });
     ByteReader in(path, whole);
     Packed packed{parse_header(in), {}, kSpzAxes, {}};
     if (packed.header.version > 3) in.refuse("expected version 2 or 3 in a gzip stream, found 4");

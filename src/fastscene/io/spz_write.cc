@@ -1,4 +1,3 @@
-#include <zlib.h>
 #include <zstd.h>
 
 #include <array>
@@ -7,6 +6,7 @@
 
 #include "fastscene/base/check.h"
 #include "fastscene/base/bytes.h"
+#include "fastscene/io/gzip.h"
 #include "fastscene/io/packed.h"
 #include "fastscene/io/splat_frames.h"
 #include "fastscene/io/splat_io.h"
@@ -75,28 +75,6 @@ Streams streams_of(const Splats& world, int version) {
     return out;
 }
 
-std::string gzip(const std::string& bytes) {
-    z_stream z{};
-    if (deflateInit2(&z, Z_DEFAULT_COMPRESSION, Z_DEFLATED, 16 + 15, 9, Z_DEFAULT_STRATEGY) != Z_OK)
-        throw std::bad_alloc();
-    std::string out, piece(1 << 18, '\0');
-    std::size_t at = 0;
-    for (int code = Z_OK; code != Z_STREAM_END;) {
-        if (z.avail_in == 0) {
-            const std::size_t take = std::min<std::size_t>(bytes.size() - at, 1u << 30);
-            z.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(bytes.data() + at));
-            z.avail_in = static_cast<uInt>(take);
-            at += take;
-        }
-        z.next_out = reinterpret_cast<Bytef*>(piece.data());
-        z.avail_out = static_cast<uInt>(piece.size());
-        code = deflate(&z, at == bytes.size() ? Z_FINISH : Z_NO_FLUSH);
-        out.append(piece, 0, piece.size() - z.avail_out);
-    }
-    deflateEnd(&z);
-    return out;
-}
-
 std::string zstd(const std::string& bytes) {
     std::string out(ZSTD_compressBound(bytes.size()), '\0');
     const std::size_t size = ZSTD_compress(out.data(), out.size(), bytes.data(), bytes.size(), 12);
@@ -127,7 +105,7 @@ std::string spz_bytes(const Splats& splats, int version) {
     if (version < 4) {
         std::string whole = header(splats, version, 0);
         for (const std::string& stream : streams) whole += stream;
-        return gzip(whole);
+        return gzipped(whole);
     }
     const std::size_t count = splats.sh_degree > 0 ? kSpzStreams : kSpzStreams - 1;
     std::string out = header(splats, version, static_cast<std::uint8_t>(count)), data;

@@ -46,11 +46,11 @@ std::optional<std::uint16_t> tcp_port_there(int descriptor) {
 
 }  // namespace
 
-std::optional<Route> route_to(const Place& place) {
+std::optional<Route> route_to(const Endpoint& endpoint) {
     addrinfo hints{};
     hints.ai_family = AF_UNSPEC, hints.ai_socktype = SOCK_DGRAM;
     addrinfo* found = nullptr;
-    if (::getaddrinfo(place.host.c_str(), std::to_string(place.port).c_str(), &hints, &found) != 0) return {};
+    if (::getaddrinfo(endpoint.host.c_str(), std::to_string(endpoint.port).c_str(), &hints, &found) != 0) return {};
     const std::unique_ptr<addrinfo, decltype(&::freeaddrinfo)> all(found, ::freeaddrinfo);
     for (const addrinfo* one = all.get(); one != nullptr; one = one->ai_next) {
         // Connecting a datagram socket sends nothing; it only chooses the route.

@@ -1,4 +1,4 @@
-// What TCP knows of other machines: by which address they are reached, and when one has fallen silent.
+// What TCP knows about other machines: the address at which they are reached, and when one has fallen silent.
 #pragma once
 
 #include <cstdint>
@@ -7,7 +7,7 @@
 
 namespace fastscene::nn {
 
-struct Place {
+struct Endpoint {
     std::string host;
     std::uint16_t port = 0;
 };
@@ -17,15 +17,15 @@ struct Route {
     std::string here, there;
 };
 // Nothing if the host has no address, or none that this machine can reach.
-std::optional<Route> route_to(const Place& place);
+std::optional<Route> route_to(const Endpoint& endpoint);
 
 // Whether only processes of the same machine can use it.
 bool is_loopback(const std::string& address);
 
-// A connection to a machine that answers nothing for about so long is closed.
+// A connection to a machine that has not answered for about this long is closed.
 inline constexpr int kSilence_s = 25;
-// So for all connections that this process has now. A system's default is hours. One to `port_of_store` is only closed
-// while something sent waits for its receipt: libtorch's store ends the program if an idle one breaks.
+// Sets that for all open connections of this process; the system's default is hours. One to `port_of_store` is closed
+// only while sent data is unacknowledged: libtorch's store ends the program if an idle connection breaks.
 void notice_silent_machines(std::uint16_t port_of_store);
 
 }  // namespace fastscene::nn

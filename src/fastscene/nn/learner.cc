@@ -103,7 +103,7 @@ std::vector<Tensor> Learner::gradients() const {
 double Learner::update(double learning_rate) {
     if (before_update_) before_update_();
     const at::NoGradGuard no_gradients;
-    if (group_) group_->mean(gradients());
+    if (group_) group_->all_reduce_mean(gradients());
     Tensor square = at::zeros({}, at::kDouble);
     for (const auto& [key, parameter] : adam_.parameters())
         if (parameter.grad().defined()) square += parameter.grad().square().sum().to(square.options());

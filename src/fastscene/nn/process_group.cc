@@ -14,21 +14,20 @@
 #include <tuple>
 
 #include "fastscene/nn/connections.h"
-#include "fastscene/nn/meeting.h"
+#include "fastscene/nn/rendezvous.h"
 
 namespace fastscene::nn {
 namespace {
 
 using Clock = std::chrono::steady_clock;
-using Patience = std::chrono::milliseconds;
-// Long enough for the first process to evaluate many held-out pictures while the others wait. A process that is lost is
-// noticed long before, by its connections.
-constexpr std::chrono::hours kPatience{1};
+// Of a collective: long enough for rank 0 to evaluate many held-out pictures while the others wait. A process that is
+// lost is noticed long before, by its connections.
+constexpr std::chrono::hours kCollectiveTimeout{1};
 // For members of a new group to connect; one may be lost in that moment, too.
-constexpr std::chrono::seconds kConnecting{30};
-constexpr int kTriesToConnect = 5;
+constexpr std::chrono::seconds kConnectTimeout{30};
+constexpr int kConnectAttempts = 5;
 
-[[maybe_unused]] Place place_from(const std::string& text) {
+[[maybe_unused]] Endpoint endpoint_from(const std::string& text) {
     const std::size_t colon = text.rfind(':');
     const std::string digits = colon == std::string::npos ? "" : text.substr(colon + 1);
     const bool number = !digits.empty() && digits.size() <= 5 &&
@@ -39,13 +38,13 @@ constexpr int kTriesToConnect = 5;
     return {text.substr(0, colon), static_cast<std::uint16_t>(port)};
 }
 
-// Flattened into one vector and back: one message instead of one per tensor.
-at::Tensor together(const std::vector<at::Tensor>& tensors) {
+// Into one vector and back: one message instead of one per tensor.
+at::Tensor flatten(const std::vector<at::Tensor>& tensors) {
     std::vector<at::Tensor> flat;
     for (const at::Tensor& t : tensors) flat.push_back(t.detach().to(at::kCPU, at::kFloat).reshape(-1));
     return at::cat(flat);
 }
-void apart(const at::Tensor& all, const std::vector<at::Tensor>& tensors) {
+void unflatten(const at::Tensor& all, const std::vector<at::Tensor>& tensors) {
     std::int64_t at = 0;
     for (const at::Tensor& t : tensors) {
         t.detach().copy_(all.slice(0, at, at + t.numel()).reshape(t.sizes()));
@@ -56,17 +55,17 @@ void apart(const at::Tensor& all, const std::vector<at::Tensor>& tensors) {
 }  // namespace
 
 #ifdef FASTSCENE_GLOO
-// Gloo's group; its patience while it connects is another than afterwards.
+// Gloo's group, with another timeout while it connects than afterwards.
 class Gloo final : public c10d::ProcessGroupGloo {
   public:
-    static c10::intrusive_ptr<Gloo> open(const Gathering& gathering, int rank,
+    static c10::intrusive_ptr<Gloo> open(const RendezvousRound& round, int rank,
                                          const c10::intrusive_ptr<c10d::Store>& store) {
-        auto options = Options::create(kConnecting);
-        options->devices.push_back(createDeviceForHostname(gathering.address));
-        auto group = c10::make_intrusive<Gloo>(store, rank, static_cast<int>(gathering.members.size()), options);
-        options->timeout = kPatience;
+        auto options = Options::create(kConnectTimeout);
+        options->devices.push_back(createDeviceForHostname(round.address));
+        auto group = c10::make_intrusive<Gloo>(store, rank, static_cast<int>(round.members.size()), options);
+        options->timeout = kCollectiveTimeout;
         // What setTimeout() does; that would need Gloo to be linked, and libtorch may have one inside.
-        for (const auto& context : group->contexts_) (*context).*(&OpenContext::timeout_) = kPatience;
+        for (const auto& context : group->contexts_) (*context).*(&OpenContext::timeout_) = kCollectiveTimeout;
         return group;
     }
     using ProcessGroupGloo::ProcessGroupGloo;
@@ -78,25 +77,26 @@ class Gloo final : public c10d::ProcessGroupGloo {
 };
 
 struct ProcessGroup::Connection {
-    Meeting meeting;
+    Rendezvous rendezvous;
     int process;
     c10::intrusive_ptr<Gloo> gloo;
 
-    // Members of a new group, and who of them this is.
-    std::pair<std::vector<int>, int> gather(const Run& run, const Wanted& wanted) {
+    // The members of a new group, and the rank of this process.
+    std::pair<std::vector<int>, int> connect(const Run& run, const Expected& expected) {
         gloo.reset();  // closes connections: whoever still waits for this process notices
         for (int i = 1;; ++i) try {
-                const Gathering all = meeting.gather(run, wanted);
-                const auto me = std::find(all.members.begin(), all.members.end(), process) - all.members.begin();
-                gloo = Gloo::open(all, static_cast<int>(me), meeting.shared(all));
-                notice_silent_machines(meeting.port());
-                return {all.members, static_cast<int>(me)};
+                const RendezvousRound round = rendezvous.next_round(run, expected);
+                const auto me = std::find(round.members.begin(), round.members.end(), process);
+                const int rank = static_cast<int>(me - round.members.begin());
+                gloo = Gloo::open(round, rank, rendezvous.store_of(round));
+                notice_silent_machines(rendezvous.port());
+                return {round.members, rank};
             } catch (const Error&) {
                 throw;
             } catch (const Stopped&) {
                 throw;
             } catch (const std::exception& e) {
-                if (i == kTriesToConnect)
+                if (i == kConnectAttempts)
                     throw Error("training: expected processes to connect to each other, found none to in {} tries: {}",
                                 i, e.what());
             }
@@ -111,89 +111,89 @@ struct ProcessGroup::Connection {
                               e.what());
         }
     }
-    void all_here() const {
-        wait("come as far", [&] { return gloo->barrier(); });
+    void barrier() const {
+        wait("reach a barrier", [&] { return gloo->barrier(); });
     }
-    void sum(std::vector<at::Tensor>& one) const {
-        wait("send their gradients", [&] { return gloo->allreduce(one); });
+    void all_reduce(std::vector<at::Tensor>& one) const {
+        wait("take part in an all-reduce", [&] { return gloo->allreduce(one); });
     }
-    void from_first(std::vector<at::Tensor>& one) const {
-        wait("listen to the first", [&] { return gloo->broadcast(one); });
+    void broadcast(std::vector<at::Tensor>& one) const {
+        wait("receive a broadcast", [&] { return gloo->broadcast(one); });
     }
 };
 #else
 struct ProcessGroup::Connection {
     struct Nobody {
         bool has_newcomer() { return false; }
-    } meeting;
-    void all_here() const {}
-    void sum(std::vector<at::Tensor>&) const {}
-    void from_first(std::vector<at::Tensor>&) const {}
+    } rendezvous;
+    void barrier() const {}
+    void all_reduce(std::vector<at::Tensor>&) const {}
+    void broadcast(std::vector<at::Tensor>&) const {}
 };
 #endif
 
 ProcessGroup::ProcessGroup() = default;
 ProcessGroup::~ProcessGroup() = default;
 
-std::unique_ptr<ProcessGroup> ProcessGroup::meet(const TrainingParams& params, const Run& run, double patience_s) {
+std::unique_ptr<ProcessGroup> ProcessGroup::join(const TrainingParams& params, const Run& run, double timeout_s) {
     if (params.processes == 1) return nullptr;
     if (params.process >= params.processes)
         throw UsageError("--process: expected 0 to {}, found {}", params.processes - 1, params.process);
 #ifndef FASTSCENE_GLOO
     throw UsageError("--processes: expected 1, since this libtorch is built without Gloo, found {}", params.processes);
 #else
-    const Place place = place_from(params.meet);
+    const Endpoint endpoint = endpoint_from(params.meet);
     std::vector<int> all(static_cast<std::size_t>(params.processes));
     std::iota(all.begin(), all.end(), 0);
     std::unique_ptr<ProcessGroup> group(new ProcessGroup);
     try {
         group->connection_.reset(
-            new Connection{Meeting(place, params.process, params.processes, patience_s), params.process, {}});
+            new Connection{Rendezvous(endpoint, params.process, params.processes, timeout_s), params.process, {}});
     } catch (const std::exception& e) {
         throw Error("training: expected {} processes to join at {} within {:.0f} s: {}", params.processes, params.meet,
-                    patience_s, e.what());
+                    timeout_s, e.what());
     }
-    std::tie(group->members_, group->rank_) = group->connection_->gather(run, {all, patience_s, true});
+    std::tie(group->members_, group->rank_) = group->connection_->connect(run, {all, timeout_s, true});
     return group;
 #endif
 }
 
 #ifdef FASTSCENE_GLOO
-void ProcessGroup::meet_again(const Run& run, double patience_s) {
-    std::tie(members_, rank_) = connection_->gather(run, {members_, patience_s, false});
+void ProcessGroup::rejoin(const Run& run, double timeout_s) {
+    std::tie(members_, rank_) = connection_->connect(run, {members_, timeout_s, false});
 }
 #else
-void ProcessGroup::meet_again(const Run&, double) {}
+void ProcessGroup::rejoin(const Run&, double) {}
 #endif
 
-bool ProcessGroup::has_newcomer() { return connection_->meeting.has_newcomer(); }
+bool ProcessGroup::has_newcomer() { return connection_->rendezvous.has_newcomer(); }
 
-void ProcessGroup::mean(const std::vector<at::Tensor>& tensors) {
+void ProcessGroup::all_reduce_mean(const std::vector<at::Tensor>& tensors) {
     if (tensors.empty()) return;
     const at::NoGradGuard no_gradients;
-    std::vector<at::Tensor> all{together(tensors)};
+    std::vector<at::Tensor> all{flatten(tensors)};
     const Clock::time_point ready = Clock::now();
-    connection_->all_here();
+    connection_->barrier();
     const Clock::time_point begin = Clock::now();
-    connection_->sum(all);
+    connection_->all_reduce(all);
     costs_.waiting_s += std::chrono::duration<double>(begin - ready).count();
     costs_.averaging_s += std::chrono::duration<double>(Clock::now() - begin).count();
     costs_.bytes += static_cast<std::int64_t>(all[0].nbytes());
-    apart(all[0] / size(), tensors);
+    unflatten(all[0] / world_size(), tensors);
 }
 
-void ProcessGroup::from_first(const std::vector<at::Tensor>& tensors) {
+void ProcessGroup::broadcast(const std::vector<at::Tensor>& tensors) {
     if (tensors.empty()) return;
     const at::NoGradGuard no_gradients;
-    std::vector<at::Tensor> all{together(tensors)};
-    connection_->from_first(all);
-    apart(all[0], tensors);
+    std::vector<at::Tensor> all{flatten(tensors)};
+    connection_->broadcast(all);
+    unflatten(all[0], tensors);
 }
 
-std::int64_t ProcessGroup::from_first(std::int64_t number) {
+std::int64_t ProcessGroup::broadcast(std::int64_t number) {
     std::vector<at::Tensor> one{at::tensor(number, at::kLong)};
     const Clock::time_point begin = Clock::now();
-    connection_->from_first(one);
+    connection_->broadcast(one);
     costs_.waiting_s += std::chrono::duration<double>(Clock::now() - begin).count();
     return one[0].item<std::int64_t>();
 }

@@ -14,41 +14,41 @@
 
 namespace fastscene::nn {
 
-// Another process is gone; the others can meet again.
+// Another process is gone; the others can rejoin.
 struct ProcessLost : Error {
     using Error::Error;
 };
 
-// What being several has cost this process.
+// What communication has cost this process.
 struct GroupCosts {
-    double waiting_s = 0;    // until all had come as far
-    double averaging_s = 0;  // of gradients, once all were there
+    double waiting_s = 0;    // at barriers, for the slowest
+    double averaging_s = 0;  // of gradients, after the barrier
     std::int64_t bytes = 0;  // of gradients
 };
 
 class ProcessGroup {
   public:
     // Returns null if params.processes is 1. Otherwise waits until all processes have joined at params.meet. Throws
-    // UsageError for an invalid address or process index, Error if the others do not join within `patience_s`, Stopped.
-    static std::unique_ptr<ProcessGroup> meet(const TrainingParams& params, const Run& run, double patience_s = 600);
+    // UsageError for an invalid address or process index, Error if the others do not join within `timeout_s`, Stopped.
+    static std::unique_ptr<ProcessGroup> join(const TrainingParams& params, const Run& run, double timeout_s = 600);
     ~ProcessGroup();
 
-    int size() const { return static_cast<int>(members_.size()); }
-    int rank() const { return rank_; }  // 0 is process 0
+    int world_size() const { return static_cast<int>(members_.size()); }
+    int rank() const { return rank_; }  // index in members(); process 0 has rank 0
     // The processes that take part, in increasing order.
     const std::vector<int>& members() const { return members_; }
     // Collectives: every process must call them in the same order with tensors of the same shapes. They throw
-    // ProcessLost if another process is gone; then nothing but meet_again() can be called.
-    void mean(const std::vector<at::Tensor>& tensors);  // averages in place (all-reduce)
-    // overwrites with the first process's values (broadcast)
-    void from_first(const std::vector<at::Tensor>& tensors);
-    std::int64_t from_first(std::int64_t number);
+    // ProcessLost if another process is gone; then only rejoin() may be called.
+    void all_reduce_mean(const std::vector<at::Tensor>& tensors);  // in place
+    // The values of rank 0, in place.
+    void broadcast(const std::vector<at::Tensor>& tensors);
+    std::int64_t broadcast(std::int64_t number);
 
-    // Process 0: whether one that was lost, or started anew, wants to take part. All must meet again for that.
+    // Process 0: whether a process that was lost, or restarted, waits to take part. All must rejoin for that.
     bool has_newcomer();
-    // A group of those who come. Process 0 waits at most `patience_s` for those who took part. Throws Error if process
-    // 0 is gone, Stopped.
-    void meet_again(const Run& run, double patience_s);
+    // Forms a new group of those that rejoin. Process 0 waits at most `timeout_s` for the members. Throws Error if
+    // process 0 is gone, Stopped.
+    void rejoin(const Run& run, double timeout_s);
 
     GroupCosts take_costs() { return std::exchange(costs_, {}); }  // since the last call
 

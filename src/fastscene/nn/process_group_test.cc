@@ -14,7 +14,7 @@
 namespace fastscene::nn {
 namespace {
 
-// Processes `process` of three, which meet at the same place.
+// Three processes with the same endpoint.
 struct Three {
     TrainingParams params;
     Three() {
@@ -28,34 +28,34 @@ struct Three {
         params.processes = 3;
         params.meet = fmt::format("localhost:{}", ntohs(at.sin_port));
     }
-    std::unique_ptr<ProcessGroup> meet(int process) const {
+    std::unique_ptr<ProcessGroup> join(int process) const {
         TrainingParams mine = params;
         mine.process = process;
-        return ProcessGroup::meet(mine, {}, 30);
+        return ProcessGroup::join(mine, {}, 30);
     }
 };
 
 float mean_of(ProcessGroup& group, float mine) {
     const at::Tensor one = at::full({3}, mine);
-    group.mean({one});
+    group.all_reduce_mean({one});
     return one[2].item<float>();
 }
 
-TEST(ProcessGroup, GoesOnWithoutTheLostAndTakesThemBack) {
+TEST(ProcessGroup, ContinuesWithoutALostProcessAndReadmitsIt) {
     const Three three;
     std::latch without_two(2);
     const auto member = [&](int process) {
-        const auto group = three.meet(process);
-        EXPECT_EQ(group->size(), 3);
+        const auto group = three.join(process);
+        EXPECT_EQ(group->world_size(), 3);
         EXPECT_EQ(group->rank(), process);
         EXPECT_EQ(mean_of(*group, static_cast<float>(process)), 1);
         EXPECT_THROW(mean_of(*group, 0), ProcessLost);
-        group->meet_again({}, 1);
+        group->rejoin({}, 1);
         EXPECT_EQ(group->members(), (std::vector<int>{0, 1}));
         EXPECT_EQ(mean_of(*group, static_cast<float>(process)), 0.5);
         without_two.count_down();
-        for (bool back = false; !back;) back = group->from_first(process == 0 && group->has_newcomer());
-        group->meet_again({}, 30);
+        for (bool back = false; !back;) back = group->broadcast(process == 0 && group->has_newcomer());
+        group->rejoin({}, 30);
         EXPECT_EQ(group->members(), (std::vector<int>{0, 1, 2}));
         EXPECT_EQ(mean_of(*group, static_cast<float>(process)), 1);
         EXPECT_EQ(group->take_costs().bytes, 3 * 3 * 4);  // three means were taken
@@ -63,40 +63,40 @@ TEST(ProcessGroup, GoesOnWithoutTheLostAndTakesThemBack) {
     };
     auto zero = std::async(std::launch::async, member, 0), one = std::async(std::launch::async, member, 1);
     {
-        const auto two = three.meet(2);
+        const auto two = three.join(2);
         EXPECT_EQ(mean_of(*two, 2), 1);
     }
     without_two.wait();
-    const auto two = three.meet(2);
-    EXPECT_EQ(two->size(), 3);
+    const auto two = three.join(2);
+    EXPECT_EQ(two->world_size(), 3);
     EXPECT_EQ(mean_of(*two, 2), 1);
     zero.get();
     one.get();
 }
 
-TEST(ProcessGroup, WithoutTheFirstThereIsNone) {
+TEST(ProcessGroup, EndsWithoutProcessZero) {
     const Three three;
     const auto other = [&](int process) {
-        const auto group = three.meet(process);
+        const auto group = three.join(process);
         EXPECT_EQ(mean_of(*group, static_cast<float>(process)), 1);
         EXPECT_THROW(mean_of(*group, 0), ProcessLost);
-        EXPECT_THROW(group->meet_again({}, 1), Error);
+        EXPECT_THROW(group->rejoin({}, 1), Error);
     };
     auto one = std::async(std::launch::async, other, 1), two = std::async(std::launch::async, other, 2);
     {
-        const auto zero = three.meet(0);
+        const auto zero = three.join(0);
         EXPECT_EQ(mean_of(*zero, 0), 1);
     }
     one.get();
     two.get();
 }
 
-TEST(ProcessGroup, TheFirstDoesNotWaitForever) {
+TEST(ProcessGroup, ProcessZeroDoesNotWaitForever) {
     Three three;
-    const auto one = std::async(std::launch::async, [&] { EXPECT_THROW(three.meet(1), Error); });
+    const auto one = std::async(std::launch::async, [&] { EXPECT_THROW(three.join(1), Error); });
     try {
-        ProcessGroup::meet(three.params, {}, 2);
-        FAIL() << "met without the third";
+        ProcessGroup::join(three.params, {}, 2);
+        FAIL() << "joined without the third";
     } catch (const Error& e) {
         EXPECT_NE(std::string(e.what()).find("expected 3 processes to join"), std::string::npos) << e.what();
         EXPECT_NE(std::string(e.what()).find("found 2"), std::string::npos) << e.what();

@@ -11,7 +11,7 @@
 #include "fastscene/base/error.h"
 #include "fastscene/base/file.h"
 #include "fastscene/base/json.h"
-#include "fastscene/io/inflate.h"
+#include "fastscene/io/gzip.h"
 #include "fastscene/nn/prompt_text.h"
 
 namespace fastscene {

@@ -13,9 +13,9 @@
 #include "fastscene/base/forced_exit.h"
 #include "fastscene/io/image_io.h"
 #include "fastscene/nn/runtime.h"
-#include "fastscene/nn/safetensors.h"
 #include "fastscene/nn/process_group.h"
 #include "fastscene/nn/training_beginning.h"
+#include "fastscene/nn/training_folder.h"
 #include "fastscene/nn/training_log.h"
 
 namespace fastscene::nn {
@@ -27,73 +27,22 @@ using Clock = std::chrono::steady_clock;
 constexpr int kShares = 1'000'000;  // resolution of the progress display: each step of a long training is seen
 
 constexpr double kLookForNewcomers_s = 1;
-constexpr double kLeastPatience_s = 5, kStepsOfPatience = 2;  // with those who should meet again
+constexpr double kMinRejoinTimeout_s = 5, kRejoinTimeoutSteps = 2;  // for members to rejoin: the longer of the two
 constexpr int kMostLostInVain = 5;
 
 double seconds_since(Clock::time_point begin) { return std::chrono::duration<double>(Clock::now() - begin).count(); }
 double minutes_since(Clock::time_point begin) { return seconds_since(begin) / 60; }
 
-fs::path checkpoint_of(const fs::path& folder) { return folder / "checkpoint.safetensors"; }
-
-NamedTensors whole_state(const TrainingTask& task) {
-    NamedTensors all;
-    for (const Learner* learner : task.learners)
-        for (auto& item : learner->state()) all.push_back(std::move(item));
-    return all;
-}
-
-void save_checkpoint(const TrainingTask& task, std::int64_t step, const fs::path& folder) {
-    Weights out{checkpoint_of(folder), {}, {{"step", std::to_string(step)}}, {}};
-    for (const Learner* learner : task.learners)
-        for (const auto& [name, tensor] : learner->state_at_rest()) out.tensors[name] = weight_of(tensor);
-    for (const Learner* learner : task.learners)
-        out.metadata[learner->name() + ".steps"] = std::to_string(learner->steps());
-    save_safetensors(checkpoint_of(folder), out);
-}
-
-std::int64_t metadata_number(const Weights& checkpoint, const std::string& name) {
-    const auto found = checkpoint.metadata.find(name);
-    if (found == checkpoint.metadata.end() || found->second.find_first_not_of("0123456789") != std::string::npos ||
-        found->second.empty())
-        throw Error("{}: expected a number as {} in its metadata, found {}", checkpoint.path.string(), name,
-                    found == checkpoint.metadata.end() ? "none" : found->second);
-    return std::stoll(found->second);
-}
-
-// The number of steps done; 0 in a new folder.
-std::int64_t load_checkpoint(const TrainingTask& task, const fs::path& folder) {
-    if (!fs::exists(checkpoint_of(folder))) return 0;
-    const Weights checkpoint = load_weights(checkpoint_of(folder));
-    load_into(whole_state(task), checkpoint);
-    for (Learner* learner : task.learners) learner->set_steps(metadata_number(checkpoint, learner->name() + ".steps"));
-    return metadata_number(checkpoint, "step");
-}
-
-// Records the settings in a new folder, or checks them against an existing one.
-void settle_settings(const TrainingTask& task, const TrainingParams& params, const fs::path& folder, const Run& run) {
-    Json wanted = lasting_settings(params);
-    wanted["seed"] = run.seed;
-    wanted.update(task.settings);
-    const fs::path path = folder / "training.json";
-    if (!fs::exists(path)) return write_json(path, wanted);
-    const Json found = read_json(path);
-    for (const auto& [name, value] : wanted.items())
-        if (!found.contains(name) || found[name] != value)
-            throw UsageError(
-                "{}: expected a training with {} = {}, found {}: use the same settings to resume, or another folder",
-                path.string(), name, value.dump(), found.contains(name) ? found[name].dump() : "none");
-}
-
-// Broadcasts the first process's state, including its checkpoint, to the group.
+// Broadcasts the state of rank 0, including its checkpoint, to the group.
 std::int64_t same_beginning(const TrainingTask& task, std::int64_t step, ProcessGroup& group) {
     std::vector<at::Tensor> tensors;
     for (const auto& [name, tensor] : whole_state(task)) tensors.push_back(tensor);
-    group.from_first(tensors);
+    group.broadcast(tensors);
     for (Learner* learner : task.learners) {
-        learner->set_steps(group.from_first(learner->steps()));
+        learner->set_steps(group.broadcast(learner->steps()));
         learner->join(group);
     }
-    return group.from_first(step);
+    return group.broadcast(step);
 }
 
 // Running means over several steps.
@@ -125,7 +74,7 @@ class Means {
 class Drawer {
   public:
     Drawer(const TrainingTask& task, std::uint64_t seed, const ProcessGroup* group)
-        : task_(task), seed_(seed), processes_(group ? group->size() : 1), process_(group ? group->rank() : 0) {}
+        : task_(task), seed_(seed), world_size_(group ? group->world_size() : 1), rank_(group ? group->rank() : 0) {}
     Batch at(std::int64_t step, bool another_follows) {
         Batch now = next_.valid() ? next_.get() : draw(step);
         if (another_follows) next_ = std::async(std::launch::async, [this, step] { return draw(step + 1); });
@@ -134,12 +83,12 @@ class Drawer {
 
   private:
     Batch draw(std::int64_t step) const {
-        Random rng(seed_, "training step", static_cast<std::uint64_t>(step * processes_ + process_));
+        Random rng(seed_, "training step", static_cast<std::uint64_t>(step * world_size_ + rank_));
         return task_.draw(rng);
     }
     const TrainingTask& task_;
     std::uint64_t seed_;
-    std::int64_t processes_, process_;
+    std::int64_t world_size_, rank_;
     std::future<Batch> next_;
 };
 
@@ -175,10 +124,10 @@ struct Whole {
     Clock::time_point begin = Clock::now();
     double longest_step_s = 0;
     int lost_in_vain = 0;  // how often in a row a process was lost before a step was done
-    bool keeps() const { return !group || group->rank() == 0; }  // only the first process writes
+    bool keeps() const { return !group || group->rank() == 0; }  // only rank 0 writes
 };
 
-// The steps from one meeting of the processes to the next; alone, all of them. Begins with the last checkpoint.
+// The steps from one rendezvous of the processes to the next; alone, all of them. Begins with the last checkpoint.
 class Stretch {
   public:
     explicit Stretch(Whole& whole)
@@ -196,11 +145,11 @@ class Stretch {
     }
     std::int64_t first() const { return first_; }
 
-    // Nothing if the processes must meet again, since one more wants to take part.
+    // Nothing if the processes must rejoin, since one more waits to take part.
     std::optional<TrainingOutcome> go();
 
   private:
-    enum Next : std::int64_t { goes_on, time_is_up, stopped, meets_again };
+    enum Next : std::int64_t { goes_on, time_is_up, stopped, must_rejoin };
 
     std::int64_t beginning() {
         for (Learner* learner : task_.learners) learner->forget_gradients();  // of a step that was not finished
@@ -241,14 +190,14 @@ class Stretch {
         kept_ = Clock::now();
     }
 
-    // All processes end after the same step: the first one's clock and user decide.
+    // All processes end after the same step: rank 0's clock and user decide.
     Next now_what() {
         const bool up = params_.minutes > 0 && minutes_since(whole_.begin) >= params_.minutes;
         const Next mine = run_.stop.stop_requested() ? stopped
                           : up                       ? time_is_up
-                          : has_newcomer()           ? meets_again
+                          : has_newcomer()           ? must_rejoin
                                                      : goes_on;
-        return group_ ? static_cast<Next>(group_->from_first(mine)) : mine;
+        return group_ ? static_cast<Next>(group_->broadcast(mine)) : mine;
     }
     bool has_newcomer() {
         if (!group_ || !whole_.keeps() || seconds_since(looked_) < kLookForNewcomers_s) return false;
@@ -263,15 +212,15 @@ class Stretch {
         outcome_.finished = outcome_.steps == params_.steps;
     }
 
-    // Whether more processes would be of use: how much of a step they spend on each other.
+    // Tells whether more processes would help: the share of a step that is communication.
     void tell_costs() {
-        if (!group_ || group_->size() == 1 || !whole_.keeps() || outcome_.steps == first_) return;
+        if (!group_ || group_->world_size() == 1 || !whole_.keeps() || outcome_.steps == first_) return;
         const auto steps = static_cast<double>(outcome_.steps - first_);
         const GroupCosts costs = group_->take_costs();
         run_.note(fmt::format(
             "training: {} processes, {:.3g} s a step: {:.2g} s ({:.1f} %) averaging {:.3g} MB of gradients, {:.2g} s "
             "({:.1f} %) waiting for each other",
-            group_->size(), steps_s_ / steps, costs.averaging_s / steps, 100 * costs.averaging_s / steps_s_,
+            group_->world_size(), steps_s_ / steps, costs.averaging_s / steps, 100 * costs.averaging_s / steps_s_,
             static_cast<double>(costs.bytes) / steps / 1e6, costs.waiting_s / steps, 100 * costs.waiting_s / steps_s_));
     }
 
@@ -310,7 +259,7 @@ std::optional<TrainingOutcome> Stretch::go() {
     for (int shown = 0; outcome_.steps < params_.steps;) {
         const Clock::time_point before = Clock::now();
         const Next next = now_what();
-        if (next == stopped || next == meets_again) {
+        if (next == stopped || next == must_rejoin) {
             log_now();
             keep();
             tell_costs();
@@ -378,7 +327,7 @@ double learning_rate_at(const TrainingParams& params, std::int64_t step) {
 
 TrainingOutcome train(const TrainingTask& task, const TrainingParams& params, const fs::path& folder, const Run& run) {
     use_our_threads();
-    const std::unique_ptr<ProcessGroup> group = ProcessGroup::meet(params, run);
+    const std::unique_ptr<ProcessGroup> group = ProcessGroup::join(params, run);
     Whole whole{task, params, folder, run, group.get()};
     std::optional<FolderLock> lock;
     if (whole.keeps()) {
@@ -398,7 +347,7 @@ TrainingOutcome train(const TrainingTask& task, const TrainingParams& params, co
         }
         before = group->members();
         // A process may be within a step while the others notice that one is gone.
-        group->meet_again(run, std::max(kLeastPatience_s, kStepsOfPatience * whole.longest_step_s));
+        group->rejoin(run, std::max(kMinRejoinTimeout_s, kRejoinTimeoutSteps * whole.longest_step_s));
     }
 }
 

@@ -41,10 +41,10 @@ void visit_fields(TrainingParams& p, V&& v) {
     v("precision", p.precision, Choices{{"auto", "f32", "bf16"}},
       "Precision of convolutions and matrix products; auto: bf16 if the device supports it.");
     v("processes", p.processes, Bounds{1, 4096},
-      "Data-parallel processes, on one or several machines: each draws its own --batch pictures per step, and "
-      "gradients are averaged. Those that srun starts need none of these three flags.");
-    v("process", p.process, Bounds{0, 4095}, "Rank of this process; 0 writes the folder.");
-    v("meet", p.meet, "HOST:PORT at which process 0 waits for the others.");
+      "World size: data-parallel processes, on one or several machines. Each draws its own --batch pictures per step, "
+      "and gradients are averaged. Processes that srun starts need none of these three flags.");
+    v("process", p.process, Bounds{0, 4095}, "Rank of this process, from 0; rank 0 writes the folder.");
+    v("meet", p.meet, "Rendezvous endpoint: HOST:PORT at which rank 0 waits for the others.");
 }
 
 // The settings that must not change when a training is resumed; all others may.

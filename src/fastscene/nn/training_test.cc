@@ -240,9 +240,9 @@ int free_port() {
     return ntohs(at.sin_port);
 }
 
-// Two processes with a batch each learn the same as one process with both batches; only the first writes, and when it
+// Two processes with a batch each learn the same as one process with both batches; only rank 0 writes, and when it
 // stops, all stop.
-TEST(Training, ATeamLearnsAsOneWithAllTheExamples) {
+TEST(Training, AProcessGroupLearnsAsOneProcessWithAllExamples) {
     constexpr int kSteps = 20;
     const Folder one("fastscene-training-one"), first("fastscene-training-first"), second("fastscene-training-second");
     Lesson alone;
@@ -276,17 +276,17 @@ TEST(Training, ATeamLearnsAsOneWithAllTheExamples) {
     EXPECT_FALSE(fs::exists(second.path));
 }
 
-TEST(Training, ATeamThatDoesNotMeetSaysSo) {
+TEST(Training, AProcessGroupThatCannotFormSaysSo) {
     TrainingParams params = quick(1);
     params.processes = 2;
-    EXPECT_THROW(ProcessGroup::meet(params, seeded(7)), UsageError);  // invalid address
+    EXPECT_THROW(ProcessGroup::join(params, seeded(7)), UsageError);  // invalid address
     params.meet = "localhost:0";
-    EXPECT_THROW(ProcessGroup::meet(params, seeded(7)), UsageError);
+    EXPECT_THROW(ProcessGroup::join(params, seeded(7)), UsageError);
     params.meet = fmt::format("localhost:{}", free_port());
     params.process = 2;
-    EXPECT_THROW(ProcessGroup::meet(params, seeded(7)), UsageError);
+    EXPECT_THROW(ProcessGroup::join(params, seeded(7)), UsageError);
     params.process = 0;
-    EXPECT_THROW(ProcessGroup::meet(params, seeded(7), 1.5), Error);  // nobody joins
+    EXPECT_THROW(ProcessGroup::join(params, seeded(7), 1.5), Error);  // nobody joins
 }
 
 TEST(Training, AFolderKeepsItsSettings) {

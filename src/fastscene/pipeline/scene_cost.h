@@ -6,11 +6,11 @@
 namespace fastscene {
 
 struct SceneCost {
-    double cpu_minutes = 0;  // of a bedroom on one core with AVX-512
-    double gib = 0;          // peak memory, rounded up
+    double core_seconds = 0;      // CPU time of a bedroom on cores with AVX-512
+    double max_core_seconds = 0;  // rounded up, for any room: what time limits are made from
+    double gib = 0;               // peak memory of any room, rounded up
 };
-// Measured for draft and standard; high is estimated from its pixels and its number of splats. An unknown quality costs
-// what standard does.
+// By quality; an unknown one costs what standard does.
 SceneCost scene_cost(std::string_view quality);
 
 }  // namespace fastscene

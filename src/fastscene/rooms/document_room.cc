@@ -7,6 +7,7 @@
 
 #include "fastscene/base/check.h"
 #include "fastscene/base/error.h"
+#include "fastscene/rooms/daylight.h"
 #include "fastscene/rooms/document.h"
 #include "fastscene/rooms/document_parts.h"
 #include "fastscene/rooms/footprint.h"

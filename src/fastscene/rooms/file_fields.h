@@ -18,6 +18,9 @@ Choice choice(const TomlTable& table, std::string_view key) {
     return static_cast<Choice>(table.needed_choice(key, kNamesOf<Choice>));
 }
 
+// The walls of a plan, by number.
+inline constexpr std::string_view kWallNames[] = {"far", "right", "near", "left"};
+
 // An embedded text and its file, as cmake/embed.cmake lists them: (stem, text).
 using EmbeddedFile = std::pair<std::string_view, std::string_view>;
 

@@ -242,9 +242,6 @@ struct FurnishedRoom {
 // The room a prompt asks for, before it becomes triangles. Fills spec.assumed and spec.not_placed. Deterministic in
 // (spec, run.seed).
 FurnishedRoom furnish_room(PromptSpec& spec, const Run& run, const AnnealParams& annealing = {});
-// What furnish_room assumes when the prompt does not say it: the hour; once the plan is made, what the windows show.
-void assume_time(PromptSpec& spec, std::uint64_t seed);
-void assume_outlook(PromptSpec& spec, const Style& style, std::uint64_t seed);
 // At the piece that names the room, else along the room's longer side.
 Vec3f usual_look(const FurnishedRoom& room, const std::string& type);
 // The room behind the doorway, if the plan has one: its own type, the same style and hour; of what was asked for, what

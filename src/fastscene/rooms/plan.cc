@@ -6,7 +6,6 @@
 
 #include "fastscene/base/is_one_of.h"
 #include "fastscene/rooms/catalogue.h"
-#include "fastscene/rooms/layout_parts.h"
 #include "fastscene/rooms/lexicon.h"
 #include "fastscene/rooms/plan_parts.h"
 #include "fastscene/rooms/prints.h"
@@ -15,9 +14,7 @@
 namespace fastscene {
 namespace {
 
-constexpr float kSmallSill = 1.25f;  // metres, of small windows: nobody looks in
 constexpr float kLowCeiling = 2.25f, kHighCeiling = 3.2f, kNarrowest = 1.9f;
-constexpr float kThreshold = 0.05f, kLintel = 0.14f;  // below and above a window from floor to ceiling
 
 // Words such as "oak" and "walnut" are woods before they are colors.
 void apply_floor_wish(Material& m, PromptObject wish, std::span<const Vec3f> palette) {
@@ -34,194 +31,6 @@ void apply_floor_wish(Material& m, PromptObject wish, std::span<const Vec3f> pal
     // Checkered without a word of color: black and white.
     if (wish.pattern == "checkered" && wish.color.empty() && wish.material != "wood")
         m.color_a = m.color_c = *color_named("off white"), m.color_b = *color_named("charcoal");
-}
-
-float free_margin(float length, float wanted) { return std::max(0.25f, (length - wanted) / 2); }
-
-// The end of a door that stands at the left of its wall, with its casing and a hand of wall.
-constexpr float kDoorWidth = 0.88f, kDoorMargin = 0.28f, kClearOfDoor = kDoorMargin + kDoorWidth + 0.3f;
-
-// What is asked to stand at windows shapes them: low things fit below a sill that is high enough, a picture hangs above
-// a window that ends low enough, and between two windows there must be wall.
-struct AtWindows {
-    bool below = false, above = false, between = false;
-    float beside = 0;  // metres of wall that what stands on both sides of one takes at each
-};
-bool is_small_or_hung(std::string_view kind) {
-    return furnishing::is_small(kind) || has_role(kind, Role::beside_window);
-}
-AtWindows at_windows(const PromptSpec& spec) {
-    AtWindows at;
-    for (const PromptObject& o : spec.objects) {
-        if (o.forbidden || o.relation_to != "window" || o.kind == "curtain" || o.kind == "rug") continue;
-        at.below = at.below || o.relation == "under" || o.relation == "in front of" || o.relation == "next to";
-        at.above = at.above || o.relation == "above";
-        if (o.relation == "on both sides of" && !is_small_or_hung(o.kind))
-            at.beside = std::max(at.beside, o.kind == "bed" ? 1.95f : has_role(o.kind, Role::bed) ? 1.25f : 1.f);
-        at.between = at.between || (o.relation == "between" && o.relation_and == "window");
-    }
-    return at;
-}
-
-// Two windows in one wall with a piece of wall between them.
-bool add_window_pair(const PromptSpec& spec, Plan& plan, const PromptObject* wish, Random& rng) {
-    constexpr float kBetween = 1.35f, kBeside = 0.35f;
-    const int first = rng.chance(0.5f) ? 1 : 3;
-    for (const int w : {first, 4 - first, 0}) {
-        const auto [low, high] = plan.free_span(w, 2.1f);
-        const float wide = std::min(1.3f, (high - low - kBetween) / 2 - kBeside);
-        if (wide < 0.6f) continue;
-        for (const float middle : {(low + high - kBetween - wide) / 2, (low + high + kBetween + wide) / 2}) {
-            Opening window;
-            window.wall = w;
-            window.u0 = middle - wide / 2, window.u1 = middle + wide / 2;
-            window.y0 = room_type(spec.room).windows.size == WindowSize::small ? kSmallSill : 0.9f;
-            window.y1 = std::min(plan.height - 0.25f, 2.2f);
-            window.requested = wish != nullptr;
-            plan.openings.push_back(window);
-        }
-        return true;
-    }
-    return false;
-}
-
-// One after the other along whole walls: a church, a classroom, a shop's front.
-void add_regular_windows(const RoomWindows& like, Plan& plan) {
-    constexpr float kLintelAbove = 0.2f, kCorner = 0.45f, kNarrowestPane = 0.4f;
-    for (const int wall : like.walls) {
-        const auto [low, high] = plan.free_span(wall, 2.1f);
-        const float from = wall == 2 ? low + kClearOfDoor : low + kCorner, to = high - kCorner, length = to - from;
-        const int count = std::max(1, static_cast<int>((length + like.every_m - like.width_m) / like.every_m));
-        const float wide = std::min(like.width_m, length / static_cast<float>(count) - 0.1f);
-        if (wide < kNarrowestPane) continue;
-        for (int i = 0; i < count; ++i) {
-            Opening window;
-            window.wall = wall;
-            const float middle = from + length * (static_cast<float>(i) + 0.5f) / static_cast<float>(count);
-            window.u0 = middle - wide / 2, window.u1 = middle + wide / 2;
-            window.y1 = std::min(plan.height - kLintelAbove, like.head_m);
-            window.y0 = std::min(like.sill_m, window.y1 - 0.4f);
-            if (like.arched) window.shape = Opening::Shape::arched;
-            if (like.round) {  // hung from its head
-                window.shape = Opening::Shape::round;
-                window.y0 = window.y1 - wide;
-            }
-            plan.openings.push_back(window);
-        }
-    }
-}
-
-void add_windows(PromptSpec& spec, Plan& plan, Random& rng) {
-    const PromptObject* wish = wish_for(spec, "window");
-    if (wish_for(spec, "window", true)) return;
-    if (const RoomWindows& like = room_type(spec.room).windows; like.regular && !wish && !(plan.knee > 0))
-        return add_regular_windows(like, plan);
-    const AtWindows asked = at_windows(spec);
-    const bool paired = asked.between && (!wish || wish->count <= 2) && !(plan.knee > 0);
-    if (paired && add_window_pair(spec, plan, wish, rng)) {
-        plan.bay = false;  // its recess is an alcove then
-        return;
-    }
-    const RoomWindows& usually = room_type(spec.room).windows;
-    const bool large = (wish && wish->size == "large") || usually.size == WindowSize::large || is_hall(spec) ||
-                       spec.mood == "airy" || spec.light == "bright";
-    const bool small = (wish && wish->size == "small") || usually.size == WindowSize::small;
-    constexpr int kOfHalls = 3;
-    int count = wish                                     ? std::clamp(wish->count, 1, 4)
-                : usually.count > 0                      ? usually.count
-                : is_hall(spec)                          ? kOfHalls
-                : rng.chance(usually.second_probability) ? 2
-                                                         : 1;
-    const bool opens = !spec.next_room.empty() || wish_for(spec, "doorway");
-    if (opens && (!wish || !wish->counted)) count = std::min(count, 2);  // a wall is left for the doorway
-    // Blinds and shutters are square, and so are their windows.
-    const bool blinds = std::any_of(spec.objects.begin(), spec.objects.end(),
-                                    [](const PromptObject& o) { return !o.forbidden && furnishing::is_blind(o.kind); });
-    if (blinds && shape_of(wish) != Opening::Shape::square)
-        spec.assumed.push_back("shape of the " + wish->words + ": square, as its blinds are");
-    // The first window faces the visitor or stands to his right: there it lights what he looks at.
-    const bool right = rng.chance(0.5f);
-    const int first = usually.first_on_far_wall || plan.bay || plan.knee > 0 ? 0
-                      : right                                                ? 1
-                                                                             : 3,
-              second = right ? 1 : 3;
-    const int order[4] = {first, first == 0 ? second : 0, first == 0 ? 4 - second : 4 - first, 2};
-    if (plan.knee > 0 && !wish) count = 1;
-    for (int i = 4; wish && i < wish->count; ++i) spec.not_placed.push_back(wish->words + ": a room has at most four");
-    for (int i = 0; i < count; ++i) {
-        Opening window;
-        window.wall = order[i];
-        // On the free part of the wall; below a slope there is none.
-        const auto [low, high] = plan.free_span(window.wall, 2.1f);
-        const float length = high - low;
-        if (length < 1.1f) {
-            if (wish) spec.not_placed.push_back(wish->words + ": no free wall for it");
-            continue;
-        }
-        const bool bay = plan.bay && window.wall == 0;
-        const float margin = wants_corners(spec) ? 2 * kCornerMargin : 0.6f;
-        const float usual = bay ? length - 0.3f
-                                : std::min(std::max(0.6f, length - margin), large   ? rng.uniform(2.2f, 3.0f)
-                                                                            : small ? rng.uniform(0.7f, 0.9f)
-                                                                                    : rng.uniform(1.3f, 1.8f));
-        window.y0 = std::max(bay ? 0.5f : large ? 0.4f : small ? kSmallSill : 0.85f, usually.least_sill_m);
-        if (asked.below) window.y0 = std::max(window.y0, 0.9f);
-        window.y1 = std::min(plan.height - (asked.above ? 0.7f : 0.25f), large ? 2.45f : 2.2f);
-        if (wish && wish->pattern == kFullHeight && !bay) window.y0 = kThreshold, window.y1 = plan.height - kLintel;
-        window.shape = bay || blinds ? Opening::Shape::square : shape_of(wish);
-        float width = usual;
-        if (asked.beside > 0 && !bay) width = std::clamp(length - 2 * asked.beside, 0.7f, usual);
-        if (window.shape == Opening::Shape::arched) {  // upright, up to the ceiling
-            width = std::min(usual, large ? 1.5f : small ? 0.7f : 1.2f);
-            window.y1 = std::min(plan.height - (asked.above ? 0.7f : 0.22f), large ? 2.7f : 2.4f);
-        } else if (window.shape ==
-                   Opening::Shape::round) {  // a porthole at the height of the eyes, a larger one about there
-            constexpr float kEyes = 1.55f;
-            width = std::min(usual, wish->words.starts_with("porthole") ? (large ? 0.75f : 0.6f)
-                                    : large                             ? 1.5f
-                                    : small                             ? 0.7f
-                                                                        : 1.05f);
-            window.y0 = std::max(window.y0 < 1.f ? 0.5f : window.y0 - 0.2f, kEyes - width / 2),
-            window.y1 = window.y0 + width;
-        }
-        const float slack = wants_corners(spec) || asked.beside > 0 ? 0.f : free_margin(length, width) - 0.25f;
-        window.u0 = low + (bay ? 0.15f : free_margin(length, width) + slack * rng.uniform(-0.5f, 0.5f));
-        window.u1 = window.u0 + width;
-        if (window.wall == 2) {  // beside the door
-            window.u1 = high - 0.3f;
-            if (window.shape == Opening::Shape::round) window.shape = Opening::Shape::square;  // what is left is narrow
-            window.u0 = std::max(std::max(low, 0.f) + kClearOfDoor, window.u1 - width);
-            if (!(window.u1 - window.u0 >= 0.5f)) {
-                if (wish) spec.not_placed.push_back(wish->words + ": no free wall for the fourth");
-                continue;
-            }
-        }
-        window.requested = wish != nullptr;
-        plan.openings.push_back(window);
-    }
-}
-
-void add_door(PromptSpec& spec, Plan& plan, Random& rng) {
-    if (wish_for(spec, "door", true)) return;
-    Opening door;
-    door.kind = Opening::Kind::door;
-    door.wall = 2;
-    const PromptObject* wish = wish_for(spec, "door");
-    door.requested = wish != nullptr;
-    const auto [low, high] = plan.free_span(2, 2.1f);
-    for (int i = 1; wish && i < wish->count; ++i) spec.not_placed.push_back(wish->words + ": a room has one");
-    const bool shared = std::any_of(plan.openings.begin(), plan.openings.end(),
-                                    [](const Opening& o) { return o.wall == 2; });
-    const float margin = wants_corners(spec) && !shared
-                             ? std::clamp((high - low - kDoorWidth) / 2, kDoorMargin, kCornerMargin)
-                             : kDoorMargin;
-    door.u0 = rng.chance(0.5f) || shared ? low + margin : high - margin - kDoorWidth;
-    if (room_type(spec.room).middle_door && !shared) door.u0 = (low + high - kDoorWidth) / 2;
-    door.u1 = door.u0 + kDoorWidth;
-    door.y1 = 2.06f;
-    if (shape_of(wish) != Opening::Shape::square)
-        door.shape = Opening::Shape::arched, door.y1 = std::min(plan.height - 0.2f, 2.2f);
-    plan.openings.push_back(door);
 }
 
 // Who asks for much gets a larger room: square metres of what is wished, beyond what the usual size has space for.

@@ -24,6 +24,10 @@ void deepen_paint(const PromptSpec& spec, Plan& plan);
 // Tiles for a bathroom or laundry, as the style has them.
 void tile_wet_room(Plan& plan, Random& rng);
 
+// Windows in the walls as asked for and as the room's type has them, and the door after them.
+void add_windows(PromptSpec& spec, Plan& plan, Random& rng);
+void add_door(PromptSpec& spec, Plan& plan, Random& rng);
+
 // What the ceiling is made of and how it is shaped, where the prompt does not say it. Once the room has its shape and
 // windows.
 void choose_ceiling(const PromptSpec& spec, Plan& plan);

@@ -139,8 +139,9 @@ void give_part(Reading& r, std::size_t at, const Match& noun, UnitPart part, Pro
     if (a.is(WordKind::material) && color.empty()) color = added_by(*a.word, "color");
 }
 
-// One adjective comes home.
-void give(Reading& r, std::size_t at, std::size_t noun) {
+}  // namespace
+
+void bind_adjective(Reading& r, std::size_t at, std::size_t noun) {
     Match& a = r.m[at];
     const Match& n = r.m[noun];
     if (a.noun >= 0 || !a.word || a.settled || a.word->adds == "seats") return;
@@ -242,6 +243,8 @@ void give(Reading& r, std::size_t at, std::size_t noun) {
     }
 }
 
+namespace {
+
 // Whether the adjectives before `connector` (a comma or "and") belong to the phrase behind it.
 bool crosses(const Reading& r, std::size_t connector, std::size_t noun) {
     if (connector == 0 || connector + 1 >= r.m.size()) return false;
@@ -294,12 +297,12 @@ void bind_before(Reading& r, std::size_t noun) {
     const std::size_t begin = phrase_start(r, noun);
     // The material first: what "dark" means depends on it.
     for (std::size_t i = begin; i < noun; ++i)
-        if (r.m[i].is(WordKind::material)) give(r, i, noun);
+        if (r.m[i].is(WordKind::material)) bind_adjective(r, i, noun);
     for (std::size_t i = begin; i < noun; ++i)
         if (is_adjective(r.m[i]) || r.m[i].is(WordKind::count) || r.m[i].is(WordKind::style) || is_shade(r.m[i]))
-            give(r, i, noun);
+            bind_adjective(r, i, noun);
     // "two windows and a door": an article alone says one.
-    if (begin > 0 && r.m[begin - 1].is(WordKind::count) && is_noun(r.m[noun])) give(r, begin - 1, noun);
+    if (begin > 0 && r.m[begin - 1].is(WordKind::count) && is_noun(r.m[noun])) bind_adjective(r, begin - 1, noun);
 }
 
 // French, Spanish, Italian: the adjectives behind the noun.
@@ -309,7 +312,7 @@ void bind_after(Reading& r, std::size_t noun) {
         if (r.m[i].is(WordKind::function) &&
             !(leads_back(r.m[i]) && i + 1 < r.m.size() && r.m[i + 1].is(WordKind::material)))
             break;
-        if (is_adjective(r.m[i]) || is_shade(r.m[i])) give(r, i, noun);
+        if (is_adjective(r.m[i]) || is_shade(r.m[i])) bind_adjective(r, i, noun);
     }
 }
 
@@ -336,67 +339,6 @@ std::optional<std::size_t> noun_behind(const Reading& r, std::size_t at) {
         --i;
     }
     return {};
-}
-
-bool is_tablecloth(const std::string& words) {
-    return is_one_of(words, {"tablecloth", "tablecloths", "table cloth", "table cloths"});
-}
-// Tables that a cloth is drawn for.
-bool is_laid(std::string_view kind) { return has_role(kind, Role::laid); }
-
-// "a yellow gingham tablecloth": its color and its print; the table below keeps its own.
-void lay_cloth(Reading& r, std::size_t cloth, std::size_t owner) {
-    PromptObject& table = r.object_of(owner);
-    table.holder_material = kTableCloth;
-    for (std::size_t k = 0; k < r.m.size(); ++k) {
-        if (r.m[k].noun != static_cast<int>(cloth) || r.m[k].is(WordKind::count)) continue;
-        const Word& word = *r.m[k].word;
-        if (r.m[k].is(WordKind::color) && table.holder_color.empty())
-            table.holder_color = word.meaning, r.tell(k, "tablecloth in color " + word.meaning, table.id);
-        else if (r.m[k].is(WordKind::pattern) && table.pattern.empty() && is_print(word.meaning))
-            table.pattern = word.meaning, r.tell(k, "tablecloth with pattern " + word.meaning, table.id);
-        else r.tell_near(k, "of the tablecloth: as such cloths are", table.id);
-    }
-    r.tell(cloth, "cloth on the " + table.words, table.id);
-}
-
-// "bedding in white", "bed with white sheets": the cloth of a piece takes color for the piece itself.
-void pass_on_cloth(Reading& r) {
-    for (std::size_t i = 0; i < r.m.size(); ++i) {
-        if (!r.m[i].is(WordKind::detail) || r.m[i].word->meaning != "textile" || r.m[i].negated) continue;
-        std::optional<std::size_t> owner;
-        // A tablecloth is a table's, wherever that is named.
-        const bool of_table = is_tablecloth(r.m[i].words);
-        for (std::size_t k = 0; k < r.m.size() && of_table && !owner; ++k)
-            if (has_object(r.m[k]) && r.m[k].is(WordKind::object) && !r.m[k].negated && is_laid(r.object_of(k).kind))
-                owner = k;
-        if (of_table && owner) lay_cloth(r, i, *owner);
-        if (of_table && !owner) r.tell_near(i, "no table was named that it could lie on");
-        if (of_table) continue;
-        for (std::size_t k = i; k-- > 0 && !owner;)
-            if (has_object(r.m[k]) && r.m[k].is(WordKind::object)) owner = k;
-        for (std::size_t k = i + 1; k < r.m.size() && !owner; ++k)
-            if (has_object(r.m[k]) && r.m[k].is(WordKind::object)) owner = k;
-        if (!owner) continue;
-        for (std::size_t k = 0; k < r.m.size(); ++k)
-            if (r.m[k].noun == static_cast<int>(i) && !r.m[k].is(WordKind::count)) {
-                r.m[k].noun = -1;
-                // Of a bunk the frame takes what is said of the piece; its bedding has a color of its own.
-                PromptObject& bed = r.object_of(*owner);
-                const bool framed = has_role(bed.kind, Role::framed_bed);
-                if (framed && r.m[k].is(WordKind::color) && bed.holder_color.empty()) {
-                    r.m[k].noun = static_cast<int>(*owner);
-                    bed.holder_color = r.m[k].word->meaning;
-                    r.tell(k, "bedding in color " + bed.holder_color + " of " + bed.kind, bed.id);
-                } else if (framed && r.m[k].is(WordKind::material)) {
-                    r.m[k].noun = static_cast<int>(*owner);
-                    r.tell_near(k, "of the " + r.m[i].words + ", which is as the piece has it");
-                } else {
-                    give(r, k, *owner);
-                }
-            }
-        r.tell(i, "cloth of " + r.object_of(*owner).kind, r.m[*owner].object);
-    }
 }
 
 // "a rattan chair" is one to lounge in; at a table or a desk, or where there are many, it is a chair like others.
@@ -439,7 +381,8 @@ void bind_adjectives(Reading& r) {
         }
     for (std::size_t i = 0; i < r.m.size(); ++i)
         if (r.m[i].noun < 0 && (is_adjective(r.m[i]) || is_shade(r.m[i])) && !leads_to_a_room(r, i))
-            if (const auto noun = noun_behind(r, i); noun && (!r.m[*noun].negated || r.m[i].negated)) give(r, i, *noun);
+            if (const auto noun = noun_behind(r, i); noun && (!r.m[*noun].negated || r.m[i].negated))
+                bind_adjective(r, i, *noun);
     pass_on_cloth(r);
     name_lounge_chairs(r);
 }

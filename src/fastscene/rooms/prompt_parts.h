@@ -106,11 +106,18 @@ std::optional<std::pair<Match, std::size_t>> measure_at(const std::vector<std::s
 // Longest match first; then the furniture catalogue; then what was misspelt.
 Matches match(const std::vector<std::string>& tokens, const Tongue& tongue, const FurniturePack* pack);
 
+// Marks the words that are negated; called by settle_double_meanings.
+void mark_negated(Matches& m);
 // Which rooms the prompt speaks of, before its nouns; called by settle_double_meanings.
 void settle_rooms(Reading& r);
 // Pieces named behind the second room that belong there: "an en-suite bathroom with a freestanding tub".
 void fill_next_room(Reading& r);
 inline constexpr const char* kInNextRoom = "in the next room";
+
+// Binds the adjective at `at` to its noun.
+void bind_adjective(Reading& r, std::size_t at, std::size_t noun);
+// Cloth takes color for its piece: "bedding in white"; both of bind_adjectives.
+void pass_on_cloth(Reading& r);
 
 // In this order:
 void settle_quantities(Matches& m);       // "fewer than five", "two or three", "for eight": one count each

@@ -1,3 +1,4 @@
+#include "fastscene/rooms/file_fields.h"
 #include "fastscene/rooms/recipe.h"
 
 #include <fmt/format.h>
@@ -16,7 +17,6 @@ using furnishing::StepKind;
 constexpr double kMostPull = 5, kLeastGap = -1, kMostGap = 3, kLongest = 6;  // the latter in metres
 constexpr int kMostTimes = 20, kMostPieces = 99;
 constexpr double kLongestRun = 12;  // metres
-constexpr std::string_view kWalls[] = {"far", "right", "near", "left"};
 
 // Keys that every step may have.
 constexpr std::string_view kEveryStep[] = {"do",        "only_asked",    "if_asked",     "if_not_asked",  "if_to_place",
@@ -116,11 +116,11 @@ class StepReader {
     void read_pattern() {
         if (t_.has("seat")) s_.seat = thing("seat");
         if (t_.has("back")) s_.back = thing("back");
-        if (t_.has("towards")) s_.towards = static_cast<int>(t_.needed_choice("towards", kWalls));
+        if (t_.has("towards")) s_.towards = static_cast<int>(t_.needed_choice("towards", file_fields::kWallNames));
         if (t_.has("walls")) {
             s_.walls.clear();
             for (const std::string& name : t_.texts("walls"))
-                s_.walls.push_back(static_cast<int>(t_.choice_of("walls", name, kWalls)));
+                s_.walls.push_back(static_cast<int>(t_.choice_of("walls", name, file_fields::kWallNames)));
         }
         s_.pitch_m = number("pitch_m", s_.pitch_m, 0.2, kLongest);
         s_.aisle_m = number("aisle_m", s_.aisle_m, 0, kLongest);

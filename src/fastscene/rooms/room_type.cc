@@ -136,16 +136,15 @@ class TypeReader {
 
     void read_regular_windows(const TomlTable& t) {
         if (!t.has("walls")) return;
-        static constexpr std::string_view kWalls[] = {"far", "right", "near", "left"};
-        constexpr double kLongest = 6;
+        constexpr double kMost_m = 6;
         RoomWindows& w = t_.windows;
         w.regular = true;
         for (const std::string& name : t.texts("walls"))
-            w.walls.push_back(static_cast<int>(t.choice_of("walls", name, kWalls)));
-        w.every_m = static_cast<float>(t.number("every_m", w.every_m, 0.5, kLongest));
-        w.width_m = static_cast<float>(t.number("width_m", w.width_m, 0.3, kLongest));
-        w.sill_m = static_cast<float>(t.number("sill_m", w.sill_m, 0.05, kLongest));
-        w.head_m = static_cast<float>(t.number("head_m", w.head_m, 0.5, kLongest));
+            w.walls.push_back(static_cast<int>(t.choice_of("walls", name, file_fields::kWallNames)));
+        w.every_m = static_cast<float>(t.number("every_m", w.every_m, 0.5, kMost_m));
+        w.width_m = static_cast<float>(t.number("width_m", w.width_m, 0.3, kMost_m));
+        w.sill_m = static_cast<float>(t.number("sill_m", w.sill_m, 0.05, kMost_m));
+        w.head_m = static_cast<float>(t.number("head_m", w.head_m, 0.5, kMost_m));
         w.arched = t.flag("arched", false);
         w.round = t.flag("round", false);
     }

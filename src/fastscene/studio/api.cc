@@ -218,7 +218,7 @@ ApiAnswer Api::get(const std::vector<std::string>& path) {
         throw Refusal(404, "there is no picture yet");
     }
     if (path.size() == 2 && what == "uploads") return {200, {}, uploads_.file(path[1]), {}};
-    throw Refusal(404, "the studio knows no such address");
+    throw Refusal(404, "there is no such address");
 }
 
 ApiAnswer Api::post(const std::vector<std::string>& path, const Json& body) {
@@ -241,7 +241,7 @@ ApiAnswer Api::post(const std::vector<std::string>& path, const Json& body) {
         board_.changed();
         return {200, {{"name", name}}, {}, {}};
     }
-    throw Refusal(404, "the studio knows no such address");
+    throw Refusal(404, "there is no such address");
 }
 
 ApiAnswer Api::post_job(const std::string& id, const std::string& what) {
@@ -249,7 +249,7 @@ ApiAnswer Api::post_job(const std::string& id, const std::string& what) {
     else if (what == "resume") queue_.resume(id);
     else if (what == "forget") queue_.forget(id);
     else if (what == "first") queue_.move_first(id);
-    else throw Refusal(404, "the studio knows no such address");
+    else throw Refusal(404, "there is no such address");
     return {200, {{"jobs", queue_.jobs()}}, {}, {}};
 }
 
@@ -261,7 +261,7 @@ ApiAnswer Api::get_film(const std::string& scene, const std::vector<std::string>
         film["view"] = fs::exists(library_.folder(scene).room_json()) ? drafts_.scene_view(scene) : Json(nullptr);
         return {200, std::move(film), {}, {}};
     }
-    if (path.size() != 4) throw Refusal(404, "the studio knows no such address");
+    if (path.size() != 4) throw Refusal(404, "there is no such address");
     if (path[3] == "traced") return {200, {}, films_.traced(scene), {}};
     const fs::path file = path[3] == "made" ? films_.made(scene) : films_.written(scene, path[3]);
     return {200, {}, file, scene + "-" + file.filename().string()};
@@ -282,7 +282,7 @@ ApiAnswer Api::post_film(const std::string& scene, const std::string& what, cons
     if (what == "make") films_.make(scene, field<std::string>(body, "ending", "mp4"));
     else if (what == "trace") films_.trace(scene, field<float>(body, "time_s", 0));
     else if (what == "stop") films_.stop();
-    else throw Refusal(404, "the studio knows no such address");
+    else throw Refusal(404, "there is no such address");
     return {200, films_.live(), {}, {}};
 }
 
@@ -305,7 +305,7 @@ ApiAnswer Api::post_scene(const std::string& scene, const std::string& what, con
         complete(scene);
         return {200, {{"id", scene}}, {}, {}};
     }
-    throw Refusal(404, "the studio knows no such address");
+    throw Refusal(404, "there is no such address");
 }
 
 Json Api::create(const Json& body) {

@@ -1,4 +1,4 @@
-// What the pages ask for, as plain data: no sockets here. web_server.h speaks HTTP.
+// What the pages request, as plain data, without sockets; web_server.h speaks HTTP.
 #pragma once
 
 #include <filesystem>

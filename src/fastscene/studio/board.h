@@ -1,4 +1,4 @@
-// Board: tells the pages that something has changed. They ask again for what they show.
+// Board: notifies the pages that something has changed; they then request what they show again.
 #pragma once
 
 #include <chrono>

@@ -38,8 +38,8 @@ Measured measured(const Json& scenes, const std::string& quality) {
 
 Json costs(const Json& scenes, int threads) {
     const double cores = kBusyShare * std::clamp(threads, 1, kMostUsefulThreads);
-    const auto expected = [&](const std::string& quality) { return 60 * scene_cost(quality).cpu_minutes / cores; };
-    // How much slower than expected this machine is; one quality tells of the others.
+    const auto expected = [&](const std::string& quality) { return scene_cost(quality).core_seconds / cores; };
+    // How much slower than expected this machine is; measured scenes of one quality serve for the others, too.
     std::vector<double> slower;
     for (const std::string& quality : qualities())
         for (const double seconds : measured(scenes, quality).seconds) slower.push_back(seconds / expected(quality));

@@ -16,14 +16,14 @@ enum class Needs : std::uint8_t { nothing, splats, room };
 
 struct Download {
     std::string id, group, file, about;
-    std::string stands;                  // below the scene's folder; empty: it is made
-    std::vector<std::string> arguments;  // … by these, with SCENE and FILE for the two
+    std::string stands;                  // file below the scene's folder; empty: made on demand
+    std::vector<std::string> arguments;  // of the command that makes it, with SCENE and FILE as placeholders
     Needs needs = Needs::nothing;
 };
 
 std::vector<Download> all_downloads() {
     std::vector<Download> all{
-        {"viewer", "share", "viewer.html", "web page to walk in, opens from disk", "viewer.html", {}},
+        {"viewer", "share", "viewer.html", "web page to walk through the scene, opens from disk", "viewer.html", {}},
         {"panorama", "share", "panorama.png", "360° picture, equirectangular", "panorama/color.png", {}},
         {"preview", "share", "preview.jpg", "picture", "preview.jpg", {}},
         {"ply", "splats", "scene.ply", "3D Gaussians, as most programs read them", "splat/scene.ply", {}},
@@ -62,14 +62,14 @@ std::vector<Download> all_downloads() {
         {"labels",
          "room",
          "labels.json",
-         "every thing with its class and box",
+         "all objects with their classes and bounding boxes",
          "",
          {"export", "SCENE", "FILE", "--what", "labels"},
          Needs::room},
         {"walkable",
          "room",
          "walkable.json",
-         "where one can walk",
+         "walkable area",
          "",
          {"export", "SCENE", "FILE", "--what", "walkable"},
          Needs::room},
@@ -83,7 +83,7 @@ std::vector<Download> all_downloads() {
         {"document", "room", "room.json", "the room as a document, to edit and build again", "panorama/room.json", {}},
         {"range", "data", "range.exr", "range map of the panorama, metres", "depth/range.exr", {}},
         {"report", "data", "report.json", "what the run cost", "report.json", {}},
-        {"credits", "data", "credits.txt", "whom to name when the scene is published", "credits.txt", {}},
+        {"credits", "data", "credits.txt", "attributions that a published scene must name", "credits.txt", {}},
     };
     all.insert(all.end(), room.begin(), room.end());
     return all;
@@ -100,7 +100,7 @@ std::vector<std::string> filled(std::vector<std::string> arguments, const std::s
 std::string last_words(const fs::path& log) {
     const std::string text = fs::exists(log) ? read_file(log) : "";
     const std::size_t at = text.rfind("fastscene: ");
-    if (at == std::string::npos) return "the program said nothing";
+    if (at == std::string::npos) return "the program printed no message";
     return text.substr(at + 11, text.find('\n', at) - at - 11);
 }
 

@@ -129,7 +129,7 @@ Json Drafts::edit(const std::string& scene, int revision, const Json& step) {
     library_.folder(scene);
     State state = load(scene);
     if (state.revision != revision)
-        throw Refusal(409, "this room was changed in another window: its changes are shown now, yours was not made");
+        throw Refusal(409, "this room was changed in another window: it is shown now, and your change was not applied");
     const std::string op = needed<std::string>(step, "op");
     const auto swap_with = [&](std::vector<Json>& from, std::vector<Json>& to) {
         if (from.empty()) throw Refusal(409, "there is nothing to {}", op);
@@ -163,7 +163,7 @@ Drafts::Made Drafts::write(const std::string& scene, int revision, const std::st
     const std::lock_guard lock(mutex_);
     const State state = load(scene);
     if (state.revision != revision)
-        throw Refusal(409, "this room was changed in another window: look at it, then make it");
+        throw Refusal(409, "this room was changed in another window: check it, then make it");
     if (state.now.is_null()) throw Refusal(409, "nothing was changed yet");
     const fs::path room = library_.own("rooms") / (new_scene + ".json");
     write_json(room, state.now.at("document"));

@@ -33,7 +33,7 @@ constexpr const char* kFilmEndings[] = {"mp4", "webm"};
 WalkableArea area_of(const RunFolder& folder) {
     if (!fs::exists(folder.scene_ply())) throw Refusal(409, "this scene has no splats yet: a film needs them");
     const auto area = walkable_in(folder);
-    if (!area) throw Refusal(409, "it is not known where one can walk in this scene: its films need a path of yours");
+    if (!area) throw Refusal(409, "the walkable floor of this scene is not known: load a camera path of your own");
     return *area;
 }
 
@@ -74,7 +74,7 @@ Films::Films(Library& library, Board& board, fs::path program)
 Films::~Films() { stop(); }
 
 fs::path Films::folder(const std::string& scene) const {
-    library_.folder(scene);  // throws for what is no scene
+    library_.folder(scene);  // throws if there is no such scene
     return library_.own("films") / scene;
 }
 fs::path Films::path_file(const std::string& scene) const { return folder(scene) / "path.json"; }
@@ -104,7 +104,7 @@ Json Films::film(const std::string& scene) {
 Json Films::keep(const std::string& scene, const CameraPath& path) {
     make_directories(folder(scene));
     const std::string text = camera_path_json(path).dump(1);
-    // The film that was made stays the film of this path as long as the path is the same.
+    // A finished film belongs to this path until the path changes.
     if (!fs::exists(path_file(scene)) || read_file(path_file(scene)) != text) write_file(path_file(scene), text);
     Json out = json_of(path, area_of(library_.folder(scene)));
     out["made"] = nullptr;
@@ -137,7 +137,8 @@ Json Films::read(const std::string& scene, const std::string& text) {
 fs::path Films::written(const std::string& scene, const std::string& format) {
     const std::lock_guard lock(paths_);
     const auto at = std::find(std::begin(kPathFormats), std::end(kPathFormats), format);
-    if (at == std::end(kPathFormats)) throw Refusal(404, "there is no format \"{}\" of camera paths", format);
+    if (at == std::end(kPathFormats))
+        throw Refusal(404, "expected a known format of camera paths, found \"{}\"", format);
     const auto which = static_cast<PathFormat>(at - std::begin(kPathFormats));
     const fs::path file = folder(scene) /
                           (which == PathFormat::blender ? fs::path("camera.chan") : fs::path(format + ".json"));
@@ -202,7 +203,7 @@ void Films::make(const std::string& scene, const std::string& ending) {
 
 void Films::trace(const std::string& scene, float time_s) {
     const RunFolder run = library_.folder(scene);
-    if (!fs::exists(run.room_json())) throw Refusal(409, "this scene was made from pictures: no room of it is known");
+    if (!fs::exists(run.room_json())) throw Refusal(409, "this scene was made from pictures: its room is not known");
     CameraPath camera;
     {
         const std::lock_guard lock(paths_);
@@ -244,7 +245,7 @@ fs::path Films::traced(const std::string& scene) const {
 void Films::start(const std::string& scene, Json live, std::vector<std::string> arguments) {
     const std::lock_guard lock(mutex_);
     if (live_.at("state") == "running")
-        throw Refusal(409, "a film or picture of {} is in the making: stop it first",
+        throw Refusal(409, "a film or picture of {} is being made: stop it first",
                       live_.at("scene").get<std::string>());
     live.update(Json{{"scene", scene}, {"state", "running"}, {"overall", 0}, {"seconds_left", -1}, {"error", ""}});
     live_ = std::move(live);
@@ -288,7 +289,7 @@ void Films::work(const std::string& scene, std::vector<std::string> arguments, c
     {
         const std::lock_guard lock(mutex_);
         live_["state"] = state;
-        if (state == "failed") live_["error"] = job.error.empty() ? "it could not be made" : job.error;
+        if (state == "failed") live_["error"] = job.error.empty() ? "it failed without a message" : job.error;
     }
     board_.changed();
 }

@@ -25,11 +25,11 @@ class Films {
     // and how high above the floor; the bytes of the film that was made of this path, or null. A path is as
     // io/camera_path_io.h has it. Throws Refusal 409 if the scene has no splats or no walkable floor.
     Json film(const std::string& scene);
-    // A path of its own, which replaces the saved one. `seconds` 0: as long as it takes. Throws as plan_film.
+    // Plans a path, which replaces the saved one. `seconds` 0: as long as it takes. Throws like plan_film.
     Json plan(const std::string& scene, const std::string& kind, float seconds);
-    // Checks and saves a path. Throws Error for a path that is none, or whose camera leaves the walkable area.
+    // Checks and saves a path. Throws Error for an invalid path, or one whose camera leaves the walkable area.
     Json save(const std::string& scene, const Json& path);
-    // The same from the text of a file of another program.
+    // The same from the text of a file, also one of another program.
     Json read(const std::string& scene, const std::string& text);
     // The path in a format of io/camera_path_io.h.
     std::filesystem::path written(const std::string& scene, const std::string& format);

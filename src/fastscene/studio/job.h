@@ -1,4 +1,4 @@
-// A job: a scene that is being made, by a process of its own. What survives the studio stands in .studio/jobs/ID.json.
+// A job: a scene being made, in its own process. What outlives the studio is kept in .studio/jobs/ID.json.
 #pragma once
 
 #include <array>

@@ -54,7 +54,7 @@ std::string why_it_failed(const Job& job, int code, const fs::path& folder) {
     if (full) return "the disk is full: make room, then resume";
     if (code == 128 + SIGKILL)
         return "the process was killed: is there enough memory? Resume, or choose a lower quality";
-    return fmt::format("the process ended with code {} and said nothing", code);
+    return fmt::format("the process ended with code {} and without a message", code);
 }
 
 }  // namespace
@@ -131,7 +131,7 @@ void JobQueue::stop(const std::string& id) {
         } else if (e.job.state == JobState::running) {
             e.stop.request_stop();
         } else {
-            throw Refusal(409, "{}: the job does not run", id);
+            throw Refusal(409, "{}: the job is not running", id);
         }
     }
     board_.changed();
@@ -171,7 +171,7 @@ void JobQueue::forget(const std::string& id) {
 void JobQueue::move_first(const std::string& id) {
     {
         const std::lock_guard lock(mutex_);
-        if (entry(id).job.state != JobState::waiting) throw Refusal(409, "{}: the job does not wait", id);
+        if (entry(id).job.state != JobState::waiting) throw Refusal(409, "{}: the job is not waiting", id);
         const auto at = std::find_if(entries_.begin(), entries_.end(), [&](const Entry& e) { return e.job.id == id; });
         entries_.splice(entries_.begin(), entries_, at);
     }
@@ -255,7 +255,7 @@ void JobQueue::run(Entry& e, const std::stop_token& end) {
             job.error = failure.empty() ? why_it_failed(job, code, folder_) : failure;
             save(e);
         }
-    } catch (const Error& problem) {  // a full disk: the page still tells of it
+    } catch (const Error& problem) {  // a full disk: the page still shows it
         if (job.error.empty()) job.error = problem.what();
     }
 }

@@ -34,7 +34,7 @@ class JobQueue {
     // Each throws Refusal 404 for an unknown job, 409 where the job's state does not allow it.
     void stop(const std::string& id);
     void resume(const std::string& id);
-    void forget(const std::string& id);      // a job that does not run; what it has made stays
+    void forget(const std::string& id);      // of a job that is not running; what it has made is kept
     void move_first(const std::string& id);  // among those that wait
 
     Json jobs() const;

@@ -1,5 +1,5 @@
-// Library: the scenes in a folder, as the studio shows them. What the studio keeps for itself stands in .studio, what
-// was deleted in .trash.
+// Library: the scenes in a folder, as the studio shows them. The studio's own files are in .studio, deleted
+// scenes in .trash.
 #pragma once
 
 #include <filesystem>
@@ -41,7 +41,7 @@ class Library {
     std::string restore(const std::string& trashed);
     Json trash() const;
 
-    // A file below a scene's folder, no link among its parents. Empty: there is none, or it is not the scene's.
+    // A file below a scene's folder, with no symbolic link in its path. Empty: there is none, or it is not the scene's.
     std::optional<std::filesystem::path> file(const std::string& name, const std::string& relative) const;
 
   private:

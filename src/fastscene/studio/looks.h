@@ -31,8 +31,8 @@ class Looks {
 
     // Makes it soon, in the background and with low priority; a wish before it is given up.
     void wish(const std::vector<std::string>& arguments);
-    // Makes it now, or waits until the wish for the same is fulfilled. That it fails is no error: whoever makes the
-    // scene learns why. Throws Stopped.
+    // Makes it now, or waits until the wish for the same is fulfilled. A failure is no error here: making the
+    // scene will report it. Throws Stopped.
     void make(const std::vector<std::string>& arguments, const std::stop_token& stop);
     // The wish that was fulfilled last.
     std::string latest() const;

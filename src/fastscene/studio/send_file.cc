@@ -24,7 +24,7 @@ namespace {
 
 using namespace std::chrono_literals;
 
-// Threads that answer, started when there is none idle. A stream of the studio's events keeps one, and so does a client
+// Worker threads, started when none is idle. A stream of the studio's events keeps one, and so does a client
 // that sends a byte now and then: these many slow ones do not keep others out. Each takes 100 KB or less.
 constexpr std::size_t kMostClients = 400;  // below the usual limit of 1024 open files
 // A connection without a request gives its thread back after this long. Browsers open another, which takes no time on
@@ -58,8 +58,7 @@ class ClientThreads final : public httplib::TaskQueue {
     void enqueue(std::function<void()> task) override {
         const std::lock_guard lock(mutex_);
         tasks_.push_back(std::move(task));
-        if (tasks_.size() > idle_ && threads_.size() < kMostClients)
-            threads_.emplace_back([this] { work(); });
+        if (tasks_.size() > idle_ && threads_.size() < kMostClients) threads_.emplace_back([this] { work(); });
         changed_.notify_one();
     }
     void shutdown() override {
@@ -120,8 +119,7 @@ std::optional<fs::path> file_below(const fs::path& root, const std::string& rela
 }
 
 // Splats may be larger than what is left of memory. An open file stays whole when it is replaced.
-void send_file(const httplib::Request& request, httplib::Response& response, const fs::path& path,
-               const char* policy) {
+void send_file(const httplib::Request& request, httplib::Response& response, const fs::path& path, const char* policy) {
     const auto file = std::make_shared<OpenFile>(path);
     struct stat status {};
     if (file->descriptor < 0 || ::fstat(file->descriptor, &status) != 0 || !S_ISREG(status.st_mode)) {

@@ -13,8 +13,8 @@ struct Response;
 
 namespace fastscene::studio {
 
-// The regular file of that name below `root`; none for names with dots in front, backslashes or zeros, and for what lies
-// behind a symbolic link.
+// The regular file of that name below `root`; none for names with dots in front, backslashes or zeros, and for what
+// lies behind a symbolic link.
 std::optional<std::filesystem::path> file_below(const std::filesystem::path& root, const std::string& relative);
 
 // Piece by piece, with ETag and this Content-Security-Policy; 404 if it is no file.
@@ -28,7 +28,7 @@ void set_safe_headers(httplib::Response& response);
 // before it listens.
 void limit_clients(httplib::Server& server);
 
-// More ranges at once are sent by nobody but who wants to do harm.
+// Whether a request has more ranges than any honest client sends.
 bool has_too_many_ranges(const httplib::Request& request);
 
 }  // namespace fastscene::studio

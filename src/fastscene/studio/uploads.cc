@@ -69,7 +69,7 @@ fs::path Uploads::receive(const std::string& name, const std::function<bool(cons
             throw Refusal(413, "{}: larger than {} MB: make the picture smaller", name, kMostUploadBytes >> 20);
         out.flush();
         if (!out.good()) throw Error("{}: cannot be written: is the disk full?", part.path.string());
-        if (!complete || bytes == 0) throw Refusal(400, "{}: the file did not arrive whole", name);
+        if (!complete || bytes == 0) throw Refusal(400, "{}: the upload is incomplete", name);
     }
     const fs::path file = folder / (content_identity(part.path).substr(0, kIdLength) + ending_of(name));
     fs::rename(part.path, file);

@@ -22,7 +22,7 @@ class Uploads {
     // kMostUploadBytes, without reading the rest.
     using Put = std::function<bool(std::string_view bytes)>;
     // A panorama: {id, name, width, height, warnings}; a range map: {id, name, width, height}. Throws Refusal 422 with
-    // the decoder's words for a file that is none, whatever its name says.
+    // the decoder's message for a file that is not a picture, whatever its name.
     Json panorama(const std::string& name, const std::function<bool(const Put&)>& read);
     Json range_map(const std::string& name, const std::function<bool(const Put&)>& read);
     // Throws Refusal 404 for an unknown id.

@@ -21,12 +21,12 @@ using httplib::Request;
 using httplib::Response;
 
 constexpr int kMostStreams = 32;      // each keeps a thread (send_file.cc)
-constexpr auto kStreamEvery = 250ms;  // pages show no faster changes
+constexpr auto kStreamEvery = 250ms;  // pages need no faster updates
 constexpr auto kStreamWait = 1000ms;  // a closed page and the program's end are noticed within
 constexpr std::size_t kMostJsonBytes = 1 << 20;
 constexpr const char* kCookie = "fastscene_studio";
 
-// The page: nothing from outside, no inline script, in no one's frame.
+// The page: no resources of other origins, no inline scripts, no embedding in frames.
 constexpr const char* kPagePolicy =
     "default-src 'none'; script-src 'self'; style-src 'self'; font-src 'self'; img-src 'self' blob: data:; media-src "
     "'self'; connect-src 'self'; frame-src 'self'; frame-ancestors 'none'; base-uri 'none'; form-action 'none'";
@@ -43,7 +43,7 @@ std::vector<std::string> values_of(const Request& request, const std::string& na
     return values;
 }
 
-// In a time that does not tell where they differ.
+// In constant time, which does not reveal where they differ.
 bool equal(std::string_view a, std::string_view b) {
     if (a.size() != b.size()) return false;
     unsigned differ = 0;
@@ -101,7 +101,7 @@ class WebServer {
         });
         server.set_error_handler([](const Request&, Response& r) {
             if (!r.body.empty() || r.has_header("Content-Type")) return;
-            const char* text = r.status == 413 ? "too large" : "the studio cannot answer this";
+            const char* text = r.status == 413 ? "too large" : "invalid request";
             r.set_content(Json{{"error", text}}.dump(), "application/json");
         });
         server.set_post_routing_handler([](const Request&, Response& r) {
@@ -213,7 +213,7 @@ class WebServer {
     void post(const Request& request, Response& response) {
         const std::vector<std::string> parts = parts_of(request.path);
         if (parts.size() < 2 || parts[0] != "api")
-            return send_json(response, 404, {{"error", "the studio knows no such address"}});
+            return send_json(response, 404, {{"error", "there is no such address"}});
         // Pages of other sites cannot send this type unasked.
         if (!request.get_header_value("Content-Type").starts_with("application/json"))
             return send_json(response, 415, {{"error", "expected application/json"}});

@@ -1,4 +1,4 @@
-// HTTP for the studio: who may ask, files, the stream of events. What is asked for is answered by the Api.
+// HTTP for the studio: access control, files, the stream of events. The Api answers the requests.
 #pragma once
 
 #include <filesystem>

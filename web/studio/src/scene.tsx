@@ -2,7 +2,7 @@
 import { useEffect, useMemo, useState } from 'preact/hooks';
 import { fileUrl, get, part, Refused, type Download, type Draft, type SceneDetails } from './api';
 import { Editor } from './editor';
-import { FilmEditor } from './film';
+import { FilmEditor } from './film/editor';
 import { hasWebGL, Panorama } from './panorama';
 import { fail, go, notify } from './store';
 import { day, minutes, size, t } from './text';

@@ -78,7 +78,7 @@ void write_webdataset(const ExportJob& job) {
 
 DatasetFormat webdataset() {
     return {.name = "webdataset",
-            .about = "tar archives of samples, for reading as a stream",
+            .about = "tar archives of samples, for streaming",
             .readers = "webdataset, torchdata, Hugging Face datasets",
             .sharded = true,
             .write = write_webdataset};

@@ -1,4 +1,4 @@
-// What scenes take, by quality: for planning, rounded up.
+// What a task of a scheduler needs: memory and time, with a margin.
 #pragma once
 
 #include <string>
@@ -8,11 +8,7 @@
 
 namespace fastscene {
 
-double scene_gib(const std::string& quality);           // peak memory
-double scene_core_seconds(const std::string& quality);  // seconds on one core
-
-// What a task that makes some of these scenes, one after the other, is given by a scheduler: with a margin, so that the
-// dearest of them fits.
+// Of a task that makes some of these scenes, one after the other; sized for the most expensive of them.
 struct TaskCost {
     int memory_mib = 0;
     double core_seconds = 0;
