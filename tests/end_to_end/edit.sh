@@ -44,18 +44,34 @@ expect 0 "$fastscene" edit place "remove the armchair" --in-place
 has place/notes.txt && rm place/notes.txt
 lacks place/.edit.unfinished
 same two place
+# An edit in place that was interrupted: another one starts over; once complete, it only has to be moved.
+expect 2 "$fastscene" edit place "remove the bed" --in-place --plan-only
+says "--plan-only"
+cp -r two half && cp -r three half/.edit.unfinished
+expect 0 "$fastscene" edit half "remove the bench" --in-place
+lacks half/.edit.unfinished
+cp -r one late && cp -r two late/.edit.unfinished
+python3 - late/.edit.unfinished <<'PYTHON'
+import json, os, sys
+names = [n for n in os.listdir(sys.argv[1]) if not n.startswith(".")]
+json.dump({"command": "something else", "names": names}, open(sys.argv[1] + "/complete.json", "w"))
+PYTHON
+rm -r late/panorama && mv late/.edit.unfinished/panorama late/panorama  # as far as it came
+expect 0 "$fastscene" splat late
+lacks late/.edit.unfinished
+same two late
 # Not by accident.
 expect 2 "$fastscene" edit one "remove the armchair" -o one/
 says "--in-place"
 
 # Other light everywhere: nothing can be kept, which is said.
 expect 0 "$fastscene" edit one --time night -o night --plan-only
-says "all of the scene is made anew: the edit changes lamps, windows or the outside"
+says "the scene is made without it: the edit changes lamps, windows or the outside"
 
 # The run before may be gone, or its light damaged: then all is made, and that is said.
 rm -r two/walk two/views two/splat && mv one elsewhere
 expect 0 "$fastscene" splat two
-says "it is gone"
+says "it no longer exists"
 has two/splat/scene.ply
 mv elsewhere one && head -c 5000 one/panorama/light.bin >cut && mv cut one/panorama/light.bin
 expect 0 "$fastscene" render one --of room --size 32x32 -o still.png

@@ -1,12 +1,17 @@
-#include <filesystem>
+#include <fmt/ranges.h>
 
+#include <filesystem>
+#include <optional>
+
+#include "fastscene/base/folder_lock.h"
 #include "fastscene/base/writable.h"
 #include "fastscene/cli/flags.h"
 #include "fastscene/cli/verb.h"
 #include "fastscene/pipeline/cached_weights.h"
-#include "fastscene/pipeline/earlier_run.h"
+#include "fastscene/pipeline/find_earlier_run.h"
 #include "fastscene/pipeline/edited_run.h"
 #include "fastscene/pipeline/pipeline.h"
+#include "fastscene/pipeline/source_json.h"
 #include "fastscene/rooms/edit.h"
 #include "fastscene/rooms/pack.h"
 
@@ -108,10 +113,34 @@ void edit_file(const EditFlags& flags, const Session& session) {
     session.print(as_text(result, to.string()), as_json(result, to.string()));
 }
 
+// What was asked for, to recognize it.
+std::string text_of(const EditFlags& flags) {
+    return fmt::format("{}|{}|{}|{}|{}|{}|{}|{}", flags.sentence, flags.room, flags.style, flags.time,
+                       fmt::join(flags.remove, " "), fmt::join(flags.move, " "), fmt::join(flags.recolor, " "),
+                       fmt::join(flags.add, " "));
+}
+
+// Whether an interrupted edit in place is not of this document and is to be forgotten.
+bool is_another(const RunFolder& unfinished, const SceneSource& source) {
+    if (!fs::exists(unfinished.run_json())) return false;
+    const Json found = read_json(unfinished.run_json()), wanted = json_of_source(source);
+    return found.value("document", Json()) != wanted.value("document", Json()) ||
+           found.value("edited_from", Json()) != wanted.value("edited_from", Json());
+}
+
 void edit_run(const EditFlags& flags, const Session& session) {
     if (!flags.out.empty() && flags.in_place) throw UsageError("--in-place: expected without -o");
+    if (flags.plan_only && flags.in_place)
+        throw UsageError("--plan-only: expected without --in-place, which would replace the scene by its panorama");
     const RunFolder from{fs::path(flags.target).lexically_normal()};
+    if (flags.in_place && is_edit_half_finished(from)) {
+        const FolderLock lock(from.root);
+        if (resume_finishing_edit(from) == text_of(flags))
+            return session.print(from.root.string(), {{"out", from.root.string()}, {"changes", Json::array()}});
+    }
     RecordedRun recorded = recorded_run(from);
+    std::optional<FolderLock> lock;
+    if (flags.in_place) lock.emplace(from.root);
     const Run run = session.run(recorded.seed);
     const PanoramaParams& panorama = recorded.request.params.panorama;
     const auto pack = furniture_pack(panorama);
@@ -125,11 +154,17 @@ void edit_run(const EditFlags& flags, const Session& session) {
     if (!flags.in_place && fs::weakly_canonical(to.root) == fs::weakly_canonical(from.root))
         throw UsageError("-o: expected another folder than that of the scene; --in-place changes the scene itself");
     for (const EditChange& change : result.changes) run.note(fmt::format("{}: {}", change.id, change.what));
-    recorded.request.source = edit_of(document_source(result.document, to.room_json()), from);
-    recorded.request.last_stage = flags.plan_only ? "panorama" : std::string(last_finished_stage(from));
-    use_cached_weights(recorded.request, run);
-    make_scene(recorded.request, flags.in_place ? unfinished_edit(from) : to, run);
-    if (flags.in_place) finish_edit(from);
+    SceneRequest& request = recorded.request;
+    request.source = edit_of(document_source(result.document, to.room_json()), from);
+    request.last_stage = flags.plan_only ? "panorama" : std::string(last_finished_stage(from));
+    use_cached_weights(request, run);
+    if (flags.in_place) {
+        request.start_over = is_another(unfinished_edit(from), request.source);
+        make_scene(request, unfinished_edit(from), run);
+        finish_edit(from, text_of(flags));
+    } else {
+        make_scene(request, to, run);
+    }
     session.print(as_text(result, to.root.string()), as_json(result, to.root.string()));
 }
 
@@ -165,7 +200,8 @@ Verb add_edit(CLI::App& app) {
     verb->add_option("-o,--out", flags->out,
                      "Folder of the new run, or the new document; default: the name and -edited.")
         ->type_name("DIR|FILE");
-    verb->add_flag("--in-place", flags->in_place, "Make the scene anew in its own folder, or overwrite the document.");
+    verb->add_flag("--in-place", flags->in_place,
+                   "Replace the scene, once the edited one is complete, or overwrite the document.");
     verb->add_flag("--plan-only", flags->plan_only, "Of a run: only its panorama, to look at the change.");
     verb->add_option("--assets", flags->assets, "Of a document: furniture pack: none, public domain models, or all.")
         ->type_name("none|cc0|all")

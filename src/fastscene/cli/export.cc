@@ -194,7 +194,7 @@ Verb add_export(CLI::App& app) {
                 check_place(kind, flags->out);
                 ExportJob job{folder, nullptr, *flags, params, run};
                 if (has_known || kind.needs == ExportKind::room)
-                    job.known = flags->baked_light ? room_of_run(folder, recorded, 0, run)
+                    job.known = flags->baked_light ? room_of_run(folder, recorded, run)
                                                    : unlit_room_of_run(folder, recorded, run);
                 kind.write(job);
                 Json report{{"file", flags->out}, {"what", kind.name}};

@@ -32,7 +32,7 @@ RenderSubject subject_of_room(const std::string& folder, int samples, const Sess
     const RunFolder run_folder{folder};
     const RecordedRun recorded = recorded_run(run_folder);
     unlit_room_of_run(run_folder, recorded, run);  // another version's room is refused before its light is gathered
-    const std::shared_ptr<const TracedRoom> room = room_of_run(run_folder, recorded, 0, run);
+    const std::shared_ptr<const TracedRoom> room = room_of_run(run_folder, recorded, run);
     const ShotParts parts = final_parts(samples);
     const Run quiet{recorded.seed, nullptr, run.stop};
     const auto still = [](Shot shot, auto&& of_range) {

@@ -17,7 +17,13 @@ std::optional<Splats> earlier_splats(const EarlierRun& earlier, const RunFolder&
     const fs::path about = folder.stage("panorama") / kAboutName;
     if (!fs::exists(about) || read_json(about).value("kept_pixels", 0.) < kLeastKept) return {};
     if (!fs::exists(earlier.folder.scene_ply())) return {};
-    const Splats before = load_splats(earlier.folder.scene_ply()).splats;
+    Splats before;
+    try {
+        before = load_splats(earlier.folder.scene_ply()).splats;
+    } catch (const Error& e) {
+        run.note(fmt::format("splat: begins from scratch: {}", e.what()));
+        return {};
+    }
     if (before.sh_degree != params.sh_degree) return {};
     const SceneBvh changed(earlier.change.surfaces);
     Splats begun = continued_splats(

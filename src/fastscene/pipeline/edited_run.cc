@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "fastscene/base/file.h"
 #include "fastscene/rooms/document.h"
 
 namespace fastscene {
@@ -19,22 +20,47 @@ RoomDocument document_of_run(const RunFolder& folder, const RecordedRun& recorde
 
 RunFolder unfinished_edit(const RunFolder& folder) { return {folder.root / ".edit.unfinished"}; }
 
-void finish_edit(const RunFolder& folder) {
+namespace {
+
+constexpr const char* kComplete = "complete.json";  // in unfinished_edit: what is to be moved
+
+}  // namespace
+
+void finish_edit(const RunFolder& folder, const std::string& command) {
     const RunFolder made = unfinished_edit(folder);
-    const FolderLock lock(folder.root);
+    Json names = Json::array();
+    for (const std::string& name : RunFolder::owned())
+        if (fs::exists(made.root / name)) names.push_back(name);
+    write_json(made.root / kComplete, {{"command", command}, {"names", names}});
+    resume_finishing_edit(folder);
+}
+
+bool is_edit_half_finished(const RunFolder& folder) { return fs::exists(unfinished_edit(folder).root / kComplete); }
+
+std::optional<std::string> resume_finishing_edit(const RunFolder& folder) {
+    if (!is_edit_half_finished(folder)) return {};
+    const RunFolder made = unfinished_edit(folder);
+    const Json complete = read_json(made.root / kComplete);
+    const auto is_moved = [&](const std::string& name) {
+        const Json& names = complete.at("names");
+        return std::find(names.begin(), names.end(), Json(name)) != names.end();
+    };
     try {
-        // The record last: whoever is killed before finds the earlier run, some of whose stages are to be made again.
-        std::vector<std::string> names = RunFolder::owned();
-        std::partition(names.begin(), names.end(),
-                       [&](const std::string& name) { return name != folder.run_json().filename(); });
-        for (const std::string& name : names) {
-            fs::remove_all(folder.root / name);
-            if (fs::exists(made.root / name)) fs::rename(made.root / name, folder.root / name);
+        // Renames only, so that there is hardly a moment between; the old files are removed with the folder.
+        const fs::path old = made.root / "replaced";
+        make_directories(old);
+        for (const std::string& name : RunFolder::owned()) {
+            const bool comes = is_moved(name);
+            if (comes && !fs::exists(made.root / name)) continue;  // was moved before the interruption
+            if (fs::exists(folder.root / name)) fs::rename(folder.root / name, old / name);
+            if (comes) fs::rename(made.root / name, folder.root / name);
         }
+        fs::remove(made.root / kComplete);
         fs::remove_all(made.root);
     } catch (const fs::filesystem_error& e) {
         throw Error("{}: cannot be written: {}", folder.root.string(), e.code().message());
     }
+    return complete.at("command").get<std::string>();
 }
 
 std::string_view last_finished_stage(const RunFolder& folder) {

@@ -10,7 +10,8 @@
 #include "fastscene/base/writable.h"
 #include "fastscene/depth/estimator.h"
 #include "fastscene/nn/weights.h"
-#include "fastscene/pipeline/earlier_run.h"
+#include "fastscene/pipeline/edited_run.h"
+#include "fastscene/pipeline/find_earlier_run.h"
 #include "fastscene/pipeline/earlier_splats.h"
 #include "fastscene/pipeline/fit_report.h"
 #include "fastscene/pipeline/health.h"
@@ -221,6 +222,7 @@ Json make_scene(const SceneRequest& request, const RunFolder& folder, const Run&
     check_later_stages(request, folder);
     make_directories(folder.root);
     const FolderLock lock(folder.root);
+    resume_finishing_edit(folder);
     const Json wanted = json_of_request(request, run.seed, files, gone);
     claim(folder, request, wanted);
     files.drop_bytes();

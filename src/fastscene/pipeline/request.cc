@@ -2,6 +2,7 @@
 
 #include "fastscene/base/error.h"
 #include "fastscene/pipeline/build_info.h"
+#include "fastscene/pipeline/edited_run.h"
 
 namespace fastscene {
 namespace fs = std::filesystem;
@@ -19,6 +20,10 @@ Json json_of_request(const SceneRequest& request, std::uint64_t seed, SourceFile
 }
 
 RecordedRun recorded_run(const RunFolder& folder) {
+    if (is_edit_half_finished(folder)) {
+        const FolderLock lock(folder.root);
+        resume_finishing_edit(folder);
+    }
     if (!fs::exists(folder.run_json()))
         throw UsageError(
             "{}: expected the folder of a run, found no run.json; make one with `fastscene make \"…\" -o {}`",

@@ -32,16 +32,29 @@ void check_room(const TracedRoom& room, const RunFolder& folder, const SceneRequ
 
 }  // namespace
 
-std::shared_ptr<const TracedRoom> room_of_run(const RunFolder& folder, const RecordedRun& recorded,
-                                              int least_cell_samples, const Run& run) {
-    const PanoramaParams& own = recorded.request.params.panorama;
-    const PanoramaParams panorama = panorama_of_run(recorded, least_cell_samples);
+namespace {
+
+// `light`: the file of its light; empty: gathered.
+std::shared_ptr<const TracedRoom> lit_room(const RunFolder& folder, const RecordedRun& recorded,
+                                           const PanoramaParams& panorama, const std::filesystem::path& light,
+                                           const Run& run) {
     const Run as_made{recorded.seed, run.events, run.stop};
-    auto room = std::make_shared<TracedRoom>(make_unlit_room(origin_of_run(folder, recorded.request), own, as_made));
+    auto room = std::make_shared<TracedRoom>(
+        make_unlit_room(origin_of_run(folder, recorded.request), panorama, as_made));
     check_room(*room, folder, recorded.request);
-    const bool suffices = own.trace.cell_samples >= panorama.trace.cell_samples;
-    light_room(*room, panorama, suffices ? folder.room_light() : std::filesystem::path(), as_made);
+    light_room(*room, panorama, light, as_made);
     return room;
+}
+
+}  // namespace
+
+std::shared_ptr<const TracedRoom> room_of_run(const RunFolder& folder, const RecordedRun& recorded, const Run& run) {
+    return lit_room(folder, recorded, recorded.request.params.panorama, folder.room_light(), run);
+}
+
+std::shared_ptr<const TracedRoom> newly_lit_room_of_run(const RunFolder& folder, const RecordedRun& recorded,
+                                                        int least_cell_samples, const Run& run) {
+    return lit_room(folder, recorded, panorama_of_run(recorded, least_cell_samples), {}, run);
 }
 
 std::shared_ptr<const TracedRoom> room_with_kept_light(const RunFolder& folder, const RecordedRun& recorded,
@@ -52,7 +65,7 @@ std::shared_ptr<const TracedRoom> room_with_kept_light(const RunFolder& folder, 
         make_unlit_room(origin_of_run(folder, recorded.request), panorama, as_made));
     const std::string file = folder.room_light().string();
     if (!room->take_light(panorama.trace, read_file(file), file))
-        throw Error("{}: a graphics card gathers light anew", file);
+        throw Error("{}: kept light is not used with a graphics card", file);
     return room;
 }
 

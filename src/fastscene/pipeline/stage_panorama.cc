@@ -74,7 +74,15 @@ Made made_from_room(const RoomOrigin& origin, const Making& with) {
     if (with.earlier) earlier = {with.earlier->room, load_color(with.earlier->folder.panorama_color())};
     RoomPanorama made = panorama_of_room(origin, with.params, with.run, earlier ? &*earlier : nullptr);
     Made out{std::move(made.panorama.color), to_json(made.prompt), std::move(made.file), std::move(made.room)};
-    if (earlier) out.about = {{"kept_light", made.kept_light}, {"kept_pixels", made.kept_pixels}};
+    if (earlier) {
+        out.about = {
+            {"edits", with.earlier->edits}, {"kept_light", made.kept_light}, {"kept_pixels", made.kept_pixels}};
+        if (made.kept_light > 0)
+            with.run.note(fmt::format("panorama: keeps {:.0f} % of the light and {:.0f} % of the pixels of {}",
+                                      100 * made.kept_light, 100 * made.kept_pixels,
+                                      with.earlier->folder.root.string()));
+        else with.run.note("panorama: rendered from scratch: the edit changes the light of the whole room");
+    }
     return out;
 }
 

@@ -15,6 +15,7 @@ namespace {
 
 // Splats of an edited scene are nearly right: they need a part of the steps, at the learning rates of a training's end.
 constexpr float kContinuedSteps = 0.25f, kBegun = 0.5f;
+constexpr double kMostGrowth = 1.15;  // of the number of splats, by edits
 
 }  // namespace
 
@@ -33,7 +34,14 @@ void make_splat(const RunFolder& folder, const SplatParams& params, const BeginS
         run.note(fmt::format("splat: {} Gaussians, the most that --splat-count allows", sized.count));
     std::optional<Splats> begin;
     if (begin_splats) begin = begin_splats(views.points, sized);
+    if (begin && static_cast<double>(begin->size()) > kMostGrowth * sized.count) {
+        run.note("splat: begins from scratch: with the earlier Gaussians there would be too many");
+        begin.reset();
+    }
     if (begin) {
+        sized.coarse = 0;
+        if (sized.until > 0)
+            sized.until = std::max(1, static_cast<int>(kContinuedSteps * static_cast<float>(sized.until)));
         sized.count = static_cast<int>(begin->size());
         sized.steps = std::max(1, static_cast<int>(kContinuedSteps * static_cast<float>(sized.steps)));
         sized.begun = kBegun;

@@ -35,6 +35,11 @@ void save_outside(const fs::path& walk, const Outside& outside) {
     save_png(walk / kOutsideName / "seen.png", outside.seen);
 }
 
+double kept_light_of(const RunFolder& folder) {
+    const fs::path about = folder.stage("panorama") / kAboutName;
+    return fs::exists(about) ? read_json(about).value("kept_light", 0.) : 0;
+}
+
 // Nothing if the earlier run did not get so far.
 std::optional<EarlierWalk> walk_of(const EarlierRun& earlier) {
     const fs::path walk = earlier.folder.walk();
@@ -100,7 +105,9 @@ void make_walk(const SceneSource& source, const PanoramaParams& panorama, const 
     const Panorama first = load_first_panorama(folder);
     const StandableFloor floor = params.kind == kRoomWalk ? passable_floor(*room) : StandableFloor{};
     std::optional<EarlierWalk> again;
-    if (earlier && params.kind == kRoomWalk) again = walk_of(*earlier);
+    // If all of the light changed, so did nearly every pixel.
+    const bool keeps = earlier && params.kind == kRoomWalk && kept_light_of(folder) > 0;
+    if (keeps) again = walk_of(*earlier);
     Json about = params.kind == kRoomWalk
                      ? walk_through_room(first, *room, floor, params, panorama_parts(panorama.trace), run, save,
                                          again ? &*again : nullptr)

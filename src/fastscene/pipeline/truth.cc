@@ -35,10 +35,11 @@ struct RunTruth::Impl {
     std::shared_ptr<const TracedRoom> room;
     int lit_samples = 0;
 
-    // The room, lit as for the panorama; with more samples if the ground truth asks for them.
+    // The room, lit as for the panorama; with more samples if the ground truth asks for them. Never with the light that
+    // the run keeps: an edited run's is only nearly that of its room.
     const TracedRoom& lit_room(int samples) {
         if (!room || lit_samples != samples) {
-            room = room_of_run(folder, recorded, samples, run);
+            room = newly_lit_room_of_run(folder, recorded, samples, run);
             lit_samples = samples;
         }
         return *room;

@@ -53,7 +53,7 @@ void append_splat(Splats& to, const Splats& from, std::size_t i) {
 
 Splats continued_splats(const Splats& earlier, const std::vector<SurfacePoint>& points,
                         const std::function<bool(Vec3f)>& is_changed, const SplatParams& params, const Run& run) {
-    constexpr float kApart_m = 0.06f;  // farther from any splat a point is bare
+    constexpr float kApart_m = 0.06f;  // a point farther than this from every splat is bare
     const auto changed_of = [&](std::size_t count, const auto& position) {
         std::vector<std::uint8_t> out(count);
         parallel_for(static_cast<std::int64_t>(count), 4096, [&](std::int64_t begin, std::int64_t end) {

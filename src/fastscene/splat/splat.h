@@ -66,7 +66,7 @@ struct SplatParams {
     int holdout = 8;
     int patience = 0;
     int until = 0;
-    float begun = 0;  // share of a whole training that the splats to continue from are past: sets the learning rates
+    float begun = 0;  // how far through a full training the starting splats are, 0 to 1: sets the learning rates
     std::string checkpoint;
     int checkpoint_every = 500;
 };
@@ -161,8 +161,8 @@ inline Splats initial_splats(const std::vector<SurfacePoint>& points, int count,
 // `on_step` is called after every step whose loss is known, in order and by the calling thread; a graphics card's come
 // some steps late.
 struct StepReport {
-    int step, steps;   // from 1; of how many
-    float loss, psnr;  // of the step's view
+    int step, steps;                 // from 1; of how many
+    float loss, psnr;                // of the step's view
     std::function<Splats()> splats;  // as trained so far; a graphics card first completes its steps
 };
 using StepListener = std::function<void(const StepReport&)>;

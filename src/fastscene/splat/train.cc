@@ -102,6 +102,7 @@ std::string key_of(const ViewSet& set, SplatParams params, std::uint64_t seed, c
         hash.add(params.begun);
         for (const auto* parameters : {&begin->mean_m, &begin->log_scale, &begin->sh0})
             hash.add(std::span<const Vec3f>(*parameters));
+        hash.add(std::span<const Quatf>(begin->rotation));
         hash.add(std::span<const float>(begin->sh_rest)).add(std::span<const float>(begin->opacity_logit));
     }
     return hash.hex();

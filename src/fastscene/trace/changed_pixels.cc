@@ -61,7 +61,7 @@ ImageMask ChangedPixels::in_panorama(const Rigid& world_from_pano, EquirectSize 
     ImageMask changed(size.width, size.height);
     for (std::size_t i = 0; i < grid.size(); ++i)
         if (grid.pixels[i] != 0 && differs(a.pixels[i], b.pixels[i])) changed.pixels[i] = 255;
-    changed = grown(changed, kGrid - 1, true);  // up to the next samples, which decide for themselves
+    changed = grown(changed, kGrid, true);  // over the next samples, which may have missed it
     for (std::size_t i = 0; i < out.size(); ++i) out.pixels[i] = std::max(out.pixels[i], changed.pixels[i]);
     return out;
 }

@@ -13,9 +13,9 @@ class ChangedPixels {
     // Both rooms must be lit and outlive this. `parts`: how the panoramas are rendered.
     ChangedPixels(const TracedRoom& before, const TracedRoom& now, const ShotParts& parts);
 
-    // Nonzero where panoramas of the two rooms from this pose may differ. Every pixel that shows a changed surface; and
-    // around those of a grid of samples, four pixels apart, whose colors differ: there shadows, reflections or the
-    // light changed. Samples of the two rooms draw the same random numbers, so that noise is no difference.
+    // Nonzero where panoramas of the two rooms from this pose may differ: at every pixel that shows a changed surface,
+    // and around samples, four pixels apart, whose colors differ (shadows, reflections, light). Both rooms' samples
+    // draw the same random numbers, so noise does not count as a difference.
     ImageMask in_panorama(const Rigid& world_from_pano, EquirectSize size, const Run& run) const;
 
     const RoomChange& change() const { return change_; }

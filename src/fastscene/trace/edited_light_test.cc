@@ -22,11 +22,11 @@ Room hall(float block_x = 3.f, Vec3f block_color = {0.7f, 0.1f, 0.1f}, float lam
     Room room;
     room.min_corner = kHallLow;
     room.max_corner = kHallHigh;
-    room.materials = {diffuse({0.7f, 0.68f, 0.66f}), diffuse({0.8f, 0.8f, 0.8f}, {40, 38, 36}), diffuse(block_color),
+    room.materials = {diffuse({0.7f, 0.68f, 0.66f}), diffuse({0.8f, 0.8f, 0.8f}, {90, 86, 82}), diffuse(block_color),
                       diffuse({0.2f, 0.3f, 0.6f})};
     room.objects.resize(2);
     room.meshes = {box_mesh(kHallLow, kHallHigh, 0, -1, true),
-                   box_mesh({lamp_x - 0.3f, -1.08f, -0.3f}, {lamp_x + 0.3f, -1.04f, 0.3f}, 1),
+                   box_mesh({lamp_x - 0.2f, -1.08f, -0.2f}, {lamp_x + 0.2f, -1.04f, 0.2f}, 1),
                    box_mesh({block_x, 0.9f, 3}, {block_x + 0.6f, 1.5f, 3.6f}, 2, 0),
                    box_mesh({-3.6f, 0.7f, -3.6f}, {-3, 1.5f, -3}, 3, 1)};
     return room;
@@ -84,7 +84,7 @@ TEST(EditedLight, LightOfAnotherRoomIsRefused) {
         }
         return std::string();
     };
-    EXPECT_NE(complaint(quick(), other, light).find("light.bin: byte"), std::string::npos);
+    EXPECT_NE(complaint(quick(), other, light).find("light.bin: expected the light of this room"), std::string::npos);
     TracedRoom same(hall());
     TraceParams finer = quick();
     finer.cell_m = 0.1f;

@@ -59,9 +59,9 @@ class IrradianceCache {
     // Share of the entries that kept their light, in [0, 1].
     double kept_share() const { return kept_share_; }
 
-    // All that pictures need, with light in half precision: 64 bytes an entry, and the sun patches.
+    // All that pictures need, with light in half precision: 66 bytes an entry, and the sun patches.
     std::string bytes() const;
-    // Throws Error for bytes that are no light, or of another room.
+    // Throws Error for bytes that are not light, or of another room.
     static IrradianceCache from_bytes(ByteReader& in, const Room& room);
 
     // Irradiance without direct sun at a surface point, interpolated between the entries around it. `normal`: unit

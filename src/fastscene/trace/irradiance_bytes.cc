@@ -46,7 +46,7 @@ Vec3f point_from(ByteReader& in) {
     return {x, y, z};
 }
 
-constexpr std::size_t kCellBytes = 64, kPatchBytes = 42, kPlaceBytes = 20;
+constexpr std::size_t kCellBytes = 66, kPatchBytes = 42, kPlaceBytes = 20;
 
 }  // namespace
 

@@ -221,7 +221,9 @@ void IrradianceCache::gather_indirect(const Room& room, const SceneBvh& bvh, con
     std::vector<Vec3f> kept(count);
     std::vector<float> spoiled(count);  // squared error of `kept`
     Rest rest;
-    for (pass.number = 0; pass.number < kPasses; ++pass.number) {
+    // Of a changed room nearly all light is there: the first passes, with few rays, would only disturb it.
+    const int first = kept_.empty() ? 0 : kPasses - kKept;
+    for (pass.number = first; pass.number < kPasses; ++pass.number) {
         const bool keep = pass.number >= kPasses - kKept;
         pass.rays = std::max(2, keep ? samples / 4 : samples / 12);
         pass.directed.assign(count, {});
@@ -246,7 +248,7 @@ void IrradianceCache::gather_indirect(const Room& room, const SceneBvh& bvh, con
     for (std::size_t c = 0; c < count; ++c) {
         if (is_kept(c)) continue;
         cells_[c].indirect = kept[c];
-        const float around = static_cast<float>(kPasses) / std::max(1e-6f, pass.nearness[c]) /
+        const float around = static_cast<float>(kPasses - first) / std::max(1e-6f, pass.nearness[c]) /
                              cell_m_;  // harmonic mean distance, in cells
         cells_[c].trust *= smooth_step(kNearCells, kOpenCells, around);
     }

@@ -48,27 +48,29 @@ bool is_lamp(const Room& room, const Mesh& mesh) {
     return luminance(room.materials[static_cast<std::size_t>(mesh.material)].emission) > 0;
 }
 
-bool same_outside(const Room& a, const Room& b) {
-    const auto sky = [](const Sky& s) {
-        Hash hash;
-        hash.add(static_cast<int>(s.time)).add(static_cast<int>(s.view)).add(s.snow).add(s.seed);
-        for (const float value : {s.clouds, s.seen, s.sun_limit, s.ground_least}) hash.add(value);
-        for (const Vec3f v : {s.sun_dir, s.sun_irradiance, s.zenith, s.horizon, s.ground})
-            hash.add(v.x).add(v.y).add(v.z);
-        return hash.hex();
-    };
-    const auto same_portal = [](const Portal& p, const Portal& q) {
-        return p.corner == q.corner && p.edge_u == q.edge_u && p.edge_v == q.edge_v;
-    };
-    return sky(a.sky) == sky(b.sky) && a.min_corner == b.min_corner && a.max_corner == b.max_corner &&
-           std::equal(a.portals.begin(), a.portals.end(), b.portals.begin(), b.portals.end(), same_portal);
+std::string outside_of(const Room& room) {
+    const Sky& s = room.sky;
+    Hash hash;
+    hash.add(static_cast<int>(s.time)).add(static_cast<int>(s.view)).add(s.snow).add(s.seed);
+    for (const float value : {s.clouds, s.seen, s.sun_limit, s.ground_least}) hash.add(value);
+    for (const Vec3f v : {s.sun_dir, s.sun_irradiance, s.zenith, s.horizon, s.ground, room.min_corner, room.max_corner})
+        hash.add(v.x).add(v.y).add(v.z);
+    for (const Portal& portal : room.portals)
+        for (const Vec3f v : {portal.corner, portal.edge_u, portal.edge_v}) hash.add(v.x).add(v.y).add(v.z);
+    return hash.hex();
 }
 
 }  // namespace
 
+std::string content_of(const Room& room) {
+    Hash hash;
+    for (const Mesh& mesh : room.meshes) hash.add(content_of(room, mesh)).add(mesh.material);
+    return hash.add(outside_of(room)).hex();
+}
+
 RoomChange change_between(const Room& before, const Room& now) {
     RoomChange out;
-    out.lights = !same_outside(before, now);
+    out.lights = outside_of(before) != outside_of(now);
     std::map<std::string, std::vector<const Mesh*>> only_before;
     for (const Mesh& mesh : before.meshes) only_before[content_of(before, mesh)].push_back(&mesh);
     const auto add = [&](const Room& room, const Mesh& mesh) {

@@ -1,6 +1,8 @@
 // What differs between two versions of a room, as after an edit.
 #pragma once
 
+#include <string>
+
 #include "fastscene/scene/room.h"
 
 namespace fastscene {
@@ -13,6 +15,9 @@ struct RoomChange {
 
     bool none() const { return !lights && surfaces.meshes.empty(); }
 };
+
+// Hash of all that a room looks like: surfaces, materials, lamps, the outside.
+std::string content_of(const Room& room);
 
 // Meshes are compared by content: shape, material and pattern. Their order does not count.
 RoomChange change_between(const Room& before, const Room& now);

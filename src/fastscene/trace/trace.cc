@@ -103,14 +103,13 @@ struct TracedRoom::Impl {
         if (card) card->set_look(room.look, room.sky);
     }
     // Of the room and the settings that its light depends on.
-    std::uint64_t light_key() const {
-        Hash hash;
-        for (const Mesh& mesh : room.meshes)
-            hash.add(std::span<const Vec3f>(mesh.positions))
-                .add(std::span<const std::uint32_t>(mesh.triangles))
-                .add(mesh.material);
-        hash.add(params.cell_m).add(params.cell_samples).add(params.view_transform);
-        return std::stoull(hash.hex().substr(0, 16), nullptr, 16);
+    std::string light_key() const {
+        return Hash()
+            .add(content_of(room))
+            .add(params.cell_m)
+            .add(params.cell_samples)
+            .add(params.view_transform)
+            .hex();
     }
 
     ImageColor color(const RayCamera& camera, const ShotParts& parts, const Look* look, ImageColor* albedo,
@@ -200,31 +199,40 @@ double TracedRoom::gather_light_again(const TraceParams& params, const Run& run,
     impl_->outdoors = before.impl_->lights().shared_outdoors();
     impl_->light = IrradianceCache::gather_again(impl_->room, impl_->bvh, impl_->lights(), params, run, viewpoints,
                                                  {*before.impl_->light, change});
-    const Look own = impl_->automatic_look(run), &kept = before.room().look;
-    impl_->expose(std::fabs(own.exposure_ev - kept.exposure_ev) < kVisible_ev ? kept : own);
+    Look look = impl_->automatic_look(run);
+    const float kept_ev = before.room().look.exposure_ev;
+    if (std::fabs(look.exposure_ev - kept_ev) < kVisible_ev) look.exposure_ev = kept_ev;
+    impl_->expose(look);
     return impl_->light->kept_share();
 }
 
 std::string TracedRoom::light() const {
     FASTSCENE_CHECK(impl_->light.has_value());
-    std::string out(kLightFormat);
-    append(out, impl_->light_key());
+    std::string out = std::string(kLightFormat) + impl_->light_key();
     const Look& look = impl_->room.look;
     for (const float value : {look.exposure_ev, look.white.x, look.white.y, look.white.z, look.contrast,
                               look.saturation, look.outside_seen, look.sun_seen})
         append(out, value);
-    return out + impl_->light->bytes();
+    out += impl_->light->bytes();
+    return out + Hash().add(out).hex();
 }
 
 bool TracedRoom::take_light(const TraceParams& params, std::string_view bytes, const std::string& name) {
     impl_->prepare(params);
     if (impl_->card) return false;
-    ByteReader in(name, bytes);
-    if (!bytes.starts_with(kLightFormat)) in.refuse("expected the light of a room, found something else");
-    in.skip(kLightFormat.size());
-    if (in.get<std::uint64_t>() != impl_->light_key())
-        in.refuse("expected the light of this room by these settings, found that of another");
+    const std::string key = impl_->light_key();
+    const std::size_t header = kLightFormat.size() + key.size(), least = header + key.size();
+    if (!bytes.starts_with(kLightFormat) || bytes.size() < least)
+        throw Error("{}: expected the light of a room, found something else", name);
+    if (bytes.substr(kLightFormat.size(), key.size()) != key)
+        throw Error("{}: expected the light of this room by these settings, found that of another", name);
+    const std::string_view content = bytes.substr(0, bytes.size() - key.size());
+    if (Hash().add(content).hex() != bytes.substr(content.size()))
+        throw Error("{}: expected the light of a room, found a damaged file", name);
+    ByteReader in(name, content);
+    in.skip(header);
     Look look = impl_->room.look;
+    look.automatic = false;
     look.transform = impl_->transform();
     for (float* value : {&look.exposure_ev, &look.white.x, &look.white.y, &look.white.z, &look.contrast,
                          &look.saturation, &look.outside_seen, &look.sun_seen})

@@ -107,9 +107,9 @@ class TracedRoom {
     // positions around which pictures will be taken.
     void gather_light(const TraceParams& params, const Run& run, const std::vector<Vec3f>& viewpoints = {Vec3f{}});
 
-    // The gathered light with its exposure, to be written to a file: 64 bytes a cache cell.
+    // The gathered light with its exposure, to be written to a file: 66 bytes a cache cell.
     std::string light() const;
-    // Takes what light() gave for this room and these settings, instead of gathering: the same pictures come of it.
+    // Takes what light() gave for this room and these settings, instead of gathering: the pictures are the same.
     // Returns false if a graphics card renders, which gathers faster. Throws Error naming `name` for anything else.
     bool take_light(const TraceParams& params, std::string_view bytes, const std::string& name);
     // gather_light for a room that was changed from `before`, whose light was gathered with the same settings. Cells

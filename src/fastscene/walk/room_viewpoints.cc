@@ -20,7 +20,7 @@ constexpr int kVisitors = 640, kRaysAVisitor = 20;
 constexpr float kCloseUp_m = 0.6f;    // distances below this do not demand a finer resolution
 constexpr float kSecondView = 0.35f;  // value of a second view of a surface, relative to the first
 constexpr float kImage_m = 0.03f;     // minimum distance of a mirror image behind its mirror, and its tolerance
-constexpr int kMostMore = 4;          // viewpoints besides those of before an edit
+constexpr int kMostMore = 4;          // new viewpoints after edits
 constexpr float kLeastGainOfMore = 0.01f;
 constexpr float kSlant = 0.08f;  // cosine: surfaces seen at a more grazing angle give no texture
 
@@ -180,8 +180,7 @@ RoomViewpoints choose_room_viewpoints(const TracedRoom& room, const StandableFlo
     for (std::size_t c = 0; c < viewpoints.size() && earlier[c] >= 0; ++c) choose(c);
     // What an edit uncovers may need a few more; each costs as much as several earlier ones do.
     const bool again = !chosen.positions_m.empty();
-    const int most = again ? std::max(params.most, static_cast<int>(chosen.positions_m.size()) + kMostMore)
-                           : params.most;
+    const int most = params.most + (again ? kMostMore : 0);
     const float least_gain = again ? kLeastGainOfMore : params.least_gain;
     const double all = static_cast<double>(n) * (1 + static_cast<double>(kSecondView));
     std::vector<double> gains(viewpoints.size());

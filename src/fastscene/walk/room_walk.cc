@@ -26,16 +26,18 @@ int traced_column(int x, int step, int width) {
 void trace_evenly(const TracedRoom& room, const Rigid& world_from_pano, ShotParts parts, const ImageMask* changed,
                   ImageColor& color, const Run& run) {
     const EquirectSize size{color.width, color.height};
-    const auto is_changed = [&](int x, int y) { return !changed || changed->at(x, y) != 0; };
     ImageMask asked(size.width, size.height);
     for (int y = 0; y < size.height; ++y)
         for (int x = 0; x < size.width; ++x)
-            if (is_changed(x, y)) asked.at(traced_column(x, columns_a_ray(y, size), size.width), y) = 255;
+            if (!changed || changed->at(x, y) != 0)
+                asked.at(traced_column(x, columns_a_ray(y, size), size.width), y) = 255;
     parts.only = &asked;
     const ImageColor traced = room.panorama(world_from_pano, size, parts, run).color;
     for (int y = 0; y < size.height; ++y)
-        for (int x = 0; x < size.width; ++x)
-            if (is_changed(x, y)) color.at(x, y) = traced.at(traced_column(x, columns_a_ray(y, size), size.width), y);
+        for (int x = 0; x < size.width; ++x) {
+            const int column = traced_column(x, columns_a_ray(y, size), size.width);
+            if (asked.at(column, y) != 0) color.at(x, y) = traced.at(column, y);
+        }
 }
 
 // Range for the trainer: through flat mirrors, to the virtual image.

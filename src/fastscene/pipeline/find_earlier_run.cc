@@ -1,7 +1,8 @@
-#include "fastscene/pipeline/earlier_run.h"
+#include "fastscene/pipeline/find_earlier_run.h"
 
 #include "fastscene/base/hash.h"
 #include "fastscene/pipeline/room_of_run.h"
+#include "fastscene/pipeline/run_files.h"
 #include "fastscene/pipeline/stage_cache.h"
 
 namespace fastscene {
@@ -22,14 +23,25 @@ DocumentSource edit_of(DocumentSource document, const RunFolder& folder) {
 
 namespace {
 
+// What is kept is as near to the truth as the eye needs, by each edit again: after so many all is rendered.
+constexpr int kMostEdits = 8;
+
+int edits_of(const RunFolder& folder) {
+    const fs::path about = folder.stage("panorama") / kAboutName;
+    return fs::exists(about) ? read_json(about).value("edits", 0) : 0;
+}
+
 // Why the run cannot be begun from; empty: it can.
 std::string obstacle(const RunFolder& folder, const DocumentSource& source, const SceneRequest& request) {
-    if (!fs::exists(folder.run_json())) return "it is gone";
-    if (hash_of_run(folder) != source.edited_from_hash) return "it was made again since";
-    if (!fs::exists(folder.room_light())) return "an older version made it, which kept no light";
+    if (!fs::exists(folder.run_json())) return "it no longer exists";
+    if (hash_of_run(folder) != source.edited_from_hash) return "it has been remade since";
+    if (request.params.panorama.trace.backend.name != TraceBackend{}.name)
+        return "with a graphics card no light is kept";
+    if (!fs::exists(folder.room_light())) return "it keeps no light: an older version made it";
+    if (edits_of(folder) >= kMostEdits) return fmt::format("it has been edited {} times", kMostEdits);
     const RecordedRun recorded = recorded_run(folder);
     const auto settings = [](const SceneParams& p) {
-        return fields_json(p.panorama).dump() + fields_json(p.walk).dump();
+        return fields_json(p.panorama).dump() + fields_json(p.depth).dump() + fields_json(p.walk).dump();
     };
     if (settings(recorded.request.params) != settings(request.params)) return "it has other settings";
     return {};
@@ -42,8 +54,9 @@ std::optional<EarlierRun> find_earlier_run(const SceneRequest& request, const Ru
     if (!source || source->edited_from.empty()) return {};
     EarlierRun out;
     out.folder = {source->edited_from};
+    out.edits = 1 + edits_of(out.folder);
     const auto nothing = [&](const std::string& why) {
-        run.note(fmt::format("{}: all of the scene is made anew: {}", source->edited_from.string(), why));
+        run.note(fmt::format("{}: the scene is made without it: {}", source->edited_from.string(), why));
         return std::nullopt;
     };
     try {
