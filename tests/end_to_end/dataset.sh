@@ -49,7 +49,7 @@ says "3 of"
 expect 1 "$fastscene" dataset export damaged --format coco -o from_damaged
 says "fastscene dataset verify damaged --repair"
 expect 0 "$fastscene" dataset verify damaged --repair
-prints "3 pictures made again"
+prints "3 pictures regenerated"
 diff -r rooms damaged >log || fail "a repaired set differs"
 head -c 5000 webdataset/train-000000.tar >cut && mv cut webdataset/train-000000.tar
 expect 1 "$fastscene" dataset verify webdataset

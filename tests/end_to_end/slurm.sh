@@ -113,9 +113,9 @@ expect 0 "${batch[@]}" --parallel 3 --slurm-args "--partition=all --time=10"
 prints "6 scenes in 3 tasks"
 grep -q '^#SBATCH --array=0-2%3$' set/slurm/batch.sh || fail "the script does not limit the tasks at a time"
 expect 1 "${batch[@]}"
-says "tasks of this batch still wait or run in Slurm"
+says "tasks of this batch are pending or running in Slurm"
 expect 1 "$fastscene" batch list.jsonl -o set "${small[@]}"
-says "tasks of this batch still wait or run in Slurm"
+says "tasks of this batch are pending or running in Slurm"
 
 # A node dies with all that runs on it.
 on_node() { tasks=$(squeue --noheader --states=R --nodelist=$1 --format=%i); [ -n "$tasks" ] && [ -n "$(ours SLURMD_NODENAME=$1)" ]; }

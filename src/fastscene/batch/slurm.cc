@@ -200,7 +200,7 @@ SlurmJob submit_to_slurm(const std::vector<BatchScene>& scenes, const fs::path& 
     make_directories(folder);
     const FolderLock lock(folder);
     if (const int tasks = tasks_in_slurm(folder).value_or(0); tasks > 0)
-        throw Error("{}: {} tasks of this batch still wait or run in Slurm; let them end, or use --cancel",
+        throw Error("{}: {} tasks of this batch are pending or running in Slurm; wait for them, or use --cancel",
                     folder.string(), tasks);
     const ChunkPlan plan = write_manifest(scenes, folder, params, slurm.chunk_scenes, most);
     SlurmJob job{{}, plan.scenes, plan.chunks()};
