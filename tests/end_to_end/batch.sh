@@ -25,7 +25,7 @@ cmp alone/panorama/color.png set/bedroom/panorama/color.png || fail "a scene of 
 before=$(stat -c %Y%i set/bedroom/panorama/color.png)
 sed -i -e '/promt/d' -e 's/"--no-such-flag"//' list.jsonl
 expect 0 "$fastscene" batch list.jsonl -o set "${small[@]}"
-says "3 scenes, 2 of them done before"
+says "3 scenes, 2 already done"
 [ "$before" = "$(stat -c %Y%i set/bedroom/panorama/color.png)" ] || fail "a finished scene was made again"
 expect 0 "$fastscene" batch --status -o set --json
 prints '"done": 3'

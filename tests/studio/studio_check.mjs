@@ -284,7 +284,7 @@ try {
     await until('and brought back', async () => (await page.locator('.card').count()) === 2);
     expect(
         page.said.filter(
-            (text) => !/WebGPU|No available adapters|setPointerCapture|ERR_(CONNECTION|INCOMPLETE|EMPTY)/.test(text),
+            (text) => !/WebGPU|No available adapters|setPointerCapture|ERR_(CONNECTION|INCOMPLETE|EMPTY|SOCKET)/.test(text),
         ).length === 0,
         `no error in the console ${page.said}`,
     );

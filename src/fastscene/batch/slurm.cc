@@ -205,7 +205,7 @@ SlurmJob submit_to_slurm(const std::vector<BatchScene>& scenes, const fs::path& 
     const ChunkPlan plan = write_manifest(scenes, folder, params, slurm.chunk_scenes, most);
     SlurmJob job{{}, plan.scenes, plan.chunks()};
     if (plan.scenes == 0) return job;
-    run.note(fmt::format("batch: {} scenes, {} of them done before; {} tasks of {} scenes", scenes.size(),
+    run.note(fmt::format("batch: {} scenes, {} already done; {} tasks of {} scenes", scenes.size(),
                          static_cast<int>(scenes.size()) - plan.scenes, plan.chunks(), plan.of_chunk));
     make_directories(folder / "slurm");
     make_directories(folder / "tasks");
