@@ -19,7 +19,7 @@ for format in webdataset coco structured3d huggingface nerfstudio; do
   expect 0 "$fastscene" dataset export rooms --format $format --splits 0.6,0.2,0.2 -o $format
 done
 expect 0 "$fastscene" dataset verify huggingface
-prints "all whole"
+prints "all intact"
 expect 0 "$fastscene" dataset export rooms --format webdataset --shard-samples 2 -o twos
 has twos/train-000001.tar
 expect 0 "$fastscene" rooms dataset --count 4 "${small[@]}" --camera perspective -o views

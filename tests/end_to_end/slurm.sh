@@ -144,7 +144,7 @@ ended() { [ -z "$(squeue --noheader)" ]; }
 wait_for 120 ended
 expect 0 "$fastscene" batch set --status
 prints "6 of 6 scenes done, 0 failed"
-prints "1 times a task met its time limit"
+prints "requeued 1 times"
 for i in 0 1 2 3 4 5; do
   same "alone/study-$i" "set/study-$i"
 done
