@@ -14,7 +14,7 @@ says "begins from the"
 prints "armchair-1: removed"
 over "$(about panorama kept_light)" 0.3 "light kept"
 over "$(about panorama kept_pixels)" 0.5 "pixels kept"
-over "$((1 + $(ls -d two/walk/0* | wc -l)))" "$(about walk rendered_panoramas)" "panoramas, of which rendered"
+over "$(($(ls -d two/walk/0* | wc -l) - 1))" "$(about walk rendered_panoramas)" "viewpoints, all of them rendered whole"
 grep -q '"edited_from"' two/run.json || fail "run.json does not say what it is an edit of"
 ! grep -q '"class": "armchair"' two/panorama/room.json || fail "the armchair is still there"
 has two/{report.json,preview.jpg} two/splat/scene.ply

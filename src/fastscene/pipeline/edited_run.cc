@@ -22,12 +22,14 @@ RunFolder unfinished_edit(const RunFolder& folder) { return {folder.root / ".edi
 
 namespace {
 
-constexpr const char* kComplete = "complete.json";  // in unfinished_edit: what is to be moved
+// In unfinished_edit: what is to be moved, and the files that it replaces.
+constexpr const char *kComplete = "complete.json", *kReplaced = "replaced";
 
 }  // namespace
 
 void finish_edit(const RunFolder& folder, const std::string& command) {
     const RunFolder made = unfinished_edit(folder);
+    fs::remove_all(made.root / kReplaced);  // of an edit that was interrupted after its last rename
     Json names = Json::array();
     for (const std::string& name : RunFolder::owned())
         if (fs::exists(made.root / name)) names.push_back(name);
@@ -47,7 +49,7 @@ std::optional<std::string> resume_finishing_edit(const RunFolder& folder) {
     };
     try {
         // Renames only, so that there is hardly a moment between; the old files are removed with the folder.
-        const fs::path old = made.root / "replaced";
+        const fs::path old = made.root / kReplaced;
         make_directories(old);
         for (const std::string& name : RunFolder::owned()) {
             const bool comes = is_moved(name);

@@ -18,8 +18,6 @@ class ChangedPixels {
     // draw the same random numbers, so noise does not count as a difference.
     ImageMask in_panorama(const Rigid& world_from_pano, EquirectSize size, const Run& run) const;
 
-    const RoomChange& change() const { return change_; }
-
   private:
     const TracedRoom& before_;
     const TracedRoom& now_;
