@@ -9,8 +9,8 @@
 
 namespace fastscene {
 
-// The earlier splats, except at the surfaces that the edit changed, and new ones there and wherever none are. Nothing
-// if most of what is seen changed, or if they are of another SH degree. `folder`: of the new run.
+// The earlier splats, except where the edit changed surfaces or their looks, and new ones there and wherever none are.
+// Nothing if most of what is seen changed, or if they are of another SH degree. `folder`: of the new run.
 std::optional<Splats> earlier_splats(const EarlierRun& earlier, const RunFolder& folder,
                                      const std::vector<SurfacePoint>& points, const SplatParams& params,
                                      const Run& run);
