@@ -48,7 +48,7 @@ namespace {
 
 std::shared_ptr<TracedRoom> lit(Room room, const PanoramaParams& params, const Run& run) {
     auto traced = std::make_shared<TracedRoom>(std::move(room));
-    traced->gather_light(params.trace, run, places_to_look_from(*traced));
+    light_room(*traced, params, {}, run);
     return traced;
 }
 

@@ -71,8 +71,7 @@ std::optional<Splats> earlier_splats(const EarlierRun& earlier, const RunFolder&
                                      const Run& run) {
     constexpr double kLeastKept = 0.15;  // share of panorama 0's pixels
     constexpr float kNear_m = 0.04f;     // of a changed surface: farther than a splat reaches
-    const fs::path about = folder.stage("panorama") / kAboutName;
-    if (!fs::exists(about) || read_json(about).value("kept_pixels", 0.) < kLeastKept) return {};
+    if (about_of_stage(folder.stage("panorama")).value("kept_pixels", 0.) < kLeastKept) return {};
     if (!fs::exists(earlier.folder.scene_ply())) return {};
     Splats before;
     try {

@@ -26,10 +26,7 @@ namespace {
 // What is kept is as near to the truth as the eye needs, by each edit again: after so many all is rendered.
 constexpr int kMostEdits = 8;
 
-int edits_of(const RunFolder& folder) {
-    const fs::path about = folder.stage("panorama") / kAboutName;
-    return fs::exists(about) ? read_json(about).value("edits", 0) : 0;
-}
+int edits_of(const RunFolder& folder) { return about_of_stage(folder.stage("panorama")).value("edits", 0); }
 
 // Why the run cannot be begun from; empty: it can.
 std::string obstacle(const RunFolder& folder, const DocumentSource& source, const SceneRequest& request) {

@@ -30,19 +30,21 @@ void check_room(const TracedRoom& room, const RunFolder& folder, const SceneRequ
         check_same_room(room, load_float(folder.depth_range()), folder.root);
 }
 
-}  // namespace
-
-namespace {
+// The run's room, built for these settings and verified; without its light.
+TracedRoom verified_room(const RunFolder& folder, const RecordedRun& recorded, const PanoramaParams& panorama,
+                         const Run& run) {
+    TracedRoom room = make_unlit_room(origin_of_run(folder, recorded.request), panorama,
+                                      {recorded.seed, run.events, run.stop});
+    check_room(room, folder, recorded.request);
+    return room;
+}
 
 // `light`: the file of its light; empty: gathered.
 std::shared_ptr<const TracedRoom> lit_room(const RunFolder& folder, const RecordedRun& recorded,
                                            const PanoramaParams& panorama, const std::filesystem::path& light,
                                            const Run& run) {
-    const Run as_made{recorded.seed, run.events, run.stop};
-    auto room = std::make_shared<TracedRoom>(
-        make_unlit_room(origin_of_run(folder, recorded.request), panorama, as_made));
-    check_room(*room, folder, recorded.request);
-    light_room(*room, panorama, light, as_made);
+    auto room = std::make_shared<TracedRoom>(verified_room(folder, recorded, panorama, run));
+    light_room(*room, panorama, light, {recorded.seed, run.events, run.stop});
     return room;
 }
 
@@ -60,9 +62,7 @@ std::shared_ptr<const TracedRoom> newly_lit_room_of_run(const RunFolder& folder,
 std::shared_ptr<const TracedRoom> room_with_kept_light(const RunFolder& folder, const RecordedRun& recorded,
                                                        const Run& run) {
     const PanoramaParams& panorama = recorded.request.params.panorama;
-    const Run as_made{recorded.seed, run.events, run.stop};
-    auto room = std::make_shared<TracedRoom>(
-        make_unlit_room(origin_of_run(folder, recorded.request), panorama, as_made));
+    auto room = std::make_shared<TracedRoom>(verified_room(folder, recorded, panorama, run));
     const std::string file = folder.room_light().string();
     if (!room->take_light(panorama.trace, read_file(file), file))
         throw Error("{}: kept light is not used with a graphics card", file);
@@ -71,11 +71,7 @@ std::shared_ptr<const TracedRoom> room_with_kept_light(const RunFolder& folder, 
 
 std::shared_ptr<const TracedRoom> unlit_room_of_run(const RunFolder& folder, const RecordedRun& recorded,
                                                     const Run& run) {
-    const RoomOrigin origin = origin_of_run(folder, recorded.request);
-    auto room = std::make_shared<const TracedRoom>(
-        make_unlit_room(origin, recorded.request.params.panorama, Run{recorded.seed, run.events, run.stop}));
-    check_room(*room, folder, recorded.request);
-    return room;
+    return std::make_shared<const TracedRoom>(verified_room(folder, recorded, recorded.request.params.panorama, run));
 }
 
 }  // namespace fastscene

@@ -92,9 +92,10 @@ std::vector<Panorama> load_walk(const RunFolder& folder) {
     return panoramas;
 }
 
-std::string device_of_stage(const std::filesystem::path& stage) {
-    if (!std::filesystem::exists(stage / kAboutName)) return {};
-    return read_json(stage / kAboutName).value("device", "");
+Json about_of_stage(const std::filesystem::path& stage) {
+    return std::filesystem::exists(stage / kAboutName) ? read_json(stage / kAboutName) : Json::object();
 }
+
+std::string device_of_stage(const std::filesystem::path& stage) { return about_of_stage(stage).value("device", ""); }
 
 }  // namespace fastscene

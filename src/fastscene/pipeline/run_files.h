@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "fastscene/base/json.h"
 #include "fastscene/pipeline/run_folder.h"
 #include "fastscene/scene/outside.h"
 #include "fastscene/scene/panorama.h"
@@ -23,6 +24,8 @@ std::vector<Rigid> load_walk_poses(const RunFolder& folder);
 
 // What a stage tells of itself; "device": the graphics card that it ran on, if any.
 inline constexpr const char* kAboutName = "about.json";
+// An empty object if it tells nothing.
+Json about_of_stage(const std::filesystem::path& stage);
 std::string device_of_stage(const std::filesystem::path& stage);
 
 // An 8-bit picture in linear color.

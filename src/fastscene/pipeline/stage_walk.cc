@@ -35,11 +35,6 @@ void save_outside(const fs::path& walk, const Outside& outside) {
     save_png(walk / kOutsideName / "seen.png", outside.seen);
 }
 
-double kept_light_of(const RunFolder& folder) {
-    const fs::path about = folder.stage("panorama") / kAboutName;
-    return fs::exists(about) ? read_json(about).value("kept_light", 0.) : 0;
-}
-
 // Nothing if the earlier run did not get so far.
 std::optional<EarlierWalk> walk_of(const EarlierRun& earlier) {
     const fs::path walk = earlier.folder.walk();
@@ -106,7 +101,8 @@ void make_walk(const SceneSource& source, const PanoramaParams& panorama, const 
     const StandableFloor floor = params.kind == kRoomWalk ? passable_floor(*room) : StandableFloor{};
     std::optional<EarlierWalk> again;
     // If all of the light changed, so did nearly every pixel.
-    const bool keeps = earlier && params.kind == kRoomWalk && kept_light_of(folder) > 0;
+    const bool keeps = earlier && params.kind == kRoomWalk &&
+                       about_of_stage(folder.stage("panorama")).value("kept_light", 0.) > 0;
     if (keeps) again = walk_of(*earlier);
     Json about = params.kind == kRoomWalk
                      ? walk_through_room(first, *room, floor, params, panorama_parts(panorama.trace), run, save,

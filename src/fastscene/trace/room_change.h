@@ -12,8 +12,6 @@ struct RoomChange {
     Room surfaces;
     // Lamps, openings, the outside or the room's bounds differ: all of the light does.
     bool lights = false;
-
-    bool none() const { return !lights && surfaces.meshes.empty(); }
 };
 
 // Hash of all that a room looks like: surfaces, materials, lamps, the outside.
