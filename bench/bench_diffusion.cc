@@ -25,7 +25,7 @@
 #include "fastscene/nn/precision.h"
 #include "fastscene/nn/rrdbnet.h"
 #include "fastscene/nn/runtime.h"
-#include "fastscene/nn/safetensors.h"
+#include "fastscene/weights/safetensors.h"
 #include "fastscene/nn/sd_model.h"
 #include "fastscene/nn/tiny_tokenizer.h"
 #include "fastscene/nn/weights_torch.h"

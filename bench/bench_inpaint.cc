@@ -21,7 +21,7 @@
 #include "fastscene/nn/aotgan.h"
 #include "fastscene/nn/hashed_aotgan.h"
 #include "fastscene/nn/runtime.h"
-#include "fastscene/nn/shipped.h"
+#include "fastscene/weights/shipped.h"
 
 #ifdef FASTSCENE_BENCH_OPENCV
 #include <opencv2/core.hpp>

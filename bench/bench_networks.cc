@@ -17,6 +17,7 @@
 #include <map>
 #include <vector>
 
+#include "fastscene/base/failure.h"
 #include "fastscene/base/file.h"
 #include "fastscene/base/json.h"
 #include "fastscene/base/parallel.h"

@@ -1,4 +1,4 @@
-# fastscene_ship(target): puts models/*.safetensors into the target, as nn/shipped.h finds them.
+# fastscene_ship(target): puts models/*.safetensors into the target, as weights/shipped.h finds them.
 function(fastscene_ship target)
   if(NOT FASTSCENE_MODELS)
     set(FASTSCENE_MODELS ${CMAKE_CURRENT_FUNCTION_LIST_DIR}/../models)

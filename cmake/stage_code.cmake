@@ -6,7 +6,7 @@
 #
 # A module below layer 6 counts whole: its sources with all they embed, and its headers. Layers 6 and above hold all
 # stages side by side, so there only the files count that the stage's sources include, each with its .cc. Which module
-# stands on which is read off the link lines of their targets.
+# stands on which is what it USES, and so links.
 set(FASTSCENE_FIRST_SHARED_LAYER 6)
 
 function(fastscene_stage name)
@@ -36,21 +36,6 @@ function(fastscene_files_of_module name out)
   set(${out} "${files}" PARENT_SCOPE)
 endfunction()
 
-# The modules that a module's target links, at one remove.
-function(fastscene_links_of_module name out)
-  get_property(modules GLOBAL PROPERTY FASTSCENE_MODULES)
-  get_target_property(linked fastscene_${name} INTERFACE_LINK_LIBRARIES)
-  set(uses "")
-  foreach(library ${linked})
-    string(REGEX REPLACE "^fastscene(_|::)" "" other "${library}")
-    if(other IN_LIST modules)
-      list(APPEND uses ${other})
-    endif()
-  endforeach()
-  list(REMOVE_DUPLICATES uses)
-  set(${out} "${uses}" PARENT_SCOPE)
-endfunction()
-
 function(fastscene_hash_stage_code target)
   get_property(modules GLOBAL PROPERTY FASTSCENE_MODULES)
   get_property(stages GLOBAL PROPERTY FASTSCENE_STAGES)
@@ -59,7 +44,10 @@ function(fastscene_hash_stage_code target)
   set(shared "")
   foreach(module ${modules})
     fastscene_files_of_module(${module} files)
-    fastscene_links_of_module(${module} uses)
+    get_target_property(uses fastscene_${module} FASTSCENE_USES)
+    if(NOT uses)
+      set(uses "")
+    endif()
     list(APPEND all ${files})
     string(APPEND lines "set(files_${module} ${files})\nset(uses_${module} ${uses})\n")
     get_property(layer GLOBAL PROPERTY FASTSCENE_LAYER_${module})

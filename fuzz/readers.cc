@@ -1,6 +1,6 @@
-// One program for all readers: fuzz_readers --reader=NAME [libFuzzer's flags] CORPUS. Each input is what the reader gets
-// as a file. Errors that the reader throws are its duty; crashes, sanitizer reports, broken checks (CheckFailed), other
-// exceptions and memory beyond what the input justifies are findings.
+// One program for all readers: fuzz_readers --reader=NAME [libFuzzer's flags] CORPUS. Each input is what the reader
+// gets as a file. Errors that the reader throws are its duty; crashes, sanitizer reports, broken checks (CheckFailed),
+// other exceptions and memory beyond what the input justifies are findings.
 #include <unistd.h>
 
 #include <cstdint>
@@ -26,8 +26,8 @@
 #include "fastscene/io/splat_io.h"
 #include "fastscene/io/svr_file.h"
 #include "fastscene/io/toml_table.h"
-#include "fastscene/nn/mapped_file.h"
-#include "fastscene/nn/weights.h"
+#include "fastscene/weights/mapped_file.h"
+#include "fastscene/weights/weights.h"
 #include "fastscene/rooms/document.h"
 #include "fastscene/rooms/rooms.h"
 

@@ -60,6 +60,12 @@ expect 2 "$fastscene" walk "$work/nowhere"
 says "no run.json"
 lacks p nowhere
 
+# A program without the part that holds its networks: what needs none works, what needs one names the missing file.
+mkdir bin && ln "$fastscene" bin/ 2>/dev/null || cp "$fastscene" bin/
+expect 0 bin/fastscene panorama "$prompt" -o without "${tiny[@]:0:10}"
+expect 1 bin/fastscene make --panorama without/panorama/color.png -o pictured "${tiny[@]}"
+says "$work/lib/fastscene/nn.so: cannot open"
+
 # A run to lose.
 expect 0 "$fastscene" make "$prompt" -o run "${tiny[@]}"
 contents run >before

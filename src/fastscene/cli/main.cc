@@ -18,7 +18,7 @@
 #include "fastscene/cli/signals.h"
 #include "fastscene/cli/usage.h"
 #include "fastscene/cli/verb.h"
-#include "fastscene/nn/runtime.h"
+#include "fastscene/base/failure.h"
 #include "fastscene/pipeline/build_info.h"
 
 namespace fastscene::cli {

@@ -9,7 +9,7 @@
 #include "fastscene/depth/estimator.h"
 #include "fastscene/geometry/sphere.h"
 #include "fastscene/nn/hashed_da2.h"
-#include "fastscene/nn/safetensors.h"
+#include "fastscene/weights/safetensors.h"
 
 namespace fastscene {
 namespace {

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "fastscene/base/check.h"
-#include "fastscene/nn/runtime.h"
+#include "fastscene/base/failure.h"
 
 namespace fastscene {
 

@@ -14,7 +14,7 @@
 #include "fastscene/image/color.h"
 #include "fastscene/inpaint/crops.h"
 #include "fastscene/nn/hashed_aotgan.h"
-#include "fastscene/nn/safetensors.h"
+#include "fastscene/weights/safetensors.h"
 
 namespace fastscene {
 namespace {

@@ -10,7 +10,7 @@
 #include "fastscene/image/color.h"
 #include "fastscene/inpaint/inpaint.h"
 #include "fastscene/io/image_io.h"
-#include "fastscene/nn/safetensors.h"
+#include "fastscene/weights/safetensors.h"
 
 namespace fastscene {
 namespace {

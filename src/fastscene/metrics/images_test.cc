@@ -13,7 +13,7 @@
 #include "fastscene/metrics/niqe.h"
 #include "fastscene/models/sha256.h"
 #include "fastscene/nn/perceptual.h"
-#include "fastscene/nn/safetensors.h"
+#include "fastscene/weights/safetensors.h"
 #include "fastscene/nn/tiny_tokenizer.h"
 
 namespace fastscene {

@@ -8,7 +8,7 @@
 #include "fastscene/base/run.h"
 #include "fastscene/image/image.h"
 #include "fastscene/nn/device.h"
-#include "fastscene/nn/weights.h"
+#include "fastscene/weights/weights.h"
 
 namespace fastscene {
 
@@ -18,7 +18,7 @@ class Aotgan {
     // the file. Throws Error naming the file, the missing or misshaped key, the expected and the actual shape;
     // UsageError naming the flag of a device that is not there.
     static Aotgan load(const std::filesystem::path& weights, const DeviceChoice& device = {});
-    // From weights in memory, such as those built into the program (nn/shipped.h).
+    // From weights in memory, such as those built into the program (weights/shipped.h).
     static Aotgan of(Weights weights, const DeviceChoice& device = {});
     Aotgan(Aotgan&&) noexcept;
     Aotgan& operator=(Aotgan&&) noexcept;

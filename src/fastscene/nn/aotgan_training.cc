@@ -8,7 +8,7 @@
 #include "fastscene/nn/aotgan_net.h"
 #include "fastscene/nn/aotgan_widen.h"
 #include "fastscene/nn/precision.h"
-#include "fastscene/nn/safetensors.h"
+#include "fastscene/weights/safetensors.h"
 #include "fastscene/nn/training.h"
 
 namespace fastscene {

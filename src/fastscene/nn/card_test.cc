@@ -17,9 +17,9 @@
 #include "fastscene/nn/layers.h"
 #include "fastscene/nn/libtorch.h"
 #include "fastscene/nn/replay.h"
-#include "fastscene/nn/safetensors.h"
+#include "fastscene/weights/safetensors.h"
 #include "fastscene/nn/sd_model.h"
-#include "fastscene/nn/shipped.h"
+#include "fastscene/weights/shipped.h"
 #include "fastscene/nn/weights_torch.h"
 
 namespace fastscene {

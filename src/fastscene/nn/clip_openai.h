@@ -3,7 +3,7 @@
 #pragma once
 
 #include "fastscene/nn/clip.h"
-#include "fastscene/nn/weights.h"
+#include "fastscene/weights/weights.h"
 
 namespace fastscene::nn {
 

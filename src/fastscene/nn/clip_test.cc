@@ -16,7 +16,7 @@
 #include "fastscene/nn/layers.h"
 #include "fastscene/nn/lpips.h"
 #include "fastscene/nn/perceptual.h"
-#include "fastscene/nn/safetensors.h"
+#include "fastscene/weights/safetensors.h"
 #include "fastscene/nn/tiny_model.h"
 #include "fastscene/nn/weights_torch.h"
 

@@ -12,7 +12,7 @@
 #include "fastscene/nn/da2_net.h"
 #include "fastscene/nn/hashed_da2.h"
 #include "fastscene/nn/libtorch.h"
-#include "fastscene/nn/safetensors.h"
+#include "fastscene/weights/safetensors.h"
 #include "fastscene/nn/tiny_model.h"
 #include "fastscene/nn/turned_passes.h"
 

@@ -17,12 +17,12 @@
 #include "fastscene/nn/hashed.h"
 #include "fastscene/nn/painting_files.h"
 #include "fastscene/nn/photo_sphere.h"
-#include "fastscene/nn/safetensors.h"
+#include "fastscene/weights/safetensors.h"
 #include "fastscene/nn/scheduler.h"
 #include "fastscene/nn/sphere_tiles.h"
 #include "fastscene/nn/tiny_model.h"
 #include "fastscene/nn/upscale360.h"
-#include "fastscene/nn/weights.h"
+#include "fastscene/weights/weights.h"
 
 namespace fastscene {
 namespace {

@@ -10,10 +10,10 @@
 #include "fastscene/base/file.h"
 #include "fastscene/base/json.h"
 #include "fastscene/nn/diffusion360.h"
-#include "fastscene/nn/safetensors.h"
+#include "fastscene/weights/safetensors.h"
 #include "fastscene/nn/tiny_model.h"
 #include "fastscene/nn/upscale360.h"
-#include "fastscene/nn/weights.h"
+#include "fastscene/weights/weights.h"
 
 namespace fastscene {
 namespace {

@@ -8,7 +8,7 @@
 #include "fastscene/nn/egformer_net.h"
 #include "fastscene/nn/precision.h"
 #include "fastscene/nn/runtime.h"
-#include "fastscene/nn/shipped.h"
+#include "fastscene/weights/shipped.h"
 #include "fastscene/nn/weights_torch.h"
 
 namespace fastscene {

@@ -9,7 +9,7 @@
 #include "fastscene/base/run.h"
 #include "fastscene/image/image.h"
 #include "fastscene/nn/device.h"
-#include "fastscene/nn/weights.h"
+#include "fastscene/weights/weights.h"
 
 namespace fastscene {
 
@@ -28,7 +28,7 @@ class Egformer {
     // from the file's metadata, or else the official ones. Throws Error naming a missing or misshaped key, UsageError
     // naming the flag of a device that is not there.
     static Egformer load(const std::filesystem::path& weights, const DeviceChoice& device = {});
-    // Loads weights built into the program (shipped.h) by name.
+    // Loads weights built into the program (weights/shipped.h) by name.
     static Egformer shipped(std::string_view name, const DeviceChoice& device = {});
     Egformer(Egformer&&) noexcept;
     Egformer& operator=(Egformer&&) noexcept;

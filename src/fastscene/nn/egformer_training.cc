@@ -10,7 +10,7 @@
 #include "fastscene/nn/depth_losses.h"
 #include "fastscene/nn/egformer_net.h"
 #include "fastscene/nn/precision.h"
-#include "fastscene/nn/safetensors.h"
+#include "fastscene/weights/safetensors.h"
 #include "fastscene/nn/training.h"
 
 namespace fastscene {
@@ -165,15 +165,14 @@ EgformerTrained train_egformer(const EgformerTraining& training, const std::file
     Json settings = training.settings;
     settings["network"] = {{"name", "egformer"}, {"height", shape.height}, {"channels", shape.channels}};
     settings["direct"] = training.direct;
-    trained.steps =
-        nn::train({.learners = {&network},
-                   .draw = draw,
-                   .step = step,
-                   .evaluate = evaluate,
-                   .held_out = static_cast<int>(training.held_out.size()),
-                   .settings = settings},
-                  training.training, folder, run)
-            .steps;
+    trained.steps = nn::train({.learners = {&network},
+                               .draw = draw,
+                               .step = step,
+                               .evaluate = evaluate,
+                               .held_out = static_cast<int>(training.held_out.size()),
+                               .settings = settings},
+                              training.training, folder, run)
+                        .steps;
     return trained;
 }
 

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "fastscene/nn/scope.h"
-#include "fastscene/nn/weights.h"
+#include "fastscene/weights/weights.h"
 
 namespace fastscene::nn {
 

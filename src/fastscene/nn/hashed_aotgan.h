@@ -1,7 +1,7 @@
 // An AOT-GAN generator with hashed weights, for tests and as a reproducible initialization.
 #pragma once
 
-#include "fastscene/nn/weights.h"
+#include "fastscene/weights/weights.h"
 
 namespace fastscene {
 

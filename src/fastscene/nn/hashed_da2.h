@@ -1,7 +1,7 @@
 // A DA-2 with hashed weights, for tests and benchmarks.
 #pragma once
 
-#include "fastscene/nn/weights.h"
+#include "fastscene/weights/weights.h"
 
 namespace fastscene {
 

@@ -7,9 +7,12 @@
 
 #include <algorithm>
 #include <mutex>
-#include <new>
+#include <optional>
+#include <string>
+#include <string_view>
 
 #include "fastscene/base/error.h"
+#include "fastscene/base/failure.h"
 #include "fastscene/base/parallel.h"
 
 namespace fastscene {
@@ -32,6 +35,21 @@ void take_workspace(int threads) {
     at::mm(square, square);
 }
 
+// libtorch's messages have a stack trace, which what() includes.
+std::optional<Failure> read_failure(const std::exception& error) {
+    const auto* torch = dynamic_cast<const c10::Error*>(&error);
+    if (!torch) return {};
+    std::string text = torch->what_without_backtrace();
+    // The CPU allocator has no exception class of its own.
+    const bool lack_of_memory = dynamic_cast<const c10::OutOfMemoryError*>(&error) ||
+                                text.find("DefaultCPUAllocator") != std::string::npos;
+    while (!text.empty() && std::string_view("\n ").find(text.back()) != std::string_view::npos) text.pop_back();
+    std::replace(text.begin(), text.end(), '\n', ' ');
+    return Failure{"a computation failed: " + text, lack_of_memory};
+}
+
+[[maybe_unused]] const bool failures_are_read = (add_failure_reader(read_failure), true);
+
 }  // namespace
 
 void use_our_threads() {
@@ -39,22 +57,6 @@ void use_our_threads() {
     if (at::get_num_threads() != threads) at::set_num_threads(threads);
     static std::once_flag taken;
     std::call_once(taken, take_workspace, threads);
-}
-
-std::string short_message(const std::exception& error) {
-    const auto* torch = dynamic_cast<const c10::Error*>(&error);
-    if (!torch) return error.what();
-    std::string text = torch->what_without_backtrace();
-    while (!text.empty() && std::string_view("\n ").find(text.back()) != std::string_view::npos) text.pop_back();
-    std::replace(text.begin(), text.end(), '\n', ' ');
-    return "a computation failed: " + text;
-}
-
-bool is_lack_of_memory(const std::exception& error) {
-    if (dynamic_cast<const std::bad_alloc*>(&error) || dynamic_cast<const c10::OutOfMemoryError*>(&error)) return true;
-    const auto* torch = dynamic_cast<const c10::Error*>(&error);  // the CPU allocator has no exception class of its own
-    return torch &&
-           std::string_view(torch->what_without_backtrace()).find("DefaultCPUAllocator") != std::string_view::npos;
 }
 
 }  // namespace fastscene

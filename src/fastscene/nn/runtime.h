@@ -2,15 +2,7 @@
 // threads waiting at a barrier then sleep instead of spinning on a core that others need.
 #pragma once
 
-#include <exception>
-#include <string>
-
 namespace fastscene {
-
-// An exception's message in one line: libtorch's errors without their stack trace.
-std::string short_message(const std::exception& error);
-// Whether it is an out-of-memory error, of libtorch or any other origin.
-bool is_lack_of_memory(const std::exception& error);
 
 // Sets libtorch's thread count to ours (base/parallel.h) and allocates OpenBLAS's buffers. Every network calls it
 // before running. Throws Error if the address space limit leaves no room for the buffers.

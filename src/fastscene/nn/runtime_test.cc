@@ -12,6 +12,7 @@
 #include <new>
 
 #include "fastscene/base/error.h"
+#include "fastscene/base/failure.h"
 
 namespace fastscene {
 namespace {

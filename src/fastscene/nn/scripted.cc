@@ -6,6 +6,7 @@
 #include <mutex>
 
 #include "fastscene/base/error.h"
+#include "fastscene/base/failure.h"
 #include "fastscene/base/file.h"
 #include "fastscene/models/trust.h"
 #include "fastscene/nn/precision.h"

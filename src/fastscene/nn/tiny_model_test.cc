@@ -7,7 +7,7 @@
 #include "fastscene/nn/clip.h"
 #include "fastscene/nn/hashed.h"
 #include "fastscene/nn/rrdbnet.h"
-#include "fastscene/nn/safetensors.h"
+#include "fastscene/weights/safetensors.h"
 #include "fastscene/nn/tokenizer.h"
 #include "fastscene/nn/unet.h"
 #include "fastscene/nn/vae.h"

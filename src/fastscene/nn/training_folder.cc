@@ -2,7 +2,7 @@
 
 #include "fastscene/base/json.h"
 #include "fastscene/nn/learner.h"
-#include "fastscene/nn/safetensors.h"
+#include "fastscene/weights/safetensors.h"
 #include "fastscene/nn/weights_torch.h"
 
 namespace fastscene::nn {

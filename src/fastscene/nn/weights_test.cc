@@ -1,5 +1,5 @@
 // Weight files: PyTorch's formats, safetensors, and all ways in which a file can be broken.
-#include "fastscene/nn/weights.h"
+#include "fastscene/weights/weights.h"
 
 #include <gtest/gtest.h>
 
@@ -11,7 +11,7 @@
 #include "fastscene/base/file.h"
 #include "fastscene/base/random.h"
 #include "fastscene/math/half.h"
-#include "fastscene/nn/safetensors.h"
+#include "fastscene/weights/safetensors.h"
 #include "fastscene/nn/tiny_model.h"
 #include "fastscene/nn/weights_torch.h"
 

@@ -10,7 +10,7 @@
 #include "fastscene/base/check.h"
 #include "fastscene/base/error.h"
 #include "fastscene/nn/scope.h"
-#include "fastscene/nn/weights.h"
+#include "fastscene/weights/weights.h"
 
 namespace fastscene::nn {
 

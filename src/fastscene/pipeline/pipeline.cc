@@ -9,7 +9,7 @@
 #include "fastscene/base/parallel.h"
 #include "fastscene/base/writable.h"
 #include "fastscene/depth/estimator.h"
-#include "fastscene/nn/weights.h"
+#include "fastscene/weights/weights.h"
 #include "fastscene/pipeline/edited_run.h"
 #include "fastscene/pipeline/find_earlier_run.h"
 #include "fastscene/pipeline/earlier_splats.h"

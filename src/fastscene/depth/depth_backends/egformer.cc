@@ -10,7 +10,7 @@
 #include "fastscene/depth/align.h"
 #include "fastscene/depth/estimator.h"
 #include "fastscene/geometry/reproject.h"
-#include "fastscene/nn/shipped.h"
+#include "fastscene/weights/shipped.h"
 
 namespace fastscene {
 

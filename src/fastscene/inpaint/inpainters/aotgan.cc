@@ -1,6 +1,6 @@
 #include "fastscene/inpaint/aotgan.h"
 
-#include "fastscene/nn/shipped.h"
+#include "fastscene/weights/shipped.h"
 
 namespace fastscene::inpainters {
 namespace {

@@ -1,4 +1,4 @@
-#include "fastscene/nn/safetensors.h"
+#include "fastscene/weights/safetensors.h"
 
 #include <algorithm>
 #include <cstring>

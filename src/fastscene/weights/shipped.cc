@@ -1,4 +1,4 @@
-#include "fastscene/nn/shipped.h"
+#include "fastscene/weights/shipped.h"
 
 #include <fmt/ranges.h>
 
@@ -6,7 +6,7 @@
 #include <span>
 
 #include "fastscene/base/error.h"
-#include "fastscene/nn/safetensors.h"
+#include "fastscene/weights/safetensors.h"
 
 namespace fastscene {
 

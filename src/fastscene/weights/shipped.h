@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "fastscene/nn/weights.h"
+#include "fastscene/weights/weights.h"
 
 namespace fastscene {
 

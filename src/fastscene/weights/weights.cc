@@ -1,4 +1,4 @@
-#include "fastscene/nn/weights.h"
+#include "fastscene/weights/weights.h"
 
 #include <algorithm>
 #include <bit>
@@ -9,9 +9,9 @@
 
 #include "fastscene/base/error.h"
 #include "fastscene/math/half.h"
-#include "fastscene/nn/mapped_file.h"
-#include "fastscene/nn/pickle.h"
-#include "fastscene/nn/safetensors.h"
+#include "fastscene/weights/mapped_file.h"
+#include "fastscene/weights/pickle.h"
+#include "fastscene/weights/safetensors.h"
 
 namespace fastscene {
 namespace {

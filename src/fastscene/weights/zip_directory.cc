@@ -1,4 +1,4 @@
-#include "fastscene/nn/zip_directory.h"
+#include "fastscene/weights/zip_directory.h"
 
 #include <cstdint>
 #include <cstring>

@@ -1,4 +1,4 @@
-#include "fastscene/nn/shipped.h"
+#include "fastscene/weights/shipped.h"
 
 #include <gtest/gtest.h>
 

@@ -5,8 +5,8 @@
 
 #include <memory>
 
-#include "fastscene/nn/mapped_file.h"
-#include "fastscene/nn/weights.h"
+#include "fastscene/weights/mapped_file.h"
+#include "fastscene/weights/weights.h"
 
 namespace fastscene {
 

@@ -1,4 +1,4 @@
-#include "fastscene/nn/mapped_file.h"
+#include "fastscene/weights/mapped_file.h"
 
 #include <fcntl.h>
 #include <sys/mman.h>

@@ -5,7 +5,7 @@
 #include <map>
 #include <string>
 
-#include "fastscene/nn/mapped_file.h"
+#include "fastscene/weights/mapped_file.h"
 
 namespace fastscene {
 

@@ -1,4 +1,4 @@
-#include "fastscene/nn/pickle_machine.h"
+#include "fastscene/weights/pickle_machine.h"
 
 #include <charconv>
 #include <cstring>

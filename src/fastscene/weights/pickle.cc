@@ -1,12 +1,12 @@
-#include "fastscene/nn/pickle.h"
+#include "fastscene/weights/pickle.h"
 
 #include <cstring>
 #include <map>
 #include <optional>
 
 #include "fastscene/base/error.h"
-#include "fastscene/nn/pickle_machine.h"
-#include "fastscene/nn/zip_directory.h"
+#include "fastscene/weights/pickle_machine.h"
+#include "fastscene/weights/zip_directory.h"
 
 namespace fastscene {
 namespace {
