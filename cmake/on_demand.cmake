@@ -2,12 +2,12 @@
 #
 # libtorch and what Debian's is linked with take a second to load, and most commands need none of it. Such a program
 # links fastscene_<module>_on_demand in place of the module: a function of the same name for each of the module's public
-# ones (those of namespace fastscene itself), which loads <module>.so and goes on there (base/on_demand.h), as MSVC's
-# /DELAYLOAD does. The module is compiled once, and neither its callers nor its own sources know. It takes what it needs
+# ones (those of namespace fastscene itself), which loads fastscene-<module>.so and goes on there (base/on_demand.h), as
+# MSVC's /DELAYLOAD does. The module is compiled once, and neither its callers nor its own sources know. It takes what it needs
 # of the modules below from the program, so that there is one of each: the program links and exports them whole.
 #
-# Everything else (the unit tests, the libraries, Python's module) links the module itself, as does the program on other
-# processors than x86-64.
+# The program and Python's module do. The unit tests and the libraries link the module itself, and so does everything on
+# other processors than x86-64.
 include(GNUInstallDirs)
 set(FASTSCENE_PARTS_DIR ${CMAKE_INSTALL_LIBDIR}/fastscene)
 if(CMAKE_SYSTEM_PROCESSOR MATCHES "^(x86_64|AMD64)$")
@@ -41,9 +41,11 @@ function(fastscene_on_demand module)
     target_sources(fastscene_${module}_part PRIVATE ${others})
   endif()
   target_link_libraries(fastscene_${module}_part PRIVATE ${linked})
-  set_target_properties(fastscene_${module}_part PROPERTIES LINKER_LANGUAGE CXX PREFIX "" OUTPUT_NAME ${module}
+  set_target_properties(fastscene_${module}_part PROPERTIES LINKER_LANGUAGE CXX PREFIX "" OUTPUT_NAME fastscene-${module}
     LIBRARY_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/${FASTSCENE_PARTS_DIR})
   install(TARGETS fastscene_${module}_part LIBRARY DESTINATION ${FASTSCENE_PARTS_DIR} COMPONENT program)
+
+  set_property(GLOBAL APPEND PROPERTY FASTSCENE_PARTS fastscene-${module}.so)
 
   set(source ${PROJECT_BINARY_DIR}/${module}_on_demand.S)
   add_custom_command(OUTPUT ${source}
@@ -65,7 +67,7 @@ function(fastscene_on_demand module)
   add_dependencies(fastscene_${module}_on_demand fastscene_${module}_part)
 endfunction()
 
-# fastscene_loads_on_demand(program)
+# fastscene_loads_on_demand(target): a program, or a module of Python's.
 function(fastscene_loads_on_demand program)
   if(NOT FASTSCENE_CAN_LOAD_ON_DEMAND)
     return()

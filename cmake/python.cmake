@@ -21,6 +21,7 @@ if(FASTSCENE_PYTHON AND NOT CMAKE_CXX_FLAGS MATCHES "-fsanitize")
   # The build tree's package: PYTHONPATH=build/release/python.
   set(package ${PROJECT_BINARY_DIR}/python/fastscene)
   set_target_properties(fastscene_python PROPERTIES OUTPUT_NAME _core LIBRARY_OUTPUT_DIRECTORY ${package})
+  fastscene_loads_on_demand(fastscene_python)
   # Nothing in it is hot, and a third of its compile time is saved.
   target_compile_options(fastscene_python PRIVATE -O1)
   file(MAKE_DIRECTORY ${package})
@@ -30,4 +31,10 @@ if(FASTSCENE_PYTHON AND NOT CMAKE_CXX_FLAGS MATCHES "-fsanitize")
       COMPONENT python EXCLUDE_FROM_ALL)
   endforeach()
   install(TARGETS fastscene_python LIBRARY DESTINATION ${FASTSCENE_PYTHON_DIR} COMPONENT python EXCLUDE_FROM_ALL)
+  get_property(parts GLOBAL PROPERTY FASTSCENE_PARTS)
+  foreach(part ${parts})
+    file(CREATE_LINK ${PROJECT_BINARY_DIR}/${FASTSCENE_PARTS_DIR}/${part} ${package}/${part} SYMBOLIC)
+    install(FILES ${PROJECT_BINARY_DIR}/${FASTSCENE_PARTS_DIR}/${part} DESTINATION ${FASTSCENE_PYTHON_DIR}
+      COMPONENT python EXCLUDE_FROM_ALL)
+  endforeach()
 endif()

@@ -64,7 +64,7 @@ lacks p nowhere
 mkdir bin && ln "$fastscene" bin/ 2>/dev/null || cp "$fastscene" bin/
 expect 0 bin/fastscene panorama "$prompt" -o without "${tiny[@]:0:10}"
 expect 1 bin/fastscene make --panorama without/panorama/color.png -o pictured "${tiny[@]}"
-says "$work/lib/fastscene/nn.so: cannot open"
+says "$work/lib/fastscene/fastscene-nn.so: cannot open"
 
 # A run to lose.
 expect 0 "$fastscene" make "$prompt" -o run "${tiny[@]}"
