@@ -212,6 +212,16 @@ class Rooms(unittest.TestCase):
         a.save_glb(WORK / "room.glb")
         self.assertEqual((WORK / "room.glb").read_bytes()[:4], b"glTF")
 
+    def test_networks_are_loaded_when_one_is_used(self):
+        def torch_is_loaded():
+            return "libtorch" in pathlib.Path("/proc/self/maps").read_text()
+
+        self.assertFalse(torch_is_loaded())
+        tiny = dict(quality="draft", last_stage="depth", panorama_width=128, panorama_cell=0.3, panorama_cell_samples=8)
+        fastscene.make_scene("a bedroom", WORK / "scene", depth_backend="egformer", **tiny)
+        self.assertTrue((WORK / "scene/depth/range.exr").exists())
+        self.assertTrue(torch_is_loaded())
+
 
 if __name__ == "__main__":
     shutil.rmtree(WORK, ignore_errors=True)
