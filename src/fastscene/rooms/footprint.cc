@@ -32,8 +32,9 @@ bool overlap(const Footprint& a, const Footprint& b) {
     return true;
 }
 
-float distance_to(const Footprint& box, Vec2f point) {
-    const auto axes = axes_of(box);
+float distance_to(const Footprint& box, Vec2f point) { return distance_to(box, axes_of(box), point); }
+
+float distance_to(const Footprint& box, const std::array<Vec2f, 2>& axes, Vec2f point) {
     const Vec2f d = point - box.center;
     const float x = std::max(0.f, std::abs(dot(d, axes[0])) - box.half.x),
                 y = std::max(0.f, std::abs(dot(d, axes[1])) - box.half.y);

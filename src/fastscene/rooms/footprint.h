@@ -22,6 +22,8 @@ float yaw_of(Vec3f front);
 bool overlap(const Footprint& a, const Footprint& b);
 // Distance on the floor from a point to the box; 0 inside.
 float distance_to(const Footprint& box, Vec2f point);
+// The same for many points, with axes_of(box).
+float distance_to(const Footprint& box, const std::array<Vec2f, 2>& axes, Vec2f point);
 // Half the extent of a box along a unit axis on the floor.
 float extent(const Footprint& box, Vec2f axis);
 std::array<Vec2f, 2> axes_of(const Footprint& box);

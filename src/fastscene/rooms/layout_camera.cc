@@ -53,7 +53,11 @@ std::vector<int> Layout::unseen(Vec3f eye) const {
 // What stands in the room, as it is about the camera: where a piece reaches into the heights about the eyes (a bed with
 // its head alone, a desk with its lamp), and where it only keeps the feet away.
 struct Layout::Surroundings {
-    std::vector<Footprint> tall, low;
+    struct Box {
+        Footprint box;
+        std::array<Vec2f, 2> axes;
+    };
+    std::vector<Box> tall, low;
 };
 
 Layout::Surroundings Layout::surroundings() const {
@@ -62,9 +66,9 @@ Layout::Surroundings Layout::surroundings() const {
     for (const Placed& p : placed_) {
         if (p.flat) continue;
         const Footprint whole = footprint_of(p);
-        if (whole.y1 < kEyeHeight) out.low.push_back(whole);
+        if (whole.y1 < kEyeHeight) out.low.push_back({whole, axes_of(whole)});
         if (whole.y0 >= kEyeHeight + kBall) continue;
-        if (const auto tall = part_above(p, kEyeHeight - kBall)) out.tall.push_back(*tall);
+        if (const auto tall = part_above(p, kEyeHeight - kBall)) out.tall.push_back({*tall, axes_of(*tall)});
     }
     return out;
 }
@@ -73,8 +77,8 @@ float Layout::ease_of(Vec3f eye, const Surroundings& things) const {
     const Vec2f at = flat(eye);
     const float walls = plan_.wall_distance(at);
     float tall = plan_.air_around(eye), low = 1.f;
-    for (const Footprint& f : things.tall) tall = std::min(tall, distance_to(f, at));
-    for (const Footprint& f : things.low) low = std::min(low, distance_to(f, at));
+    for (const auto& [box, axes] : things.tall) tall = std::min(tall, distance_to(box, axes, at));
+    for (const auto& [box, axes] : things.low) low = std::min(low, distance_to(box, axes, at));
     // Beyond 0.9 m more space from things is no gain, beyond 1.6 m from walls and doors: close by they fill half of the
     // picture and show nothing. The middle of the room shows most of it.
     float score = 3.f * std::min(tall, 0.9f) + 1.1f * std::min(walls, 1.6f) + 1.2f * std::min(low, 0.45f) -

@@ -1,8 +1,7 @@
 #include "fastscene/rooms/layout_ways.h"
 
 #include <algorithm>
-#include <array>
-#include <cmath>
+#include <utility>
 
 #include "fastscene/rooms/layout.h"
 
@@ -43,7 +42,8 @@ Ways::Ways(const Plan& plan)
         const Vec3f p = face.point((o.u0 + o.u1) / 2, 0) + face.inward * 0.45f;
         (starts_.empty() ? starts_ : goals_).push_back(cell_near({p.x, p.z}));
     }
-    open_ = leads_to_a_view(cells_);
+    walked_ = walked(cells_);
+    open_ = leads_to_a_view(cells_, walked_);
 }
 
 Vec2f Ways::center(int i, int j) const {
@@ -57,22 +57,35 @@ int Ways::cell_near(Vec2f p) const {
     return j * columns_ + i;
 }
 
-void Ways::narrow(std::vector<Clear>& cells, const Placed& placed) const {
-    if (placed.flat) return;
+bool Ways::narrow(std::vector<Clear>& cells, const Placed& placed) const {
+    if (placed.flat) return false;
     const Footprint box = footprint_of(placed);
     // One steps over a toy.
     constexpr float kToyHigh = 0.36f, kToyWide = 0.34f;
     const bool toy = box.y1 < kToyHigh && std::max(box.half.x, box.half.y) < kToyWide / 2;
     const bool feet = !toy && placed.on < 0 && !placed.overhead && box.y0 < kStepOver && placed.piece.kind != "curtain";
     const bool eyes = box.y1 > kEyeHeight - kEyeBand && box.y0 < kEyeHeight + kEyeBand;
-    if (!feet && !eyes) return;
-    for (int j = 0; j < rows_; ++j)
-        for (int i = 0; i < columns_; ++i) {
+    if (!feet && !eyes) return false;
+    // Only distances below the radii count: the cells around it.
+    const auto axes = axes_of(box);
+    const float reach = (eyes ? kEyeRadius : kBodyRadius) + kCell;
+    const auto span = [&](float middle, float half, float size, int count) {
+        return std::pair{std::clamp(static_cast<int>((middle - half - reach + size / 2) / kCell), 0, count),
+                         std::clamp(static_cast<int>((middle + half + reach + size / 2) / kCell) + 1, 0, count)};
+    };
+    const auto [i0, i1] = span(box.center.x, extent(box, {1, 0}), plan_->width, columns_);
+    const auto [j0, j1] = span(box.center.y, extent(box, {0, 1}), plan_->depth, rows_);
+    bool narrower = false;
+    for (int j = j0; j < j1; ++j)
+        for (int i = i0; i < i1; ++i) {
             Clear& cell = cells[static_cast<std::size_t>(j * columns_ + i)];
-            const float far = distance_to(box, center(i, j));
+            const float far = distance_to(box, axes, center(i, j));
+            narrower |= (feet && cell.feet >= kBodyRadius && far < kBodyRadius) ||
+                        (eyes && cell.eyes >= kEyeRadius && far < kEyeRadius);
             if (feet) cell.feet = std::min(cell.feet, far);
             if (eyes) cell.eyes = std::min(cell.eyes, far);
         }
+    return narrower;
 }
 
 // The cells that can be walked to from the door.
@@ -97,31 +110,34 @@ std::vector<char> Ways::walked(const std::vector<Clear>& cells) const {
     return seen;
 }
 
-bool Ways::leads_to_a_view(const std::vector<Clear>& cells) const {
-    const std::vector<char> seen = walked(cells);
+bool Ways::leads_to_a_view(const std::vector<Clear>& cells, const std::vector<char>& walked) const {
     for (const int goal : goals_)
-        if (!seen[static_cast<std::size_t>(goal)]) return false;
+        if (!walked[static_cast<std::size_t>(goal)]) return false;
     for (std::size_t k = 0; k < cells.size(); ++k)
-        if (seen[k] && cells[k].eyes >= kEyeRadius) return true;
+        if (walked[k] && cells[k].eyes >= kEyeRadius) return true;
     return false;
 }
 
 void Ways::add(const Placed& placed) {
-    narrow(cells_, placed);
-    open_ = leads_to_a_view(cells_);
+    if (!narrow(cells_, placed)) return;
+    walked_ = walked(cells_);
+    open_ = leads_to_a_view(cells_, walked_);
 }
 
 bool Ways::open_with(const Placed& extra) const {
+    if (!open_) return false;
     std::vector<Clear> cells = cells_;
-    narrow(cells, extra);
-    return leads_to_a_view(cells);
+    return !narrow(cells, extra) || leads_to_a_view(cells, walked(cells));
 }
 
 bool Ways::reaches(Vec2f point) const {
-    const std::vector<char> seen = walked(cells_);
-    for (int j = 0; j < rows_; ++j)
-        for (int i = 0; i < columns_; ++i)
-            if (seen[static_cast<std::size_t>(j * columns_ + i)] && length(center(i, j) - point) < 0.3f) return true;
+    constexpr float kHalfStep = 0.3f;
+    constexpr int kCells = static_cast<int>(kHalfStep / kCell) + 1;
+    const int middle = cell_near(point), i0 = middle % columns_, j0 = middle / columns_;
+    for (int j = std::max(0, j0 - kCells); j < std::min(rows_, j0 + kCells + 1); ++j)
+        for (int i = std::max(0, i0 - kCells); i < std::min(columns_, i0 + kCells + 1); ++i)
+            if (walked_[static_cast<std::size_t>(j * columns_ + i)] && length(center(i, j) - point) < kHalfStep)
+                return true;
     return false;
 }
 

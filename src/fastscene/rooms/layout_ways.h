@@ -31,15 +31,17 @@ class Ways {
     };
     Vec2f center(int i, int j) const;
     int cell_near(Vec2f point) const;
-    void narrow(std::vector<Clear>& cells, const Placed& placed) const;
+    // Says whether a cell where one could walk or look from is none any more.
+    bool narrow(std::vector<Clear>& cells, const Placed& placed) const;
     std::vector<char> walked(const std::vector<Clear>& cells) const;
-    bool leads_to_a_view(const std::vector<Clear>& cells) const;
+    bool leads_to_a_view(const std::vector<Clear>& cells, const std::vector<char>& walked) const;
 
     const Plan* plan_;
     int columns_, rows_;
     std::vector<Clear> cells_;
     std::vector<int> starts_;  // cells before the door
     std::vector<int> goals_;   // … and before a doorway, which must be reached too
+    std::vector<char> walked_;
     bool open_ = false;
 };
 
