@@ -45,12 +45,5 @@ function(fastscene_module name)
     fastscene_precompile(${name}_test ${kind}_test <gtest/gtest.h> ${MODULE_HEADERS})
     add_test(NAME ${name} COMMAND ${name}_test)
     set_tests_properties(${name} PROPERTIES TIMEOUT 600)
-    fastscene_tests_take_turns(${name})
   endif()
-endfunction()
-
-# Tests that keep all cores busy run one at a time. `./test` runs one of the others, which wait a lot or use one core,
-# beside them. Call it in the directory of the tests.
-function(fastscene_tests_take_turns)
-  set_tests_properties(${ARGN} PROPERTIES RESOURCE_LOCK all_cores)
 endfunction()
