@@ -54,14 +54,7 @@ constexpr float kBeyondGlass_m = 1e-4f;
 
 }  // namespace
 
-const char* embree_settings() {
-    switch (isa()) {
-        case Isa::sse4: return "max_isa=sse42";
-        case Isa::avx2: return "max_isa=avx2";
-        case Isa::avx512: break;
-    }
-    return nullptr;
-}
+const char* embree_settings() { return isa() == Isa::sse4 ? "max_isa=sse42" : "max_isa=avx2"; }
 
 struct SceneBvh::Impl {
     RTCDevice device = nullptr;
