@@ -11,11 +11,13 @@
 #include <array>
 #include <cctype>
 #include <cmath>
+#include <cstdint>
 #include <cstring>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "fastscene/base/error.h"
 #include "fastscene/base/file.h"
 #include "fastscene/base/is_one_of.h"
 #include "fastscene/io/color_maps.h"
@@ -95,9 +97,41 @@ class MemoryStream : public Imf::IStream {
     std::size_t at_ = 0;
 };
 
+// OpenEXR allocates what an attribute's size says before it reads the value. An attribute is a name and a type, which
+// end in a zero, a size and a value; an empty name ends a header.
+void check_attribute_sizes(std::string_view bytes, const std::string& where) {
+    constexpr std::size_t kVersion = 4, kFirstHeader = 8;  // bytes from the beginning
+    constexpr std::uint32_t kMultiPart = 0x1000;
+    const auto number_at = [&](std::size_t at) {
+        std::uint32_t value = 0;
+        std::memcpy(&value, bytes.data() + at, sizeof value);
+        return value;
+    };
+    if (bytes.size() < kFirstHeader) return;  // too short: OpenEXR says so, here and below
+    std::size_t at = kFirstHeader;
+    do {
+        while (at < bytes.size() && bytes[at] != 0) {
+            for (int texts = 0; texts < 2; ++texts) {
+                at = bytes.find('\0', at);
+                if (at == std::string_view::npos) return;
+                ++at;
+            }
+            if (bytes.size() - at < sizeof(std::uint32_t)) return;
+            const std::uint32_t size = number_at(at);
+            at += sizeof size;
+            if (size > bytes.size() - at)
+                throw Error("{}: expected an OpenEXR picture, found an attribute of {} bytes in a file of {}", where,
+                            size, bytes.size());
+            at += size;
+        }
+        ++at;
+    } while (number_at(kVersion) & kMultiPart && at < bytes.size() && bytes[at] != 0);
+}
+
 }  // namespace
 
 PictureInfo exr_info(std::string_view bytes, const std::string& where) {
+    check_attribute_sizes(bytes, where);
     try {
         MemoryStream stream(bytes, where);
         const Imf::InputFile file(stream);

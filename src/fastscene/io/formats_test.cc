@@ -157,6 +157,23 @@ TEST(Exr, GrayInThreeChannelsIsAMap) {
     EXPECT_THROW(load_float(half_floats(Imf::WRITE_RGB, nan)), Error);
 }
 
+TEST(Exr, AnAttributeLargerThanTheFileIsRefusedBeforeItsMemoryIsTaken) {
+    const std::string file = half_floats(Imf::WRITE_RGB, 1.5f);
+    std::string bytes = read_file(file);
+    const std::string_view attribute("compression\0compression\0", 24);
+    const std::size_t at = bytes.find(attribute);
+    ASSERT_NE(at, std::string::npos);
+    bytes.replace(at + attribute.size(), 4, "\x64\x65\x6e\x65");  // 1.7 GB
+    write_file(file, bytes);
+    try {
+        load_float(file);
+        FAIL() << "expected an error";
+    } catch (const Error& e) {
+        EXPECT_NE(std::string_view(e.what()).find("an attribute of 1701733732 bytes"), std::string_view::npos)
+            << e.what();
+    }
+}
+
 TEST(Exr, AColorPictureIsNoMap) {
     for (const auto channels : {Imf::WRITE_RGB, Imf::WRITE_RGBA, Imf::WRITE_YC}) try {
             load_float(half_floats(channels, 1.6f));

@@ -50,7 +50,7 @@ std::vector<std::uint16_t> load_npy(const std::filesystem::path& path) {
         throw Error("{}: expected {} numbers of 2 bytes, found {} bytes", path.string(), count,
                     bytes.size() - std::min(begin, bytes.size()));
     std::vector<std::uint16_t> out(count);
-    std::memcpy(out.data(), bytes.data() + begin, 2 * count);
+    if (count > 0) std::memcpy(out.data(), bytes.data() + begin, 2 * count);
     return out;
 }
 

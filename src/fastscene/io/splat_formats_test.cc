@@ -112,6 +112,19 @@ TEST(SplatFormats, GlbRoundTripsToTheLastBits) {
     }
 }
 
+TEST(SplatFormats, ACompressedPlyHasAllBoundsOfItsColorsOrNone) {
+    save_splats(scratch("b.compressed.ply"), some_splats(300, 0));
+    std::string bytes = read_file(scratch("b.compressed.ply"));
+    bytes.replace(bytes.find("max_b"), 5, "max_q");
+    write_file(scratch("b.compressed.ply"), bytes);
+    try {
+        load_splats(scratch("b.compressed.ply"));
+        FAIL() << "expected an error";
+    } catch (const Error& e) {
+        EXPECT_NE(std::string_view(e.what()).find("\"max_b\""), std::string_view::npos) << e.what();
+    }
+}
+
 TEST(SplatFormats, CompressedPlyRoundTripsWithinItsSteps) {
     for (const int degree : {0, 1, 2, 3}) {
         const Splats splats = some_splats(600, degree);

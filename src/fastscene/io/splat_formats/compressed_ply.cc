@@ -178,11 +178,13 @@ namespace {
 // The columns of a chunk's bounds for one attribute.
 struct BoundColumns {
     std::array<int, 3> low{-1, -1, -1}, high{-1, -1, -1};
+    // Files without bounds of a kind that is not required have none of its six columns.
     BoundColumns(const Ply& ply, const PlyElement& chunk, const std::string& kind, const char* axes, bool required) {
+        if (!required && Ply::find(chunk, "min_" + kind + axes[0]) < 0) return;
         for (std::size_t a = 0; a < 3; ++a) {
             const std::string low_name = "min_" + kind + axes[a], high_name = "max_" + kind + axes[a];
-            low[a] = required ? ply.property(chunk, low_name) : Ply::find(chunk, low_name);
-            high[a] = required ? ply.property(chunk, high_name) : Ply::find(chunk, high_name);
+            low[a] = ply.property(chunk, low_name);
+            high[a] = ply.property(chunk, high_name);
         }
     }
     // Interpolates between the bounds in row `row`; files without bounds of this kind use 0..1.
