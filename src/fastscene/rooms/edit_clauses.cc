@@ -12,146 +12,72 @@
 namespace fastscene::editing {
 namespace {
 
+// How clauses begin, by what is to be done. The longest that fits counts; what is politely said before it is passed
+// over.
+struct Row {
+    Verb verb;
+    std::string_view beginnings;  // with "|" between them
+};
+constexpr std::array<Row, 16> kBeginnings{{
+    {Verb::remove,
+     "remove|delete|erase|take away|take out|take|drop|get rid of|throw out|throw away|throw|"
+     "lose|discard|ditch|hide|clear away|clear out|without|no more|no|i dont like|"
+     "i do not like|i dont want|i do not want|i dont need|we dont need|there should be no"},
+    {Verb::clear,
+     "clear|empty"},
+    {Verb::move,
+     "move|shift|bring|push|pull|slide|drag|relocate|carry"},
+    {Verb::put,
+     "put|place|set|stand|hang|lay|position|mount|lean"},
+    {Verb::make,
+     "make|change|switch|give"},
+    {Verb::refuse,
+     "turn up|turn down|dim|open|close|shut|rearrange|reorganize|arrange|redecorate|tidy|"
+     "tidy up|clean|clean up|improve|fix|undo|redo|keep|leave"},
+    {Verb::add,
+     "add|insert|include|get|create|bring in|have|give me|give us|can i have|can we have|"
+     "could i have|could we have|can i get|there should be|there must be|there needs to be|"
+     "let there be|it needs|the room needs"},
+    {Verb::want,
+     "i need|we need|i want|we want|i wish|i would like|we would like|id like|id love|"
+     "i would love|i prefer|id prefer"},
+    {Verb::replace,
+     "replace|exchange|substitute"},
+    {Verb::swap,
+     "swap|interchange"},
+    {Verb::turn,
+     "turn|rotate|spin|flip"},
+    {Verb::face,
+     "face|point|orient|aim"},
+    {Verb::color,
+     "paint|color|recolor|dye|tint|repaint|reupholster|cover"},
+    {Verb::larger,
+     "enlarge|scale up"},
+    {Verb::smaller,
+     "shrink|scale down|reduce"},
+    {Verb::copy,
+     "duplicate|copy|clone"},
+}};
+
 struct Beginning {
-    std::string_view words;
+    Words words;
     Verb verb;
 };
-// How a clause begins. The longest that fits counts; what is politely said before it is passed over.
-constexpr std::array kBeginnings{
-    Beginning{"remove", Verb::remove},
-    {"delete", Verb::remove},
-    {"erase", Verb::remove},
-    {"take away", Verb::remove},
-    {"take out", Verb::remove},
-    {"take", Verb::remove},
-    {"drop", Verb::remove},
-    {"get rid of", Verb::remove},
-    {"throw out", Verb::remove},
-    {"throw away", Verb::remove},
-    {"throw", Verb::remove},
-    {"lose", Verb::remove},
-    {"discard", Verb::remove},
-    {"ditch", Verb::remove},
-    {"kill", Verb::remove},
-    {"hide", Verb::remove},
-    {"clear away", Verb::remove},
-    {"clear out", Verb::remove},
-    {"without", Verb::remove},
-    {"no more", Verb::remove},
-    {"no", Verb::remove},
-    {"i dont like", Verb::remove},
-    {"i do not like", Verb::remove},
-    {"i dont want", Verb::remove},
-    {"i do not want", Verb::remove},
-    {"i dont need", Verb::remove},
-    {"we dont need", Verb::remove},
-    {"there should be no", Verb::remove},
-    {"clear", Verb::clear},
-    {"empty", Verb::clear},
-    {"move", Verb::move},
-    {"shift", Verb::move},
-    {"bring", Verb::move},
-    {"push", Verb::move},
-    {"pull", Verb::move},
-    {"slide", Verb::move},
-    {"drag", Verb::move},
-    {"relocate", Verb::move},
-    {"carry", Verb::move},
-    {"put", Verb::put},
-    {"place", Verb::put},
-    {"set", Verb::put},
-    {"stand", Verb::put},
-    {"hang", Verb::put},
-    {"lay", Verb::put},
-    {"position", Verb::put},
-    {"mount", Verb::put},
-    {"lean", Verb::put},
-    {"make", Verb::make},
-    {"change", Verb::make},
-    {"switch", Verb::make},
-    {"give", Verb::make},
-    {"turn up", Verb::refuse},
-    {"turn down", Verb::refuse},
-    {"dim", Verb::refuse},
-    {"add", Verb::add},
-    {"insert", Verb::add},
-    {"include", Verb::add},
-    {"get", Verb::add},
-    {"create", Verb::add},
-    {"bring in", Verb::add},
-    {"have", Verb::add},
-    {"give me", Verb::add},
-    {"give us", Verb::add},
-    {"can i have", Verb::add},
-    {"can we have", Verb::add},
-    {"could i have", Verb::add},
-    {"could we have", Verb::add},
-    {"can i get", Verb::add},
-    {"there should be", Verb::add},
-    {"there must be", Verb::add},
-    {"there needs to be", Verb::add},
-    {"let there be", Verb::add},
-    {"i need", Verb::want},
-    {"we need", Verb::want},
-    {"it needs", Verb::add},
-    {"the room needs", Verb::add},
-    {"i want", Verb::want},
-    {"we want", Verb::want},
-    {"i wish", Verb::want},
-    {"i would like", Verb::want},
-    {"we would like", Verb::want},
-    {"id like", Verb::want},
-    {"id love", Verb::want},
-    {"i would love", Verb::want},
-    {"i prefer", Verb::want},
-    {"id prefer", Verb::want},
-    {"replace", Verb::replace},
-    {"exchange", Verb::replace},
-    {"substitute", Verb::replace},
-    {"swap", Verb::swap},
-    {"interchange", Verb::swap},
-    {"turn", Verb::turn},
-    {"rotate", Verb::turn},
-    {"spin", Verb::turn},
-    {"flip", Verb::turn},
-    {"face", Verb::face},
-    {"point", Verb::face},
-    {"orient", Verb::face},
-    {"aim", Verb::face},
-    {"paint", Verb::color},
-    {"color", Verb::color},
-    {"recolor", Verb::color},
-    {"dye", Verb::color},
-    {"tint", Verb::color},
-    {"repaint", Verb::color},
-    {"reupholster", Verb::color},
-    {"cover", Verb::color},
-    {"enlarge", Verb::larger},
-    {"scale up", Verb::larger},
-    {"shrink", Verb::smaller},
-    {"scale down", Verb::smaller},
-    {"reduce", Verb::smaller},
-    {"duplicate", Verb::copy},
-    {"copy", Verb::copy},
-    {"clone", Verb::copy},
-    {"open", Verb::refuse},
-    {"close", Verb::refuse},
-    {"shut", Verb::refuse},
-    {"rearrange", Verb::refuse},
-    {"reorganize", Verb::refuse},
-    {"arrange", Verb::refuse},
-    {"redecorate", Verb::refuse},
-    {"tidy", Verb::refuse},
-    {"tidy up", Verb::refuse},
-    {"clean", Verb::refuse},
-    {"clean up", Verb::refuse},
-    {"improve", Verb::refuse},
-    {"fix", Verb::refuse},
-    {"undo", Verb::refuse},
-    {"redo", Verb::refuse},
-    {"keep", Verb::refuse},
-    {"leave", Verb::refuse},
-};
+const std::vector<Beginning>& beginnings() {
+    static const std::vector<Beginning> all = [] {
+        std::vector<Beginning> out;
+        for (const Row& row : kBeginnings) {
+            std::string_view left = row.beginnings;
+            while (!left.empty()) {
+                const std::string_view one = left.substr(0, left.find('|'));
+                left.remove_prefix(std::min(left.size(), one.size() + 1));
+                out.push_back({tokens_of(one), row.verb});
+            }
+        }
+        return out;
+    }();
+    return all;
+}
 
 // Said before what is to be done, and nothing by itself.
 constexpr std::array<std::string_view, 41> kPolite{
@@ -185,8 +111,9 @@ std::size_t past_polite(const Words& words, std::size_t at) {
 
 const Beginning* beginning_at(const Words& words, std::size_t at) {
     const Beginning* best = nullptr;
-    for (const Beginning& b : kBeginnings)
-        if (stands_at(words, at, b.words) && (!best || count_of(b.words) > count_of(best->words))) best = &b;
+    for (const Beginning& b : beginnings())
+        if (part_of(words, at, at + b.words.size()) == b.words && (!best || b.words.size() > best->words.size()))
+            best = &b;
     return best;
 }
 
@@ -314,8 +241,8 @@ std::vector<Clause> clauses_of(const std::string& sentence) {
             const std::size_t from = past_polite(words, i);
             const Beginning* found = from < words.size() ? beginning_at(words, from) : nullptr;
             if (found) {
-                out.push_back({found->verb, std::string(found->words), {}});
-                i = from + count_of(found->words);
+                out.push_back({found->verb, text_of(found->words), {}});
+                i = from + found->words.size();
                 continue;
             }
             const bool says = from < words.size() && is_statement(words, from);

@@ -10,7 +10,7 @@
 namespace fastscene::editing {
 namespace {
 
-bool has_word(const Words& words, std::initializer_list<std::string_view> any) {
+bool says_any(const Words& words, std::initializer_list<std::string_view> any) {
     return std::any_of(words.begin(), words.end(),
                        [&](const std::string& w) { return std::find(any.begin(), any.end(), w) != any.end(); });
 }
@@ -100,7 +100,7 @@ std::string surface_said(const Words& words) {
         return "trim";
     const auto word = look_up(text);
     if (word && is_one_of(word->meaning, {"wall", "floor", "ceiling"})) return word->meaning;
-    if (has_word(words, {"wall"}) && bare.size() > 1 &&
+    if (says_any(words, {"wall"}) && bare.size() > 1 &&
         (bare.back() == "wall" || is_one_of(bare.front(), {"wall", "left", "right", "far", "back"})))
         throw UsageError("a sentence paints all walls alike; \"accent_wall\" in the document's plan names one of them");
     return {};
@@ -151,7 +151,7 @@ void light(Talk& talk, const std::string& value) {
 // Of the whole room: its style, hour and weather. Says whether the clause was about that.
 bool of_the_room(Talk& talk, const Words& words) {
     const bool of_it = is_one_of(words.front(), {"it", "them"});
-    const bool of_room = has_word(words, {"everything", "room", "style", "time", "weather", "lighting", "outside",
+    const bool of_room = says_any(words, {"everything", "room", "style", "time", "weather", "lighting", "outside",
                                           "hour", "view"});
     if (!of_it && !of_room) return false;
     const PromptSpec spec = understand_prompt(text_of(words), false, talk.editor.pack());
@@ -199,7 +199,7 @@ std::string lamps_said(const Words& words) {
 
 void make(Talk& talk, const Words& words) {
     if (const std::string lamps = lamps_said(words); !lamps.empty()) return light(talk, lamps);
-    if (has_word(words, {"face", "facing"})) return face(talk, words);
+    if (says_any(words, {"face", "facing"})) return face(talk, words);
     if (of_the_room(talk, words)) return;
     for (const Group& group : groups_of(as_made(words))) apply(talk, group);
 }

@@ -127,7 +127,7 @@ void want(Talk& talk, const Words& words) {
 
 std::string asked_kind(const Placed& p) { return p.wish.kind.empty() ? p.piece.kind : p.wish.kind; }
 
-std::size_t find_word(const Words& words, std::initializer_list<std::string_view> any, std::size_t from = 0) {
+std::size_t find_word(const Words& words, std::initializer_list<std::string_view> any, std::size_t from) {
     for (std::size_t i = from; i < words.size(); ++i)
         if (std::find(any.begin(), any.end(), words[i]) != any.end()) return i;
     return words.size();
