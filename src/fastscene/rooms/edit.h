@@ -33,6 +33,7 @@ struct EditStep {
     std::vector<std::string> at{}, at_and{};
     int wall = -1;                    // … at this wall
     bool elsewhere = false;           // … not where it is now: another wall, another corner
+    bool opposite = false;            // … but at the wall that faces it
     bool each = false;                // add: in as many corners as have room
     std::optional<Vec2f> position{};  // x, z in the room
     std::optional<float> yaw{};       // radians

@@ -21,6 +21,12 @@ Words counted_anew(Words words) {
     if (words.size() > 2 && words[0] == "a" && words[1] == "few") words.erase(words.begin() + 1), words[0] = "three";
     if (words.size() > 3 && words[0] == "a" && words[1] == "couple" && words[2] == "of")
         words.erase(words.begin() + 1, words.begin() + 3), words[0] = "two";
+    // "A bigger mirror" is a big one.
+    for (std::string& w : words) {
+        if (is_one_of(w, {"bigger", "larger", "longer", "wider"})) w = "large";
+        if (is_one_of(w, {"smaller", "shorter", "narrower"})) w = "small";
+        if (is_one_of(w, {"taller", "higher"})) w = "tall";
+    }
     for (std::size_t i = 0; i < std::min<std::size_t>(2, words.size()); ++i)
         if (is_one_of(words[i], {"more", "some", "additional", "extra", "new", "also"}) && words.size() > 1)
             words.erase(words.begin() + static_cast<std::ptrdiff_t>(i--));
@@ -155,6 +161,12 @@ void swap(Talk& talk, Words words) {
         if (const std::size_t at = find_word(words, {name}); at + 1 < words.size() && words[at + 1] == "of")
             words = part_of(words, at + 2);
     const std::size_t with = find_word(words, {"with", "for", "by", "and"});
+    if (const auto two = with == words.size() ? talk.things(words) : std::vector<std::string>{}; two.size() == 2) {
+        EditStep step;
+        step.kind = EditStep::Kind::swap;
+        step.ids = two;
+        return talk.editor.apply(step);
+    }
     if (with + 1 >= words.size())
         throw UsageError("expected \"swap … and …\" or \"swap … for …\", found \"{}\"", text_of(words));
     const Words one = part_of(words, 0, with), other = part_of(words, with + 1);

@@ -149,6 +149,12 @@ void trim(Words& words, const Words& all_rooms) {
     }
 }
 
+// "everything but the sofa", "all pictures but the largest one"
+bool says_all(const Words& words) {
+    return std::any_of(words.begin(), words.end(),
+                       [](const std::string& w) { return is_one_of(w, {"everything", "all", "every", "each"}); });
+}
+
 // "20%" as a word, so that no mark ends the clause there.
 std::string with_percent(const std::string& sentence) {
     std::string out;
@@ -228,8 +234,8 @@ std::vector<Clause> clauses_of(const std::string& sentence) {
     bool begins = true;
     for (std::size_t i = 0; i < words.size();) {
         // "everything but the sofa" goes on.
-        const bool except = words[i] == "but" && i > 0 &&
-                            is_one_of(words[i - 1], {"everything", "all", "anything", "nothing", "things"});
+        const bool except = words[i] == "but" && !out.empty() && i + 1 < words.size() && says_all(out.back().words) &&
+                            !beginning_at(words, i + 1);
         if (is_joint(words[i]) && !except) {
             begins = true;
             if (!out.empty()) out.back().words.push_back(words[i]);
@@ -260,7 +266,8 @@ std::vector<Clause> clauses_of(const std::string& sentence) {
                 "expected what to do (move, remove, add, make, turn, replace …) at the beginning of \"{}\", found "
                 "\"{}\"",
                 sentence, words[i]);
-        out.back().words.push_back(words[i++]);
+        out.back().words.push_back(except ? "except" : words[i]);
+        ++i;
     }
     for (Clause& clause : out) trim(clause.words, kRooms);
     if (out.empty()) throw UsageError("expected what to change, found an empty sentence");

@@ -17,7 +17,8 @@ namespace {
 std::vector<Vec2f> spots(const Piece& piece, const Placed& place, float aside) {
     std::vector<Vec2f> out;
     const Vec2f front = flat(front_of(place.yaw)), right = flat(right_of(place.yaw));
-    const float back = (piece.size_m.z - place.piece.size_m.z) / 2;
+    const bool backs = piece.against_wall && place.piece.against_wall;
+    const float back = backs ? (piece.size_m.z - place.piece.size_m.z) / 2 : 0.f;
     for (const float along : {0.f, 0.12f, -0.12f, 0.25f, -0.25f, 0.4f, -0.4f, 0.6f, -0.6f})
         for (const float out_by : {0.f, 0.05f, 0.12f, 0.22f, 0.35f}) {
             const Vec2f at = flat(place.position) + right * (aside + along);

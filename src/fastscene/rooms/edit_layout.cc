@@ -20,7 +20,9 @@ constexpr float kElsewhere = 0.7f;  // metres: nearer than that is the same plac
 std::string place_in_words(const EditStep& step) {
     const PromptObject& wish = step.wish;
     if (step.wall >= 0) return " at that wall";
+    if (step.elsewhere) return wish.relation == "in the corner" ? " in another corner" : " elsewhere";
     if (wish.relation.empty()) return "";
+    if (wish.relation == "against" && wish.relation_to.empty()) return " at a wall";
     std::string out = " " + wish.relation;
     if (step.at.size() == 1) out += " " + step.at.front();
     else if (!wish.relation_to.empty()) out += " the " + in_words(wish.relation_to);
@@ -43,21 +45,41 @@ void fill_gap(Layout& layout, const PromptObject& wish, bool may_shrink) {
             request.kind = thing->small_form;
         request.size_factor *= scale;
         const Vec3f size = make_piece(request).size_m;
+        for (const bool across : {false, true})
         for (int i = 0; i < static_cast<int>(layout.placed().size()); ++i) {
             const Placed top = layout.placed()[static_cast<std::size_t>(i)];
             if (top.piece.surfaces.empty() ||
                 (top.piece.kind != wish.relation_to && top.wish.kind != wish.relation_to))
                 continue;
             const Surface& s = top.piece.surfaces.front();
-            const float wide = s.half.x - size.x / 2, deep = s.half.y - size.z / 2;
+            const float wide = s.half.x - (across ? size.z : size.x) / 2;
+            const float deep = s.half.y - (across ? size.x : size.z) / 2;
             for (float z = -deep; z <= deep + 1e-4f; z += kStep)
                 for (float x = -wide; x <= wide + 1e-4f; x += kStep) {
                     const Vec3f at = top.position + right_of(top.yaw) * (s.center.x + x) +
                                      front_of(top.yaw) * (s.center.z + z);
-                    if (layout.on_top_at(i, request, flat(at), top.yaw, wish)) return;
+                    if (layout.on_top_at(i, request, flat(at), top.yaw + (across ? kPi / 2 : 0), wish)) return;
                 }
         }
     }
+}
+
+// From the ceiling above a thing: its middle, else along it.
+bool hang_above(Layout& layout, const PromptObject& wish) {
+    if (wish.relation != "above" || wish.count > 1 || !layout.why_not(wish.kind).empty()) return false;
+    const PieceRequest request = layout.request(wish.kind, &wish);
+    if (make_piece(request).mount != Mount::ceiling) return false;
+    for (int i = 0; i < static_cast<int>(layout.placed().size()); ++i) {
+        const Placed below = layout.placed()[static_cast<std::size_t>(i)];
+        if (below.piece.kind != wish.relation_to && below.wish.kind != wish.relation_to) continue;
+        const Vec3f half = below.piece.size_m * 0.5f;
+        const bool turned = half.z > half.x;
+        const Vec3f along = turned ? front_of(below.yaw) * half.z : right_of(below.yaw) * half.x;
+        for (const float part : {0.f, 0.3f, -0.3f, 0.5f, -0.5f, 0.7f, -0.7f})
+            if (const auto k = layout.hanging(request, flat(below.position + along * part), wish))
+                return layout.join(*k, i), true;
+    }
+    return false;
 }
 
 // While it lives, the very things that a place means bear a name of their own, by which the layout finds them.
@@ -147,6 +169,7 @@ bool Editor::at_a_wall(Layout& layout, const EditStep& step, const Placed* movin
     if (step.wall < 0) walls = own < 0 ? std::vector<int>{0, 1, 3, 2}
                                        : std::vector<int>{(own + 2) % 4, (own + 1) % 4, (own + 3) % 4, own};
     if (step.wall < 0 && step.elsewhere && !corner && own >= 0) walls.pop_back();
+    if (step.opposite && own >= 0 && !corner) walls.resize(1);
     for (const int wall : walls) {
         Layout::WallWish there{.wall = wall, .center_pull = 0.4f, .corner = corner};
         if (step.position) there.near = step.position, there.at_most_from_near = 1.3f;
@@ -189,6 +212,7 @@ std::vector<Placed> Editor::laid_out(const Standing& standing, const EditStep& s
         done = at_a_wall(layout, step, moving);
     else {
         if (step.position) done = near_a_point(layout, step);
+        if (!done) done = hang_above(layout, wish);
         if (!done) place_asked(layout);
         if (layout.mark() == before || !is_where_asked(plan(), layout.placed(), layout.placed().back(), wish)) {
             layout.undo(before);

@@ -19,6 +19,9 @@ struct Split {
 // Where a place may begin: at the last "to" first, then from the left.
 std::vector<Split> splits_of(const Words& words) {
     std::vector<std::size_t> ends;
+    // "50 cm to the left", "a bit to the left"
+    const std::size_t much = next_place(words);
+    if (much < words.size() && (number_said(words[much]) || words[much] == "slightly")) ends.push_back(much);
     for (std::size_t i = words.size(); i-- > 1;)
         if (is_one_of(words[i], {"to", "into", "onto"}) &&
             !is_one_of(words[i - 1], {"next", "close", "over", "closer", "up", "nearer", "near", "back", "adjacent",

@@ -182,6 +182,7 @@ struct Talk {
 
     std::vector<std::string> things(const Words& words);
     std::vector<std::string> things_of_parts(const Words& words);
+    std::vector<std::string> all_but(const Words& words, Words others);
     void act(const Clause& clause);
 };
 std::string asked_kind(const Placed& p);  // as it was asked for

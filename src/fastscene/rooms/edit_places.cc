@@ -322,6 +322,7 @@ class Reader {
                 (part.says({"door"}) && o.kind != Opening::Kind::window))
                 out.step.wall = o.wall;
         out.step.elsewhere = moving_ && part.is_other();
+        out.step.opposite = part.says({"opposite"}) || (part.noun == "side" && part.is_other());
         return out;
     }
 

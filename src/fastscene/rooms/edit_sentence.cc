@@ -143,7 +143,20 @@ std::vector<std::string> Talk::things(const Words& words) {
         if (last.empty()) throw UsageError("what is \"{}\"? nothing was named before", words.front());
         return last;
     }
+    const std::size_t except = find_word(words, {"except", "but", "excluding", "besides"}, 1);
+    if (except + 1 < words.size()) return last = all_but(part_of(words, 0, except), part_of(words, except + 1));
     return last = named(editor, text_of(words));
+}
+
+// "all pictures except the largest one"
+std::vector<std::string> Talk::all_but(const Words& words, Words others) {
+    std::vector<std::string> ids = things(words);
+    if (!others.empty() && is_one_of(others.front(), {"for", "not"})) others.erase(others.begin());
+    if (!others.empty() && is_one_of(others.back(), {"one", "ones"})) others.back() = words.back();
+    const std::vector<std::string> kept = things_of_parts(others);
+    std::erase_if(ids, [&](const std::string& id) { return std::find(kept.begin(), kept.end(), id) != kept.end(); });
+    if (ids.empty()) throw UsageError("nothing but {} is meant by \"{}\"", kept.front(), text_of(words));
+    return ids;
 }
 
 std::vector<std::string> Talk::things_of_parts(const Words& words) {

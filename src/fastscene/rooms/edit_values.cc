@@ -11,6 +11,7 @@
 #include "fastscene/rooms/edit_parts.h"
 #include "fastscene/rooms/lexicon.h"
 #include "fastscene/rooms/materials.h"
+#include "fastscene/rooms/prompt_parts.h"
 #include "fastscene/rooms/prompt_text.h"
 
 namespace fastscene {
@@ -129,6 +130,9 @@ std::size_t take_look(const Words& tokens, std::size_t i, PromptObject& out) {
                                    word->kind == WordKind::color);
         if (to == &out.color && !out.color.empty()) to = &out.color2;  // "black and white"
         *to = look ? word->meaning : plain_name(term);
+        // "black marble" is one word of the lexicon.
+        if (const std::string color = word ? reading::added_by(*word, "color") : ""; !color.empty() && to != &out.color)
+            out.color = color;
         return length;
     }
     return 0;

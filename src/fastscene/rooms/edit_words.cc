@@ -27,10 +27,10 @@ bool has_word(const std::vector<std::string>& words, std::initializer_list<std::
                        [&](const std::string& w) { return std::find(any.begin(), any.end(), w) != any.end(); });
 }
 
-// "coffee_table" is a table: one of the words of its kind is that.
+// "coffee_table" and "dining_table_round" are tables, "table_lamp" is none.
 bool is_a(const std::string& kind, const std::string& word) {
-    const std::string all = "_" + kind + "_";
-    return all.find("_" + word + "_") != std::string::npos;
+    if (kind == word || kind.ends_with("_" + word)) return true;
+    return ("_" + kind).find("_" + word + "_") != std::string::npos && nyu40_label(kind) == nyu40_label(word);
 }
 
 std::string singular(const std::string& word) {
@@ -179,6 +179,15 @@ void with_looks(const PromptObject& said, const Editor& editor, std::vector<int>
                      things.size() > near.size() ? " and smaller things" : "");
 }
 
+// "Two of the chairs" are chairs.
+std::string without_number(const std::vector<std::string>& tokens) {
+    if (tokens.size() < 3 || tokens[1] != "of") return joined(tokens);
+    if (!number_said(tokens[0]) && !is_one_of(tokens[0], {"all", "both", "each", "some", "any"})) return joined(tokens);
+    std::vector<std::string> rest(tokens.begin() + 2, tokens.end());
+    if (tokens[0] == "all" || tokens[0] == "both" || tokens[0] == "each") rest.insert(rest.begin(), tokens[0]);
+    return joined(rest);
+}
+
 // What words mean, before it is known whether one or several were meant.
 struct Meaning {
     PromptObject said;
@@ -220,10 +229,11 @@ void with_place(const Editor& editor, const PromptSpec& spec, std::vector<int>& 
 
 Meaning meaning_of(const Editor& editor, const std::string& words) {
     const std::vector<std::string> tokens = tokens_of(words);
+    const std::string plain = without_number(tokens);
     Meaning out;
     for (const bool in_room : {false, true}) {
-        const PromptSpec spec = in_room ? read_in_room(editor, words)
-                                        : understand_prompt(words, false, editor.pack());
+        const PromptSpec spec = in_room ? read_in_room(editor, plain)
+                                        : understand_prompt(plain, false, editor.pack());
         if (spec.objects.empty()) continue;
         out.said = spec.objects.front();
         out.found = alike(editor.document(), out.said, says_several(tokens, out.said));
@@ -276,12 +286,14 @@ std::vector<std::string> named(const Editor& editor, const std::string& words) {
     const PromptObject& said = meant.said;
     if (found.empty() && (is_shell(said.kind) || has_role(said.kind, Role::opening))) refuse_shell();
     if (found.empty()) refuse_none(words, editor, said.kind);
+    // "two chairs", "two of the chairs"; the articles are numbers as well.
     const auto number = number_said(tokens.front());
     const bool all = has_word(tokens, {"all", "both", "every", "each"}) || says_several(tokens, said);
     // "Two chairs" of four, "a chair", "one of the chairs": the last ones.
-    const std::size_t count = said.counted && said.count > 1 ? static_cast<std::size_t>(said.count)
-                              : number == 1.f || is_one_of(tokens.front(), {"some", "any"}) ? 1
-                                                                                            : 0;
+    const std::size_t count = number && *number >= 1                           ? static_cast<std::size_t>(*number)
+                              : said.counted && said.count > 1                 ? static_cast<std::size_t>(said.count)
+                              : is_one_of(tokens.front(), {"some", "any"}) ? 1
+                                                                           : 0;
     if (count > found.size())
         throw UsageError("there {} only {} of \"{}\" in the room", found.size() == 1 ? "is" : "are", found.size(),
                          words);
