@@ -30,7 +30,19 @@ std::string place_in_words(const EditStep& step) {
     return out;
 }
 
+// Chairs around a table are drawn up to it.
+bool is_drawn_up(const std::vector<Placed>& all, const Placed& piece, const std::string& kind) {
+    constexpr float kReach = 0.45f;  // metres from a table's edge to a chair's front
+    return std::any_of(all.begin(), all.end(), [&](const Placed& p) {
+        return &p != &piece && (p.piece.kind == kind || p.wish.kind == kind) &&
+               distance_to(footprint_of(p), footprint_of(piece).center) < kReach + piece.piece.size_m.z / 2;
+    });
+}
+
 bool is_where_asked(const Plan& plan, const std::vector<Placed>& all, const Placed& piece, const PromptObject& wish) {
+    if (wish.relation == "around" && has_role(piece.piece.kind, Role::seat) &&
+        !is_drawn_up(all, piece, wish.relation_to))
+        return false;
     return stands_as_asked(plan, all, piece, wish).value_or(wish.relation.empty());
 }
 

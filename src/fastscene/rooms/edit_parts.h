@@ -62,6 +62,7 @@ class Editor {
     void face(const EditStep& step);
     void resize(const EditStep& step);
     void resize_one(int index, Vec3f factor);
+    void keep_seats(int index, const Placed& before);
     void carry_riders(int index, const Placed& before, Vec3f factor);
 
     // ---- edit_layout.cc

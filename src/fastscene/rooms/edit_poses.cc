@@ -103,6 +103,12 @@ void Editor::checked(const std::function<void()>& change) {
 void Editor::move(const EditStep& step) {
     for (const std::string& id : step.ids) {
         const int i = index_of(id);
+        if (const std::vector<int> seats = seats_at(i); step.kind == EditStep::Kind::turn && !seats.empty()) try {
+                const float yaw = std::remainder(placed(i).yaw + step.yaw.value_or(kPi), 2 * kPi);
+                checked([&] { set_pose(i, {placed(i).position, yaw}, seats); });
+                continue;
+            } catch (const Error&) {  // there is no room for them: it turns alone
+            }
         checked([&] {
             const Placed& p = placed(i);
             Vec3f to = p.position;
@@ -224,6 +230,22 @@ void Editor::carry_riders(int index, const Placed& before, Vec3f factor) {
     }
 }
 
+// Chairs keep their distance from the edges of their table.
+void Editor::keep_seats(int index, const Placed& before) {
+    const Placed& after = placed(index);
+    const Vec3f right = right_of(before.yaw), front = front_of(before.yaw);
+    const Vec3f old = before.piece.size_m * 0.5f, more = after.piece.size_m * 0.5f - old;
+    for (const int i : seats_at(index)) {
+        const Vec3f d = placed(i).position - before.position;
+        const float x = dot(d, right), z = dot(d, front);
+        const auto moved = [](float at, float half, float by) {
+            return std::abs(at) > half ? std::copysign(by, at) : at * by / half;
+        };
+        thing(i).position += after.position - before.position + right * moved(x, old.x, more.x) +
+                             front * moved(z, old.z, more.z);
+    }
+}
+
 void Editor::resize_one(int index, Vec3f factor) {
     const Placed before = placed(index);
     Vec3f size = before.piece.size_m;
@@ -236,6 +258,7 @@ void Editor::resize_one(int index, Vec3f factor) {
                 thing(index).position = after_resize(before, size) + right_of(before.yaw) * aside;
                 build();
                 carry_riders(index, before, factor);
+                keep_seats(index, before);
                 const Vec3f is = placed(index).piece.size_m;
                 tell(thing(index).id, fmt::format("size: {:.2f} x {:.2f} x {:.2f} m", is.x, is.y, is.z));
             });

@@ -231,7 +231,8 @@ Meaning meaning_of(const Editor& editor, const std::string& words) {
     const std::vector<std::string> tokens = tokens_of(words);
     const std::string plain = without_number(tokens);
     Meaning out;
-    for (const bool in_room : {false, true}) {
+    // The room's own meaning first: a kitchen's "cabinets" are its counter's.
+    for (const bool in_room : {true, false}) {
         const PromptSpec spec = in_room ? read_in_room(editor, plain)
                                         : understand_prompt(plain, false, editor.pack());
         if (spec.objects.empty()) continue;
