@@ -46,34 +46,50 @@ bool is_where_asked(const Plan& plan, const std::vector<Placed>& all, const Plac
     return stands_as_asked(plan, all, piece, wish).value_or(wish.relation.empty());
 }
 
-// On a top that is almost full: every place on it is tried, in smaller sizes at last.
-void fill_gap(Layout& layout, const PromptObject& wish, bool may_shrink) {
-    if (wish.relation != "on" || !layout.why_not(wish.kind).empty()) return;
-    constexpr float kStep = 0.02f;  // metres
-    for (const float scale : {1.f, 0.8f, 0.65f}) {
-        if (scale < 1 && !may_shrink) return;
-        PieceRequest request = layout.request(wish.kind, &wish);
-        if (const Thing* thing = find_thing(request.kind); thing && !request.model && !thing->small_form.empty())
-            request.kind = thing->small_form;
-        request.size_factor *= scale;
-        const Vec3f size = make_piece(request).size_m;
-        for (const bool across : {false, true})
-        for (int i = 0; i < static_cast<int>(layout.placed().size()); ++i) {
-            const Placed top = layout.placed()[static_cast<std::size_t>(i)];
-            if (top.piece.surfaces.empty() ||
-                (top.piece.kind != wish.relation_to && top.wish.kind != wish.relation_to))
-                continue;
-            const Surface& s = top.piece.surfaces.front();
+// Every place on a top is tried.
+bool set_down_on(Layout& layout, int top, const PieceRequest& request, const PromptObject& wish) {
+    constexpr float kStep = 0.02f, kLevel = 0.01f;  // metres
+    const Placed t = layout.placed()[static_cast<std::size_t>(top)];
+    const Vec3f size = make_piece(request).size_m;
+    for (const bool across : {false, true})
+        for (const Surface& s : t.piece.surfaces) {
+            if (std::abs(s.center.y - t.piece.surfaces.front().center.y) > kLevel) continue;
             const float wide = s.half.x - (across ? size.z : size.x) / 2;
             const float deep = s.half.y - (across ? size.x : size.z) / 2;
             for (float z = -deep; z <= deep + 1e-4f; z += kStep)
                 for (float x = -wide; x <= wide + 1e-4f; x += kStep) {
-                    const Vec3f at = top.position + right_of(top.yaw) * (s.center.x + x) +
-                                     front_of(top.yaw) * (s.center.z + z);
-                    if (layout.on_top_at(i, request, flat(at), top.yaw + (across ? kPi / 2 : 0), wish)) return;
+                    const Vec3f at = t.position + right_of(t.yaw) * (s.center.x + x) +
+                                     front_of(t.yaw) * (s.center.z + z);
+                    if (layout.on_top_at(top, request, flat(at), t.yaw + (across ? kPi / 2 : 0), wish)) return true;
                 }
         }
-    }
+    return false;
+}
+
+// On a top that is almost full: smaller ones of its kind, and smaller than usual at last.
+void fill_gap(Layout& layout, const PromptObject& wish, bool moving) {
+    if (wish.relation != "on" || !layout.why_not(wish.kind).empty()) return;
+    constexpr int kDraws = 6;
+    const bool fixed = moving || wish.size_m != Vec3f{};
+    for (const float scale : {1.f, 0.8f, 0.65f, 0.5f})
+        for (int draw = 0; draw < (fixed ? 1 : kDraws); ++draw) {
+            if (fixed && scale < 1) return;
+            PieceRequest request = layout.request(wish.kind, &wish);
+            if (const Thing* thing = find_thing(request.kind); thing && !request.model && !thing->small_form.empty())
+                request.kind = thing->small_form;
+            // On a small top a vase is a small one.
+            const auto& classes = piece_classes();
+            if (const std::string small = request.kind + "_small";
+                !fixed && scale < 1 && !request.model && std::binary_search(classes.begin(), classes.end(), small))
+                request.kind = small;
+            request.size_factor *= scale;
+            for (int i = 0; i < static_cast<int>(layout.placed().size()); ++i) {
+                const Placed& top = layout.placed()[static_cast<std::size_t>(i)];
+                if ((top.piece.kind == wish.relation_to || top.wish.kind == wish.relation_to) &&
+                    set_down_on(layout, i, request, wish))
+                    return;
+            }
+        }
 }
 
 // From the ceiling above a thing: its middle, else along it.
@@ -228,7 +244,7 @@ std::vector<Placed> Editor::laid_out(const Standing& standing, const EditStep& s
         if (!done) place_asked(layout);
         if (layout.mark() == before || !is_where_asked(plan(), layout.placed(), layout.placed().back(), wish)) {
             layout.undo(before);
-            fill_gap(layout, wish, !moving && wish.size_m == Vec3f{});
+            fill_gap(layout, wish, moving != nullptr);
         }
         done = layout.mark() >= before + static_cast<std::size_t>(std::max(1, wish.count)) &&
                std::all_of(layout.placed().begin() + static_cast<std::ptrdiff_t>(before), layout.placed().end(),
@@ -282,21 +298,28 @@ void Editor::place_one(int index, const std::vector<int>& along, EditStep step) 
     const Placed& found = all.back();
     if (length(found.position - was.position) < kThere)
         throw Error("{}: it stands there already", id);
-    checked([&] {
-        DocumentThing& t = thing(index);
-        const auto id_of = [&](int i) {
-            const int old = i < 0 || i >= static_cast<int>(standing.was.size())
-                                ? -1
-                                : standing.was[static_cast<std::size_t>(i)];
-            return old < 0 ? std::string() : thing(old).id;
-        };
-        t.on = id_of(found.on), t.below = id_of(found.below), t.with = id_of(found.with);
-        t.window = found.sill;
-        t.mount.reset();
-        if (found.piece.mount != found.piece.made_mount) t.mount = found.piece.mount;
-        if (t.asked) t.asked->relation = wish.relation, t.asked->relation_to = wish.relation_to;
-        set_pose(index, {found.position, found.yaw}, along);
-    });
+    try {
+        checked([&] { stand_at_found(index, found, standing, step, along); });
+    } catch (const Error& e) {
+        throw Error("{}: there is no place for it{}: {}", id, place_in_words(step), e.what());
+    }
+}
+
+void Editor::stand_at_found(int index, const Placed& found, const Standing& standing, const EditStep& step,
+                            const std::vector<int>& along) {
+    DocumentThing& t = thing(index);
+    const auto id_of = [&](int i) {
+        const int old = i < 0 || i >= static_cast<int>(standing.was.size())
+                            ? -1
+                            : standing.was[static_cast<std::size_t>(i)];
+        return old < 0 ? std::string() : thing(old).id;
+    };
+    t.on = id_of(found.on), t.below = id_of(found.below), t.with = id_of(found.with);
+    t.window = found.sill;
+    t.mount.reset();
+    if (found.piece.mount != found.piece.made_mount) t.mount = found.piece.mount;
+    if (t.asked) t.asked->relation = step.wish.relation, t.asked->relation_to = step.wish.relation_to;
+    set_pose(index, {found.position, found.yaw}, along);
 }
 
 // As large as it is usual; where there is no room for that, smaller; of a number that was not said, as many as fit.

@@ -181,7 +181,9 @@ Seen seen(const RoomDocument& before, const RoomDocument& after) {
     for (const std::string& id : d.gone)
         if (!d.gone.contains(old.at(id)->on)) out.gone.insert(id);
     for (const std::string& id : d.moved)
-        if (!d.moved.contains(old.at(id)->on) || now.at(id)->on != old.at(id)->on) out.moves.insert(id);
+        if (now.at(id)->on != old.at(id)->on ||
+            (!d.moved.contains(old.at(id)->on) && !d.other.contains(old.at(id)->on)))
+            out.moves.insert(id);
     out.comes = kinds_of(d.added);
     for (const std::string& id : d.other) out.looks.insert(id);
     const auto differs = [](const std::optional<Material>& a, const std::optional<Material>& b) {
@@ -207,6 +209,7 @@ bool stands(const RoomDocument& document, const std::string& said) {
     const std::vector<std::string> words = split(said, ' ');
     const DocumentRoom room = furnish_document(document, "room", nullptr, kEditRun);
     PromptObject wish;
+    wish.id = -2;  // none of those that stand there
     for (std::size_t i = 1; i + 1 < words.size(); ++i) wish.relation += (i > 1 ? " " : "") + words[i];
     wish.relation_to = words.back() == "-" ? "" : words.back();
     const std::vector<Placed>& all = room.furnished.placed;

@@ -82,9 +82,10 @@ std::vector<int> alike(const RoomDocument& document, const PromptObject& said, b
         if (is || is_a(t.kind, last) || (!asked.empty() && is_a(asked, last))) near.push_back(static_cast<int>(i));
         if (t.kind.ends_with(last)) ending.push_back(static_cast<int>(i));
     }
-    // "A table" is any, "a chair" first of all a chair; "all plants" are trees as well.
+    // "A table" is any, "a chair" first of all a chair; "all plants" are trees as well, "console tables" nothing else.
     const bool by_name = plain_name(said.kind) == plain_name(singular(said.words));
-    if (by_name && !exact.empty() && !several) return exact;
+    const bool one_word = said.words.find(' ') == std::string::npos;
+    if (!exact.empty() && (!one_word || (by_name && !several))) return exact;
     return near.empty() ? ending : near;
 }
 
