@@ -133,14 +133,16 @@ void replace(Talk& talk, const Words& old, const Words& by) {
     EditStep step;
     step.kind = EditStep::Kind::replace;
     step.ids = talk.things_of_parts(old);
-    // "with a bigger one", "with a blue one"
+    std::vector<Words> parts = parts_of(by);
+    // "with a bigger one", "with a blue one", "with a round one"
     if (!by.empty() && is_one_of(by.back(), {"one", "ones"})) {
         Words all{"it"};
         for (const std::string& w : by)
             if (!is_one_of(w, {"a", "an", "one", "ones"})) all.push_back(w);
-        return make(talk, all);
+        if (value_of(part_of(all, 1))) return make(talk, all);
+        parts = {by};
+        parts[0].back() = in_words(asked_kind(talk.editor.placed(step.ids.front())));
     }
-    const std::vector<Words> parts = parts_of(by);
     if (parts.empty()) throw UsageError("expected what comes in place of \"{}\"", text_of(old));
     step.wish = wishes_of(talk.editor, parts.front()).front();
     const bool one = is_one_of(parts.front().front(), {"a", "an", "another", "one"});

@@ -26,7 +26,7 @@ constexpr std::array<Row, 16> kBeginnings{{
     {Verb::clear,
      "clear|empty"},
     {Verb::move,
-     "move|shift|bring|push|pull|slide|drag|relocate|carry"},
+     "move|shift|bring|push|pull|slide|drag|relocate|lower|raise|lift|carry"},
     {Verb::put,
      "put|place|set|stand|hang|lay|position|mount|lean"},
     {Verb::make,
@@ -40,7 +40,7 @@ constexpr std::array<Row, 16> kBeginnings{{
      "let there be|it needs|the room needs"},
     {Verb::want,
      "i need|we need|i want|we want|i wish|i would like|we would like|id like|id love|"
-     "i would love|i prefer|id prefer"},
+     "i would love|i prefer|id prefer|let"},
     {Verb::replace,
      "replace|exchange|substitute"},
     {Verb::swap,
@@ -80,8 +80,8 @@ const std::vector<Beginning>& beginnings() {
 }
 
 // Said before what is to be done, and nothing by itself.
-constexpr std::array<std::string_view, 41> kPolite{
-    "please",        "can you",      "could you",        "would you",      "will you",     "can we",
+constexpr std::array<std::string_view, 43> kPolite{
+    "please",        "pls",          "plz",              "can you",      "could you",        "would you",      "will you",     "can we",
     "could we",      "you should",   "we should",        "you can",        "i want to",    "i want you to",
     "i would like to", "i would like you to", "id like to", "id like you to", "we want to", "let's",
     "lets",          "let us",       "let me",           "try to",         "go ahead and", "just",

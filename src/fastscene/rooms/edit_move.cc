@@ -68,6 +68,7 @@ bool put_at(Talk& talk, const std::vector<std::string>& ids, const Words& words)
         if (!place->each_at.empty()) place->step.at = place->each_at[k % place->each_at.size()];
         talk.editor.apply(place->step);
     }
+    talk.last_place = place->step;
     return true;
 }
 
@@ -122,12 +123,29 @@ std::optional<float> angle_said(const Words& words, std::size_t& end) {
     return *degrees * sign * kDegree;
 }
 
+// The things that a place is at.
+std::vector<std::string> things_at(const Editor& editor, const EditStep& place) {
+    if (!place.at.empty()) return place.at;
+    std::vector<std::string> out;
+    for (const DocumentThing& t : editor.document().things)
+        if (t.kind == place.wish.relation_to || (t.asked && t.asked->kind == place.wish.relation_to))
+            out.push_back(t.id);
+    return out;
+}
+
 }  // namespace
 
 // "the armchair and the plant to the window", "the vase to the desk and the lamp to the shelf"
 void move(Talk& talk, const Words& words) {
     std::vector<Words> before;
     for (const Words& part : parts_of(words)) {
+        // "in front of the fireplace, facing it"
+        if (part.front() == "facing" && !talk.last.empty()) {
+            Words all{"them"};
+            all.insert(all.end(), part.begin(), part.end());
+            face(talk, all);
+            continue;
+        }
         if (next_place(part) == part.size()) {
             before.push_back(part);
             continue;
@@ -186,7 +204,10 @@ void face(Talk& talk, const Words& words) {
         return;
     }
     const std::string noun = target.back();
-    if (is_one_of(noun, {"me", "us", "camera", "viewer"})) step.wish.relation_to = "camera";
+    if (noun == "it" && !talk.last_place.wish.relation_to.empty()) {
+        step.wish.relation_to = talk.last_place.wish.relation_to;
+        step.at = things_at(talk.editor, talk.last_place);
+    } else if (is_one_of(noun, {"me", "us", "camera", "viewer"})) step.wish.relation_to = "camera";
     else if (is_one_of(noun, {"room", "middle", "center", "centre", "inside"})) step.wish.relation_to = "room";
     else {
         Words at{"opposite"};
@@ -194,11 +215,7 @@ void face(Talk& talk, const Words& words) {
         const auto place = place_of(talk.editor, at, "armchair", true);
         if (!place) throw UsageError("expected a thing or an opening to face, found \"{}\"", text);
         step.wish.relation_to = place->step.wish.relation_to;
-        step.at = place->step.at;
-        if (step.at.empty())
-            for (const DocumentThing& t : talk.editor.document().things)
-                if (t.kind == step.wish.relation_to || (t.asked && t.asked->kind == step.wish.relation_to))
-                    step.at.push_back(t.id);
+        step.at = things_at(talk.editor, place->step);
     }
     talk.editor.apply(step);
 }

@@ -182,6 +182,7 @@ std::optional<PromptObject> looks_of(const std::string& words);
 struct Talk {
     Editor& editor;
     std::vector<std::string> last{};  // the things last spoken of: "it"
+    EditStep last_place{};            // where they were put
 
     std::vector<std::string> things(const Words& words);
     std::vector<std::string> things_of_parts(const Words& words);

@@ -37,6 +37,12 @@ Vec3f carried(Vec3f at, Vec3f from, Vec3f to, float turn) {
     return to + Vec3f{c * d.x + s * d.z, d.y, c * d.z - s * d.x};
 }
 
+// "room: /things/3: sofa-1 reaches into a wall": of a sentence, only what is wrong.
+std::string without_place(const std::string& text) {
+    if (!text.starts_with("room: /things/")) return text;
+    return text.substr(text.find(": ", text.find(": ") + 1) + 2);
+}
+
 }  // namespace
 
 // Moves a thing with what stands on it, and with others `along`.
@@ -187,8 +193,13 @@ void Editor::face(const EditStep& step) {
                 const Vec3f to = p.position + Vec3f{std::sin(angle), 0, std::cos(angle)} * off;
                 const Vec2f ahead = *target - flat(to);
                 const float yaw = std::atan2(ahead.x, ahead.y);
-                if (off == 0 && std::abs(std::remainder(yaw - p.yaw, 2 * kPi)) < kFaces)
-                    throw Error("{}: it faces the {} already", id, in_words(step.wish.relation_to));
+                if (off == 0 && std::abs(std::remainder(yaw - p.yaw, 2 * kPi)) < kFaces) {
+                    // By this very sentence: "before the fire, facing it".
+                    done = std::any_of(result_.changes.begin(), result_.changes.end(),
+                                       [&](const EditChange& c) { return c.id == id; });
+                    if (!done) throw Error("{}: it faces the {} already", id, in_words(step.wish.relation_to));
+                    break;
+                }
                 const std::string wrong = new_fault(with_pose(i, {to, yaw}, {}));
                 if (off == 0) fault = wrong;
                 done = wrong.empty();
@@ -263,7 +274,7 @@ void Editor::resize_one(int index, Vec3f factor) {
                 tell(thing(index).id, fmt::format("size: {:.2f} x {:.2f} x {:.2f} m", is.x, is.y, is.z));
             });
         } catch (const Error& e) {
-            if (fault.empty()) fault = e.what();
+            if (fault.empty()) fault = without_place(e.what());
             if (before.flat) break;
         }
     }

@@ -87,10 +87,24 @@ void remove(Talk& talk, Words words) {
 
 // ---- want
 
+// "a wooden floor", "blue walls": how surfaces are to look; false: the words are about none.
+bool paint_wanted(Talk& talk, const Words& words) {
+    const PromptSpec spec = read_in_room(talk.editor, text_of(words));
+    if (spec.objects.empty() || !is_one_of(spec.objects.front().kind, {"wall", "floor", "ceiling"})) return false;
+    EditStep step;
+    step.kind = EditStep::Kind::recolor;
+    step.wish = spec.objects.front();
+    step.surface = step.wish.kind;
+    if (step.wish.color.empty() && step.wish.material.empty() && step.wish.pattern.empty()) return false;
+    talk.editor.apply(step);
+    return true;
+}
+
 void want(Talk& talk, const Words& words) {
     if (words.empty()) throw UsageError("expected what to change, found the end of the sentence");
     const bool of_those = is_definite(words.front()) || is_one_of(words.front(), {"all", "both", "every", "each"});
-    if (!of_those) return add(talk, is_one_of(words.front(), {"to"}) ? part_of(words, 2) : words);
+    if (!of_those) return paint_wanted(talk, words) ? void() : add(talk, words);
+    if (find_word(words, {"style", "room", "time", "weather"}) < words.size()) return make(talk, words);
     std::size_t mark = find_word(words, {"should", "must", "shall", "needs", "need", "has", "have", "ought"}, 1);
     if (mark == words.size()) mark = std::min(find_word(words, {"to"}, 1), mark);
     std::size_t next = mark;
@@ -173,9 +187,6 @@ void put(Talk& talk, const Words& words) {
     if (is_one_of(words.front(), {"the", "a"}) && words.size() > 1 &&
         is_one_of(words[1], {"time", "style", "weather", "hour", "light", "lighting", "color"}))
         return make(talk, words);
-    const std::size_t instead = find_word(words, {"instead"});
-    if (instead + 2 < words.size() && words[instead + 1] == "of")
-        return replace(talk, part_of(words, instead + 2), part_of(words, 0, instead));
     // "the walls to white"
     const std::size_t to = find_word(words, {"to"}, 1);
     if (to < words.size() && value_of(part_of(words, to + 1))) return make(talk, words);
@@ -188,13 +199,29 @@ void put(Talk& talk, const Words& words) {
     add(talk, words);
 }
 
+// "lower the lamp": down.
+Words lowered(const Clause& clause) {
+    Words out = clause.words;
+    if (is_one_of(clause.said, {"lower", "raise", "lift"}) && next_place(out) == out.size())
+        out.push_back(clause.said == "lower" ? "down" : "up");
+    return out;
+}
+
+bool says_value(const Words& words) {
+    for (std::size_t i = 1; i < words.size(); ++i)
+        if (value_of(part_of(words, i)) || is_one_of(words[i], {"to", "into"})) return true;
+    return lamps_said(words) != "";
+}
+
 }  // namespace
 
 void Talk::act(const Clause& clause) {
     const Words& words = clause.words;
     if (clause.verb == Verb::refuse) refuse(clause);
     if (words.empty()) throw UsageError("expected what to change after \"{}\", found the end of the sentence", clause.said);
-    const std::size_t end = next_place(words);
+    const std::size_t end = next_place(words), instead = find_word(words, {"instead"}, 1);
+    if (instead + 2 < words.size() && words[instead + 1] == "of")
+        return replace(*this, part_of(words, instead + 2), part_of(words, 0, instead));
     switch (clause.verb) {
         case Verb::remove:
             // "take the vase to the desk"
@@ -204,7 +231,7 @@ void Talk::act(const Clause& clause) {
         case Verb::clear:
             if (remove_everything(*this, words)) return;
             return clear(*this, words.back() == "off" ? part_of(words, 0, words.size() - 1) : words);
-        case Verb::move: return move(*this, words);
+        case Verb::move: return move(*this, lowered(clause));
         case Verb::put: return put(*this, words);
         case Verb::add:
             // "get the sofa out", "the plants to the window" stand already
@@ -222,6 +249,9 @@ void Talk::act(const Clause& clause) {
             return turn(*this, words);
         case Verb::face: return face(*this, words);
         case Verb::make:
+            // "switch the sofa and the armchair"
+            if (clause.said == "switch" && parts_of(words).size() == 2 && !says_value(words)) return swap(*this, words);
+            return make(*this, words);
         case Verb::color: return make(*this, words);
         case Verb::larger:
         case Verb::smaller: {
