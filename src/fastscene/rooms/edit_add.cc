@@ -68,7 +68,7 @@ Addition addition_of(const Editor& editor, const Words& words) {
         // "a table in oak"
         if (value_of(part_of(there, 1))) continue;
         const auto wishes = wishes_of(editor, part_of(words, 0, end));
-        if (auto place = place_of(editor, there, wishes.front().kind, false)) return {wishes, place};
+        if (auto place = place_of(editor, there, wishes.front().kind, "")) return {wishes, place};
     }
     return {wishes_of(editor, words), {}};
 }

@@ -64,6 +64,9 @@ std::optional<int> take_place(Layout& layout, const PieceRequest& request, const
         return layout.on_top(on, request, wish);
     }
     if (place.sill >= 0) return layout.on_sill(request, place.sill, wish);
+    // A cactus for a large plant stands on the floor as that did.
+    if (piece.mount == Mount::surface && place.piece.mount == Mount::floor)
+        return layout.on_floor_near(flat(place.position), request, wish);
     if (piece.mount != place.piece.mount) return {};
     switch (piece.mount) {
         case Mount::floor:

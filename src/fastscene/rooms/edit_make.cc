@@ -33,7 +33,7 @@ Words bare_subject(Words words) {
 // What is to be so, and how; either may be empty.
 struct Group {
     std::vector<Words> subjects;
-    Words value;
+    std::vector<Words> values;  // "larger" and "black"
     Words by;  // "into a rocking chair": another thing
 };
 
@@ -63,6 +63,14 @@ void cut(const Words& part, Words& subject, Words& value, Words& by) {
         }
 }
 
+// "Black" and "white" are one look, "larger" and "black" are two values.
+void join_value(std::vector<Words>& values, const Words& more) {
+    Words all = values.empty() ? Words{} : values.back();
+    all.insert(all.end(), more.begin(), more.end());
+    if (!values.empty() && value_of(all)) values.back() = all;
+    else values.push_back(more);
+}
+
 // "the chairs white and the table black", "the sofa and the armchair green", "the sofa black and white"
 std::vector<Group> groups_of(const Words& words) {
     std::vector<Group> out;
@@ -72,12 +80,13 @@ std::vector<Group> groups_of(const Words& words) {
         cut(part, subject, value, by);
         if (subject.empty() && open.subjects.empty()) {
             if (out.empty()) throw UsageError("expected what to make \"{}\"", text_of(value));
-            out.back().value.insert(out.back().value.end(), value.begin(), value.end());
+            join_value(out.back().values, value);
             continue;
         }
         if (!subject.empty()) open.subjects.push_back(bare_subject(subject));
         if (value.empty() && by.empty()) continue;
-        open.value = value, open.by = by;
+        if (!value.empty()) open.values = {value};
+        open.by = by;
         out.push_back(open);
         open = {};
     }
@@ -116,27 +125,28 @@ bool speaks_of_shell(const Words& subject) {
                               word->kind == WordKind::structure);
 }
 
+// The things that it is of; none: a surface.
+std::vector<std::string> make_one(Talk& talk, const Words& subject, const Value& value) {
+    EditStep step;
+    step.kind = value.resizes() ? EditStep::Kind::resize : EditStep::Kind::recolor;
+    step.factor = value.factor;
+    step.wish = value.looks;
+    step.brighter = value.brighter;
+    if (value.resizes() && speaks_of_shell(subject)) refuse_shell();
+    if (!value.resizes()) step.surface = surface_said(subject);
+    if (step.surface.empty()) step.ids = talk.things(subject);
+    talk.editor.apply(step);
+    return step.ids;
+}
+
 void apply(Talk& talk, const Group& group) {
     std::vector<std::string> spoken;
-    const auto value = group.by.empty() ? value_of(group.value) : std::nullopt;
     for (const Words& subject : group.subjects) {
         if (!group.by.empty()) {
             replace(talk, subject, group.by);
             spoken = talk.last;
-            continue;
         }
-        EditStep step;
-        step.kind = value->resizes() ? EditStep::Kind::resize : EditStep::Kind::recolor;
-        step.factor = value->factor;
-        step.wish = value->looks;
-        step.brighter = value->brighter;
-        if (value->resizes() && speaks_of_shell(subject)) refuse_shell();
-        if (!value->resizes()) step.surface = surface_said(subject);
-        if (step.surface.empty()) {
-            step.ids = talk.things(subject);
-            spoken.insert(spoken.end(), step.ids.begin(), step.ids.end());
-        }
-        talk.editor.apply(step);
+        for (const Words& words : group.values) add_new(spoken, make_one(talk, subject, *value_of(words)));
     }
     talk.last = spoken;
 }

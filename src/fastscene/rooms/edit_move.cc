@@ -56,7 +56,7 @@ bool put_at(Talk& talk, const std::vector<std::string>& ids, const Words& words)
     }
     std::optional<Place> place;
     try {
-        place = place_of(talk.editor, words, asked_kind(talk.editor.placed(ids.front())), true);
+        place = place_of(talk.editor, words, asked_kind(talk.editor.placed(ids.front())), ids.front());
     } catch (const UsageError&) {
         if (why_not.empty()) throw;
     }
@@ -212,7 +212,7 @@ void face(Talk& talk, const Words& words) {
     else {
         Words at{"opposite"};
         at.insert(at.end(), target.begin(), target.end());
-        const auto place = place_of(talk.editor, at, "armchair", true);
+        const auto place = place_of(talk.editor, at, "armchair", step.ids.front());
         if (!place) throw UsageError("expected a thing or an opening to face, found \"{}\"", text);
         step.wish.relation_to = place->step.wish.relation_to;
         step.at = things_at(talk.editor, place->step);

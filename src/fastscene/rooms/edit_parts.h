@@ -157,7 +157,9 @@ struct Place {
     EditStep step;
     std::vector<std::vector<std::string>> each_at;  // "on both nightstands": one at each
 };
-std::optional<Place> place_of(const Editor& editor, const Words& words, const std::string& kind, bool moving);
+// `mover`: the id of what is to move there; empty: it comes new.
+std::optional<Place> place_of(const Editor& editor, const Words& words, const std::string& kind,
+                              const std::string& mover);
 // Where a place's words begin, from the second word on; the number of words: nowhere.
 std::size_t next_place(const Words& words, std::size_t from = 1);
 // "50 cm to the left", "closer to the window": by how much things are to be moved.

@@ -218,8 +218,8 @@ Anchor anchor_of(const Editor& editor, const Words& words, const std::string& re
 
 class Reader {
   public:
-    Reader(const Editor& editor, const Words& words, const std::string& kind, bool moving)
-        : editor_(editor), words_(words), kind_(kind), moving_(moving) {}
+    Reader(const Editor& editor, const Words& words, const std::string& kind, const std::string& mover)
+        : editor_(editor), words_(words), kind_(kind), mover_(mover), moving_(!mover.empty()) {}
 
     std::optional<Place> read() {
         std::size_t at = 0;
@@ -312,7 +312,7 @@ class Reader {
 
     std::optional<Place> at_wall(const Part& part, const Words& rest, const std::string& relation = {}) {
         // "on the wall above the bed"
-        if (!rest.empty() && rest.front() != "of") return Reader(editor_, rest, kind_, moving_).read();
+        if (!rest.empty() && rest.front() != "of") return Reader(editor_, rest, kind_, mover_).read();
         const bool hangs = mount_of(editor_, kind_) == Mount::wall || kind_ == "tv";
         Place out = hangs && (relation == "on" || relation == "to") ? place("on", "wall") : place("against");
         if (const auto direction = direction_said(editor_, part))
@@ -343,6 +343,7 @@ class Reader {
         const Anchor anchor = anchor_of(editor_, there, looked);
         Place out = place(name, anchor.kind);
         out.step.at = anchor.ids;
+        if (moving_ && std::find(there.begin(), there.end(), "other") != there.end()) out.step.at = others(anchor);
         const std::vector<int> found = of_one_kind(editor_, all_named(editor_, text_of(there)), looked);
         const Placed& first = editor_.room().furnished.placed[static_cast<std::size_t>(found.front())];
         if (looked.empty()) out.step.wish.relation = suited(name, kind_, first);
@@ -350,6 +351,20 @@ class Reader {
         if (each)
             for (const int i : found)
                 out.each_at.push_back({editor_.document().things[static_cast<std::size_t>(i)].id});
+        return out;
+    }
+
+    // "The other desk": not that at which it stands.
+    std::vector<std::string> others(const Anchor& anchor) const {
+        const Vec2f here = footprint_of(editor_.placed(mover_)).center;
+        std::vector<std::string> out;
+        for (const DocumentThing& t : editor_.document().things)
+            if (t.kind == anchor.kind || kind_of(t) == anchor.kind) out.push_back(t.id);
+        const auto far = [&](const std::string& id) { return distance_to(footprint_of(editor_.placed(id)), here); };
+        if (out.size() > 1)
+            out.erase(std::min_element(out.begin(), out.end(), [&](const std::string& a, const std::string& b) {
+                return far(a) < far(b);
+            }));
         return out;
     }
 
@@ -370,14 +385,15 @@ class Reader {
 
     const Editor& editor_;
     Words words_;
-    std::string kind_;
+    std::string kind_, mover_;
     bool moving_;
 };
 
 }  // namespace
 
-std::optional<Place> place_of(const Editor& editor, const Words& words, const std::string& kind, bool moving) {
-    return words.empty() ? std::nullopt : Reader(editor, words, kind, moving).read();
+std::optional<Place> place_of(const Editor& editor, const Words& words, const std::string& kind,
+                              const std::string& mover) {
+    return words.empty() ? std::nullopt : Reader(editor, words, kind, mover).read();
 }
 
 std::size_t next_place(const Words& words, std::size_t from) {

@@ -99,10 +99,14 @@ void Editor::checked(const std::function<void()>& change) {
         build();
         for (const std::string& fault : faults_of(result_.document, room_.furnished, room_.furnished.placed))
             if (!before.contains(fault)) throw Error("{}", fault);
-    } catch (...) {
+    } catch (const UsageError&) {
         result_ = kept;
         build();
         throw;
+    } catch (const Error& e) {
+        result_ = kept;
+        build();
+        throw Error("{}", without_place(e.what()));
     }
 }
 
@@ -274,7 +278,7 @@ void Editor::resize_one(int index, Vec3f factor) {
                 tell(thing(index).id, fmt::format("size: {:.2f} x {:.2f} x {:.2f} m", is.x, is.y, is.z));
             });
         } catch (const Error& e) {
-            if (fault.empty()) fault = without_place(e.what());
+            if (fault.empty()) fault = e.what();
             if (before.flat) break;
         }
     }

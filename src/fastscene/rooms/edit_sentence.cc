@@ -159,6 +159,14 @@ std::vector<std::string> Talk::things(const Words& words) {
     }
     const std::size_t except = find_word(words, {"except", "but", "excluding", "besides"}, 1);
     if (except + 1 < words.size()) return last = all_but(part_of(words, 0, except), part_of(words, except + 1));
+    // "the other armchair": not that one which was spoken of.
+    if (const std::size_t other = find_word(words, {"other"}); other < words.size() && !last.empty()) {
+        std::vector<std::string> ids;
+        for (const int i : all_named(editor, text_of(words)))
+            ids.push_back(editor.document().things[static_cast<std::size_t>(i)].id);
+        std::erase_if(ids, [&](const std::string& id) { return std::find(last.begin(), last.end(), id) != last.end(); });
+        if (ids.size() == 1) return last = ids;
+    }
     return last = named(editor, text_of(words));
 }
 

@@ -96,12 +96,27 @@ float to_the_right(const DocumentRoom& room, const DocumentThing& t) {
 
 float volume_of(const Placed& p) { return p.piece.size_m.x * p.piece.size_m.y * p.piece.size_m.z; }
 
+// "every second chair", "every other chair"
+void every_second(const std::vector<std::string>& words, std::vector<int>& found) {
+    for (std::size_t i = 0; i + 1 < words.size(); ++i) {
+        const std::size_t step = words[i] != "every"                               ? 0
+                                 : is_one_of(words[i + 1], {"second", "other"}) ? 2
+                                 : words[i + 1] == "third"                      ? 3
+                                                                                : 0;
+        if (step == 0) continue;
+        std::vector<int> out;
+        for (std::size_t k = step - 1; k < found.size(); k += step) out.push_back(found[k]);
+        found = out;
+    }
+}
+
 // "the second chair", "the last one", "the left nightstand", "the larger plant".
 void pick(const std::vector<std::string>& words, const PromptObject& said, const Editor& editor,
           std::vector<int>& found) {
     static constexpr std::array<std::string_view, 5> kOrdinals{"first", "second", "third", "fourth", "fifth"};
-    for (std::size_t k = 0; k < kOrdinals.size() && found.size() > 1; ++k)
+    for (std::size_t k = 0; k < kOrdinals.size() && found.size() > 1 && !has_word(words, {"every", "each"}); ++k)
         if (has_word(words, {kOrdinals[k]}) && k < found.size()) found = {found[k]};
+    every_second(words, found);
     if (found.size() < 2) return;
     if (has_word(words, {"last"})) found = {found.back()};
     const auto extreme = [&](const auto& measure, bool most) {
@@ -208,6 +223,45 @@ std::vector<int> with_part(const Editor& editor, const std::vector<std::string>&
     return out;
 }
 
+// "The table near the door", where none is close to it: the nearest.
+void nearest_to(const Editor& editor, const std::string& kind, std::vector<int>& found) {
+    const FurnishedRoom& room = editor.room().furnished;
+    std::vector<Vec2f> places;
+    for (const Opening& o : room.plan.openings)
+        if (is_opening_of(o, kind)) places.push_back(flat(room.plan.wall(o.wall).point((o.u0 + o.u1) / 2, 0)));
+    for (const Placed& p : room.placed)
+        if (p.piece.kind == kind || p.wish.kind == kind) places.push_back(footprint_of(p).center);
+    const auto far = [&](int i) {
+        float least = 1e9f;
+        for (const Vec2f at : places)
+            least = std::min(least, distance_to(footprint_of(room.placed[static_cast<std::size_t>(i)]), at));
+        return least;
+    };
+    if (!places.empty())
+        found = {*std::min_element(found.begin(), found.end(), [&](int a, int b) { return far(a) < far(b); })};
+}
+
+// "the towel stack", "two dining tables": a kind of the room by its own name of several words, before any place.
+void by_kind(const Editor& editor, const std::vector<std::string>& tokens, PromptObject& said,
+             std::vector<int>& found) {
+    const std::string head = " " + joined(part_of(tokens, 0, next_place(tokens))) + " ";
+    std::string best;
+    for (const DocumentThing& t : editor.document().things) {
+        const std::string name = in_words(t.kind);
+        if (name.find(' ') == std::string::npos || name.size() < best.size()) continue;
+        if (head.find(" " + name + " ") != std::string::npos || head.find(" " + name + "s ") != std::string::npos)
+            best = name;
+    }
+    if (best.empty() || in_words(said.kind) == best) return;
+    found.clear();
+    said.words = best;
+    for (std::size_t i = 0; i < editor.document().things.size(); ++i)
+        if (in_words(editor.document().things[i].kind) == best) {
+            said.kind = editor.document().things[i].kind;
+            found.push_back(static_cast<int>(i));
+        }
+}
+
 // Of those found, the ones that stand where the words say.
 void with_place(const Editor& editor, const PromptSpec& spec, std::vector<int>& found) {
     PromptObject where = spec.objects.front();
@@ -221,11 +275,13 @@ void with_place(const Editor& editor, const PromptSpec& spec, std::vector<int>& 
             where.relation_to = editor.document().things[static_cast<std::size_t>(at.front())].kind;
     std::vector<int> there;
     const FurnishedRoom& furnished = editor.room().furnished;
+    const bool several = where.count > 1 && spec.objects.front().count > 1;
     for (const int i : found)
         if (stands_as_asked(furnished.plan, furnished.placed, furnished.placed[static_cast<std::size_t>(i)], where)
                 .value_or(false))
             there.push_back(i);
     if (!there.empty()) found = there;
+    else if (where.relation == "next to" && !several) nearest_to(editor, where.relation_to, found);
 }
 
 Meaning meaning_of(const Editor& editor, const std::string& words) {
@@ -239,6 +295,7 @@ Meaning meaning_of(const Editor& editor, const std::string& words) {
         if (spec.objects.empty()) continue;
         out.said = spec.objects.front();
         out.found = alike(editor.document(), out.said, says_several(tokens, out.said));
+        by_kind(editor, tokens, out.said, out.found);
         with_looks(out.said, editor, out.found);
         with_place(editor, spec, out.found);
         pick(tokens, out.said, editor, out.found);
@@ -287,6 +344,8 @@ std::vector<std::string> named(const Editor& editor, const std::string& words) {
     std::vector<int>& found = meant.found;
     const PromptObject& said = meant.said;
     if (found.empty() && (is_shell(said.kind) || has_role(said.kind, Role::opening))) refuse_shell();
+    if (found.empty() && is_one_of(tokens.front(), {"everything", "all", "anything"}) && meant.unknown)
+        throw UsageError("name the things that are meant, found \"{}\"", words);
     if (found.empty()) refuse_none(words, editor, said.kind);
     // "two chairs", "two of the chairs"; the articles are numbers as well.
     const auto number = number_said(tokens.front());
