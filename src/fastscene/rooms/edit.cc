@@ -106,9 +106,12 @@ Vec3f color_of(const Piece& piece) {
 void Editor::recolor(const EditStep& step) {
     const PromptObject& looks = step.wish;
     std::string said;
-    for (const auto& [key, value] :
-         {std::pair{"color", looks.color}, {"second color", looks.color2}, {"material", looks.material},
-          {"pattern", looks.pattern}})
+    for (const auto& [key, value] : {std::pair{"color", looks.color},
+                                     {"second color", looks.color2},
+                                     {"material", looks.material},
+                                     {"pattern", looks.pattern},
+                                     {"color of the top", looks.holder_color},
+                                     {"top", looks.holder_material}})
         if (!value.empty()) said += fmt::format("{}{}: {}", said.empty() ? "" : ", ", key, value);
     if (!step.surface.empty()) return recolor_surface(step, said);
     for (const std::string& id : step.ids) {
@@ -121,6 +124,8 @@ void Editor::recolor(const EditStep& step) {
         // Another material has its own color.
         if (!looks.material.empty()) t.color = t.asked->color = "", t.material = t.asked->material = looks.material;
         if (!looks.color.empty()) t.color = t.asked->color = looks.color;
+        if (!looks.holder_color.empty()) t.holder_color = t.asked->holder_color = looks.holder_color;
+        if (!looks.holder_material.empty()) t.holder_material = t.asked->holder_material = looks.holder_material;
         if (!looks.color2.empty()) t.color2 = t.asked->color2 = looks.color2;
         if (!looks.pattern.empty()) t.pattern = t.asked->pattern = looks.pattern;
         if (step.brighter != 1) t.color = t.asked->color = as_hex(color_of(placed(i).piece) * step.brighter);

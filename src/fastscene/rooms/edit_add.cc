@@ -50,9 +50,9 @@ std::vector<PromptObject> wishes_of(const Editor& editor, const Words& words) {
     for (std::size_t k = 1; k < spec.objects.size(); ++k) {
         PromptObject& o = spec.objects[k];
         o.relation_to = first.kind;
-        o.relation = furnishing::is_small(o.kind)                                                     ? "on"
+        o.relation = furnishing::is_small(o.kind)                                             ? "on"
                      : has_role(o.kind, Role::seat) && has_role(first.kind, Role::lamp_above) ? "around"
-                                                                                               : "next to";
+                                                                                              : "next to";
     }
     return spec.objects;
 }
@@ -73,6 +73,25 @@ Addition addition_of(const Editor& editor, const Words& words) {
     return {wishes_of(editor, words), {}};
 }
 
+// A chair where others stand at a table: at that table, if it has room for one more.
+bool drawn_up(Talk& talk, EditStep step) {
+    if (!has_role(step.wish.kind, Role::seat) || !step.wish.relation.empty() || step.position) return false;
+    const std::vector<Placed>& all = talk.editor.room().furnished.placed;
+    for (const Placed& p : all) {
+        if (asked_kind(p) != step.wish.kind || p.with < 0) continue;
+        const Placed& table = all[static_cast<std::size_t>(p.with)];
+        if (!has_role(table.piece.kind, Role::lamp_above)) continue;
+        step.wish.relation = "around", step.wish.relation_to = asked_kind(table);
+        try {
+            talk.editor.apply(step);
+            return true;
+        } catch (const Error&) {
+            return false;
+        }
+    }
+    return false;
+}
+
 void add_wish(Talk& talk, const PromptObject& wish, const std::optional<Place>& place) {
     const std::size_t before = talk.editor.document().things.size();
     EditStep step = place ? place->step : EditStep{};
@@ -83,7 +102,10 @@ void add_wish(Talk& talk, const PromptObject& wish, const std::optional<Place>& 
         step.wish.relation = where.relation, step.wish.relation_to = where.relation_to,
         step.wish.relation_and = where.relation_and;
     if (step.each) step.wish.count = std::max(4, wish.count), step.wish.counted = false;
-    if (place && !place->each_at.empty())
+    if (!place && talk.there) step.position = talk.last_gone;
+    if (!place && drawn_up(talk, step)) {
+        // with its like, at their table
+    } else if (place && !place->each_at.empty())
         for (const auto& at : place->each_at) step.at = at, talk.editor.apply(step);
     else talk.editor.apply(step);
     const auto& things = talk.editor.document().things;

@@ -23,14 +23,10 @@ constexpr std::array<Row, 16> kBeginnings{{
      "remove|delete|erase|take away|take out|take|drop|get rid of|throw out|throw away|throw|"
      "lose|discard|ditch|hide|clear away|clear out|without|no more|no|i dont like|"
      "i do not like|i dont want|i do not want|i dont need|we dont need|there should be no"},
-    {Verb::clear,
-     "clear|empty"},
-    {Verb::move,
-     "move|shift|bring|push|pull|slide|drag|relocate|lower|raise|lift|carry"},
-    {Verb::put,
-     "put|place|set|stand|hang|lay|position|mount|lean"},
-    {Verb::make,
-     "make|change|switch|give"},
+    {Verb::clear, "clear|empty"},
+    {Verb::move, "move|shift|bring|push|pull|slide|drag|relocate|lower|raise|lift|carry"},
+    {Verb::put, "put|place|set|stand|hang|lay|position|mount|lean"},
+    {Verb::make, "make|change|switch|give"},
     {Verb::refuse,
      "turn up|turn down|dim|open|close|shut|rearrange|reorganize|arrange|redecorate|tidy|"
      "tidy up|clean|clean up|improve|fix|undo|redo|keep|leave"},
@@ -41,22 +37,14 @@ constexpr std::array<Row, 16> kBeginnings{{
     {Verb::want,
      "i need|we need|i want|we want|i wish|i would like|we would like|id like|id love|"
      "i would love|i prefer|id prefer|let"},
-    {Verb::replace,
-     "replace|exchange|substitute"},
-    {Verb::swap,
-     "swap|interchange"},
-    {Verb::turn,
-     "turn|rotate|spin|flip"},
-    {Verb::face,
-     "face|point|orient|aim"},
-    {Verb::color,
-     "paint|color|recolor|dye|tint|repaint|reupholster|cover"},
-    {Verb::larger,
-     "enlarge|scale up"},
-    {Verb::smaller,
-     "shrink|scale down|reduce"},
-    {Verb::copy,
-     "duplicate|copy|clone"},
+    {Verb::replace, "replace|exchange|substitute"},
+    {Verb::swap, "swap|interchange"},
+    {Verb::turn, "turn|rotate|spin|flip"},
+    {Verb::face, "face|point|orient|aim"},
+    {Verb::color, "paint|color|recolor|dye|tint|repaint|reupholster|cover"},
+    {Verb::larger, "enlarge|scale up"},
+    {Verb::smaller, "shrink|scale down|reduce"},
+    {Verb::copy, "duplicate|copy|clone"},
 }};
 
 struct Beginning {
@@ -80,14 +68,49 @@ const std::vector<Beginning>& beginnings() {
 }
 
 // Said before what is to be done, and nothing by itself.
-constexpr std::array<std::string_view, 43> kPolite{
-    "please",        "pls",          "plz",              "can you",      "could you",        "would you",      "will you",     "can we",
-    "could we",      "you should",   "we should",        "you can",        "i want to",    "i want you to",
-    "i would like to", "i would like you to", "id like to", "id like you to", "we want to", "let's",
-    "lets",          "let us",       "let me",           "try to",         "go ahead and", "just",
-    "now",           "then",         "also",             "maybe",          "perhaps",      "next",
-    "ok",            "okay",         "hey",              "hi",             "actually",     "first",
-    "finally",       "kindly",       "afterwards",       "would you mind", "i need you to"};
+constexpr std::array<std::string_view, 43> kPolite{"please",
+                                                   "pls",
+                                                   "plz",
+                                                   "can you",
+                                                   "could you",
+                                                   "would you",
+                                                   "will you",
+                                                   "can we",
+                                                   "could we",
+                                                   "you should",
+                                                   "we should",
+                                                   "you can",
+                                                   "i want to",
+                                                   "i want you to",
+                                                   "i would like to",
+                                                   "i would like you to",
+                                                   "id like to",
+                                                   "id like you to",
+                                                   "we want to",
+                                                   "let's",
+                                                   "lets",
+                                                   "let us",
+                                                   "let me",
+                                                   "try to",
+                                                   "go ahead and",
+                                                   "just",
+                                                   "now",
+                                                   "then",
+                                                   "also",
+                                                   "maybe",
+                                                   "perhaps",
+                                                   "next",
+                                                   "ok",
+                                                   "okay",
+                                                   "hey",
+                                                   "hi",
+                                                   "actually",
+                                                   "first",
+                                                   "finally",
+                                                   "kindly",
+                                                   "afterwards",
+                                                   "would you mind",
+                                                   "i need you to"};
 
 std::size_t count_of(std::string_view phrase) {
     return static_cast<std::size_t>(std::count(phrase.begin(), phrase.end(), ' ')) + 1;
@@ -151,8 +174,9 @@ void trim(Words& words, const Words& all_rooms) {
 
 // "everything but the sofa", "all pictures but the largest one"
 bool says_all(const Words& words) {
-    return std::any_of(words.begin(), words.end(),
-                       [](const std::string& w) { return is_one_of(w, {"everything", "all", "every", "each"}); });
+    return std::any_of(words.begin(), words.end(), [](const std::string& w) {
+        return is_one_of(w, {"everything", "all", "every", "each"});
+    });
 }
 
 // "20%" as a word, so that no mark ends the clause there.
@@ -175,10 +199,23 @@ bool is_definite(const std::string& word) {
 }
 
 std::optional<float> number_said(const std::string& word) {
-    static constexpr std::array<std::pair<std::string_view, float>, 17> kNumbers{
-        {{"one", 1},    {"two", 2},  {"three", 3},  {"four", 4},    {"five", 5},    {"six", 6},
-         {"seven", 7},  {"eight", 8}, {"nine", 9},  {"ten", 10},    {"eleven", 11}, {"twelve", 12},
-         {"half", 0.5f}, {"quarter", 0.25f}, {"a", 1}, {"an", 1},   {"couple", 2}}};
+    static constexpr std::array<std::pair<std::string_view, float>, 17> kNumbers{{{"one", 1},
+                                                                                  {"two", 2},
+                                                                                  {"three", 3},
+                                                                                  {"four", 4},
+                                                                                  {"five", 5},
+                                                                                  {"six", 6},
+                                                                                  {"seven", 7},
+                                                                                  {"eight", 8},
+                                                                                  {"nine", 9},
+                                                                                  {"ten", 10},
+                                                                                  {"eleven", 11},
+                                                                                  {"twelve", 12},
+                                                                                  {"half", 0.5f},
+                                                                                  {"quarter", 0.25f},
+                                                                                  {"a", 1},
+                                                                                  {"an", 1},
+                                                                                  {"couple", 2}}};
     for (const auto& [name, value] : kNumbers)
         if (word == name) return value;
     float value = 0;
@@ -269,7 +306,14 @@ std::vector<Clause> clauses_of(const std::string& sentence) {
         out.back().words.push_back(except ? "except" : words[i]);
         ++i;
     }
-    for (Clause& clause : out) trim(clause.words, kRooms);
+    for (Clause& clause : out) {
+        while (!clause.words.empty() && is_joint(clause.words.back())) clause.words.pop_back();
+        const std::size_t n = clause.words.size();
+        clause.there = n > 1 &&
+                       (clause.words.back() == "there" || (n > 3 && stands_at(clause.words, n - 3, "in its place")));
+        if (clause.there && clause.words.back() == "place") clause.words.resize(n - 3);
+        trim(clause.words, kRooms);
+    }
     if (out.empty()) throw UsageError("expected what to change, found an empty sentence");
     return out;
 }

@@ -46,8 +46,8 @@ std::optional<int> hang_in_place(Layout& layout, const PieceRequest& request, co
         constexpr float kAtWall = 0.08f;  // metres
         if (dot(face.inward, front_of(place.yaw)) < 0.99f || std::abs(off) > kAtWall) continue;
         for (const float further : {0.f, 0.1f, -0.1f, 0.2f, -0.2f})
-            if (const auto i = layout.hang_at(piece, w,
-                                              dot(place.position - face.origin, face.along) + aside + further, wish))
+            if (const auto i = layout.hang_at(piece, w, dot(place.position - face.origin, face.along) + aside + further,
+                                              wish))
                 return i;
     }
     return {};
@@ -74,8 +74,7 @@ std::optional<int> take_place(Layout& layout, const PieceRequest& request, const
                 return layout.lay(flat(place.position + right_of(place.yaw) * aside), place.yaw, request, wish);
             return stand_in_place(layout, request, wish, place, aside);
         case Mount::wall: return hang_in_place(layout, request, wish, place, aside);
-        case Mount::ceiling:
-            return layout.hanging(request, flat(place.position + right_of(place.yaw) * aside), wish);
+        case Mount::ceiling: return layout.hanging(request, flat(place.position + right_of(place.yaw) * aside), wish);
         case Mount::surface: break;
     }
     return {};
@@ -89,8 +88,7 @@ void Editor::swap(const EditStep& step) {
         throw UsageError("expected two things to change places, found {}", step.ids.size());
     const int a = index_of(step.ids[0]), b = index_of(step.ids[1]);
     const Placed one = placed(a), other = placed(b);
-    if (one.on == b || other.on == a)
-        throw UsageError("{} and {}: one stands on the other", step.ids[0], step.ids[1]);
+    if (one.on == b || other.on == a) throw UsageError("{} and {}: one stands on the other", step.ids[0], step.ids[1]);
     const Standing standing = without(with_riders({a, b}));
     PromptSpec spec = room_.spec;
     spec.objects = {};
@@ -173,8 +171,7 @@ std::vector<Placed> Editor::in_place_of(const std::vector<Placed>& all, const St
     const auto now = [&](int i) { return i < 0 ? -1 : standing.now[static_cast<std::size_t>(i)]; };
     for (const float scale : {1.f, 0.85f, 0.7f}) {
         Layout layout = begin_layout(spec, rng, all, nullptr);
-        if (const std::string why = layout.why_not(wish.kind); !why.empty())
-            throw Error("{}: {}", wish.words, why);
+        if (const std::string why = layout.why_not(wish.kind); !why.empty()) throw Error("{}: {}", wish.words, why);
         PieceRequest request = layout.request(wish.kind, &wish);
         request.size_factor *= scale;
         const float wide = std::max(make_piece(request).size_m.x + 0.06f,
@@ -184,9 +181,8 @@ std::vector<Placed> Editor::in_place_of(const std::vector<Placed>& all, const St
         const Piece piece = make_piece(request);
         for (const float reach : {0.8f, 1.6f})
             if (!i && piece.mount == Mount::floor && old.on < 0)
-                i = layout.against_wall(request,
-                                        {.near = flat(old.position), .center_pull = 0, .at_most_from_near = reach},
-                                        wish);
+                i = layout.against_wall(
+                    request, {.near = flat(old.position), .center_pull = 0, .at_most_from_near = reach}, wish);
         if (!i && wish.size_m != Vec3f{} && scale < 1) break;
         if (!i) continue;
         if (old.with >= 0 && now(old.with) >= 0) layout.join(*i, now(old.with));

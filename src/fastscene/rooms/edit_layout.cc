@@ -115,8 +115,8 @@ class Tagged {
   public:
     Tagged(std::vector<Placed>& placed, const std::vector<DocumentThing>& things, const std::vector<int>& was,
            const EditStep& step, PromptObject& wish) {
-        for (const auto& [ids, to, tag] : {std::tuple{&step.at, &wish.relation_to, "@at"},
-                                           {&step.at_and, &wish.relation_and, "@and"}}) {
+        for (const auto& [ids, to, tag] :
+             {std::tuple{&step.at, &wish.relation_to, "@at"}, {&step.at_and, &wish.relation_and, "@and"}}) {
             if (ids->empty()) continue;
             for (std::size_t i = 0; i < placed.size(); ++i)
                 if (std::find(ids->begin(), ids->end(), things[static_cast<std::size_t>(was[i])].id) != ids->end())
@@ -194,8 +194,9 @@ bool Editor::at_a_wall(Layout& layout, const EditStep& step, const Placed* movin
     const bool corner = wish.relation == "in the corner";
     const int own = moving ? wall_behind(plan(), *moving) : -1;
     std::vector<int> walls{step.wall};
-    if (step.wall < 0) walls = own < 0 ? std::vector<int>{0, 1, 3, 2}
-                                       : std::vector<int>{(own + 2) % 4, (own + 1) % 4, (own + 3) % 4, own};
+    if (step.wall < 0)
+        walls = own < 0 ? std::vector<int>{0, 1, 3, 2}
+                        : std::vector<int>{(own + 2) % 4, (own + 1) % 4, (own + 3) % 4, own};
     if (step.wall < 0 && step.elsewhere && !corner && own >= 0) walls.pop_back();
     if (step.opposite && own >= 0 && !corner) walls.resize(1);
     for (const int wall : walls) {
@@ -249,8 +250,7 @@ std::vector<Placed> Editor::laid_out(const Standing& standing, const EditStep& s
         done = layout.mark() >= before + static_cast<std::size_t>(std::max(1, wish.count)) &&
                std::all_of(layout.placed().begin() + static_cast<std::ptrdiff_t>(before), layout.placed().end(),
                            [&](const Placed& p) {
-                               return p.wish.kind != wish.kind ||
-                                      is_where_asked(plan(), layout.placed(), p, wish);
+                               return p.wish.kind != wish.kind || is_where_asked(plan(), layout.placed(), p, wish);
                            });
     }
     if (!done) return {};
@@ -296,8 +296,7 @@ void Editor::place_one(int index, const std::vector<int>& along, EditStep step) 
     if (all.size() != standing.placed.size() + 1 || length(all.back().piece.size_m - was.piece.size_m) > kSame)
         throw Error("{}: there is no free place for it{}", id, place_in_words(step));
     const Placed& found = all.back();
-    if (length(found.position - was.position) < kThere)
-        throw Error("{}: it stands there already", id);
+    if (length(found.position - was.position) < kThere) throw Error("{}: it stands there already", id);
     try {
         checked([&] { stand_at_found(index, found, standing, step, along); });
     } catch (const Error& e) {
@@ -309,9 +308,8 @@ void Editor::stand_at_found(int index, const Placed& found, const Standing& stan
                             const std::vector<int>& along) {
     DocumentThing& t = thing(index);
     const auto id_of = [&](int i) {
-        const int old = i < 0 || i >= static_cast<int>(standing.was.size())
-                            ? -1
-                            : standing.was[static_cast<std::size_t>(i)];
+        const int old = i < 0 || i >= static_cast<int>(standing.was.size()) ? -1
+                                                                            : standing.was[static_cast<std::size_t>(i)];
         return old < 0 ? std::string() : thing(old).id;
     };
     t.on = id_of(found.on), t.below = id_of(found.below), t.with = id_of(found.with);

@@ -1,6 +1,7 @@
 // "the sofa green", "it night", "the walls sage", "the rug larger": how things, surfaces and the room are to be.
 #include <algorithm>
 #include <array>
+#include <utility>
 
 #include "fastscene/base/error.h"
 #include "fastscene/base/is_one_of.h"
@@ -34,7 +35,7 @@ Words bare_subject(Words words) {
 struct Group {
     std::vector<Words> subjects;
     std::vector<Words> values;  // "larger" and "black"
-    Words by;  // "into a rocking chair": another thing
+    Words by;                   // "into a rocking chair": another thing
 };
 
 // Cuts "the sofa dark green", "the sofa to dark green"; no value: all of it is the subject.
@@ -51,7 +52,8 @@ void cut(const Words& part, Words& subject, Words& value, Words& by) {
             value = rest, subject = part_of(part, 0, i);
             return;
         }
-        if (is_one_of(part[i], {"to", "into"}) && !rest.empty() && is_one_of(rest.front(), {"a", "an", "two", "three"})) {
+        if (is_one_of(part[i], {"to", "into"}) && !rest.empty() &&
+            is_one_of(rest.front(), {"a", "an", "two", "three"})) {
             by = rest, subject = part_of(part, 0, i);
             return;
         }
@@ -120,9 +122,16 @@ bool speaks_of_shell(const Words& subject) {
     std::erase_if(bare, [](const std::string& w) { return is_definite(w) || is_one_of(w, {"all", "a"}); });
     const std::string text = text_of(bare);
     const auto word = look_up(text);
-    return text == "room" || (word && is_one_of(word->meaning, {"window", "door", "doorway", "ceiling", "wall",
-                                                                "floor", "bay_window", "skylight"}) &&
+    return text == "room" || (word &&
+                              is_one_of(word->meaning, {"window", "door", "doorway", "ceiling", "wall", "floor",
+                                                        "bay_window", "skylight"}) &&
                               word->kind == WordKind::structure);
+}
+
+// Of a kitchen counter the top alone.
+void of_the_top(PromptObject& looks) {
+    looks.holder_color = std::exchange(looks.color, "");
+    looks.holder_material = std::exchange(looks.material, "");
 }
 
 // The things that it is of; none: a surface.
@@ -135,7 +144,18 @@ std::vector<std::string> make_one(Talk& talk, const Words& subject, const Value&
     if (value.resizes() && speaks_of_shell(subject)) refuse_shell();
     if (!value.resizes()) step.surface = surface_said(subject);
     if (step.surface.empty()) step.ids = talk.things(subject);
-    talk.editor.apply(step);
+    if (says_any(subject, {"worktop", "worktops", "countertop", "countertops"})) of_the_top(step.wish);
+    if (value.by == Vec3f{}) {
+        talk.editor.apply(step);
+        return step.ids;
+    }
+    for (const std::string& id : step.ids) {
+        EditStep one = step;
+        one.ids = {id};
+        const Vec3f size = talk.editor.placed(id).piece.size_m;
+        for (std::size_t a = 0; a < 3; ++a) one.factor[a] = std::max(0.2f, 1 + value.by[a] / size[a]);
+        talk.editor.apply(one);
+    }
     return step.ids;
 }
 
@@ -161,8 +181,8 @@ void light(Talk& talk, const std::string& value) {
 // Of the whole room: its style, hour and weather. Says whether the clause was about that.
 bool of_the_room(Talk& talk, const Words& words) {
     const bool of_it = is_one_of(words.front(), {"it", "them"});
-    const bool of_room = says_any(words, {"everything", "room", "style", "time", "weather", "lighting", "outside",
-                                          "hour", "view"});
+    const bool of_room = says_any(
+        words, {"everything", "room", "style", "time", "weather", "lighting", "outside", "hour", "view"});
     if (!of_it && !of_room) return false;
     const PromptSpec spec = understand_prompt(text_of(words), false, talk.editor.pack());
     bool told = false;

@@ -24,8 +24,8 @@ std::vector<Split> splits_of(const Words& words) {
     if (much < words.size() && (number_said(words[much]) || words[much] == "slightly")) ends.push_back(much);
     for (std::size_t i = words.size(); i-- > 1;)
         if (is_one_of(words[i], {"to", "into", "onto"}) &&
-            !is_one_of(words[i - 1], {"next", "close", "over", "closer", "up", "nearer", "near", "back", "adjacent",
-                                      "opposite"})) {
+            !is_one_of(words[i - 1],
+                       {"next", "close", "over", "closer", "up", "nearer", "near", "back", "adjacent", "opposite"})) {
             ends.push_back(i);
             break;
         }
@@ -92,7 +92,6 @@ void move_one(Talk& talk, const std::vector<Words>& before, const Words& words) 
     throw UsageError("{}", wrong);
 }
 
-
 // "left", "by 45 degrees", "a bit", "around": radians; nothing: none of those. `end`: where the words of that begin.
 std::optional<float> angle_said(const Words& words, std::size_t& end) {
     constexpr float kDegree = kPi / 180, kABit = 20;
@@ -123,7 +122,8 @@ std::optional<float> angle_said(const Words& words, std::size_t& end) {
     return *degrees * sign * kDegree;
 }
 
-// The things that a place is at.
+}  // namespace
+
 std::vector<std::string> things_at(const Editor& editor, const EditStep& place) {
     if (!place.at.empty()) return place.at;
     std::vector<std::string> out;
@@ -132,8 +132,6 @@ std::vector<std::string> things_at(const Editor& editor, const EditStep& place) 
             out.push_back(t.id);
     return out;
 }
-
-}  // namespace
 
 // "the armchair and the plant to the window", "the vase to the desk and the lamp to the shelf"
 void move(Talk& talk, const Words& words) {
@@ -159,12 +157,23 @@ void move(Talk& talk, const Words& words) {
 
 // "the armchair around", "the sofa towards the tv", "the walls green", "the armchair into a sofa"
 void turn(Talk& talk, const Words& words) {
+    // "so that it faces the door"
+    if (const std::size_t so = find_word(words, {"faces", "looks"}, 1); so < words.size()) {
+        Words all = part_of(words, 0, so);
+        while (all.size() > 1 && is_one_of(all.back(), {"so", "that", "it", "and"})) all.pop_back();
+        all.push_back("facing");
+        const Words to = part_of(words, so + 1);
+        all.insert(all.end(), to.begin(), to.end());
+        return face(talk, all);
+    }
     const std::size_t towards = find_word(words, {"towards", "toward", "facing", "face"}, 1);
     std::size_t end = words.size();
     const auto angle = angle_said(words, end);
     if (towards < words.size()) return face(talk, words);
     if (find_word(words, {"upside", "over"}) < words.size())
         throw UsageError("things are turned about the vertical only, found \"{}\"", text_of(words));
+    if (is_one_of(words.back(), {"on", "off"}))
+        throw UsageError("only lamps are turned on and off, found \"{}\"", text_of(words));
     EditStep step;
     step.kind = EditStep::Kind::turn;
     if (!angle) {
@@ -185,7 +194,8 @@ void face(Talk& talk, const Words& words) {
     while (next < words.size() && is_one_of(words[next], {"towards", "toward", "facing", "face", "to", "at", "into"}))
         ++next;
     Words thing = part_of(words, 0, end);
-    while (thing.size() > 1 && is_one_of(thing.back(), {"to", "so", "it", "around", "that", "should"})) thing.pop_back();
+    while (thing.size() > 1 && is_one_of(thing.back(), {"to", "so", "it", "around", "that", "should"}))
+        thing.pop_back();
     const Words target = part_of(words, next);
     if (target.empty())
         throw UsageError("expected what \"{}\" is to face, for example \"to the window\"", text_of(words));
@@ -194,7 +204,8 @@ void face(Talk& talk, const Words& words) {
     step.ids = talk.things_of_parts(thing);
     const std::string text = text_of(target);
     if (text == "each other" || text == "one another") {
-        if (step.ids.size() != 2) throw UsageError("expected two things that face each other, found {}", step.ids.size());
+        if (step.ids.size() != 2)
+            throw UsageError("expected two things that face each other, found {}", step.ids.size());
         for (const std::size_t k : {0u, 1u}) {
             EditStep one = step;
             one.ids = {step.ids[k]}, one.at = {step.ids[1 - k]};

@@ -127,14 +127,15 @@ struct Clause {
     Verb verb = Verb::none;
     std::string said;  // the verb's word
     Words words;
+    bool there = false;  // it ended with "there", "in its place"
 };
 std::vector<Clause> clauses_of(const std::string& sentence);
 
 std::string text_of(const Words& words, std::size_t from = 0, std::size_t to = std::string::npos);
 Words part_of(const Words& words, std::size_t from, std::size_t to = std::string::npos);
-bool is_joint(const std::string& word);      // a comma, "and" …
-bool is_definite(const std::string& word);   // "the", "my" …
-bool begins_anew(const Words& words);        // "a plant", "two chairs", "another lamp", "books": none of those there
+bool is_joint(const std::string& word);     // a comma, "and" …
+bool is_definite(const std::string& word);  // "the", "my" …
+bool begins_anew(const Words& words);       // "a plant", "two chairs", "another lamp", "books": none of those there
 // What stands between joints. "Between the bed and the window" is one.
 std::vector<Words> parts_of(const Words& words);
 std::optional<float> number_said(const std::string& word);  // "3", "two", "half"
@@ -160,8 +161,12 @@ struct Place {
 // `mover`: the id of what is to move there; empty: it comes new.
 std::optional<Place> place_of(const Editor& editor, const Words& words, const std::string& kind,
                               const std::string& mover);
+// The things that a place is at.
+std::vector<std::string> things_at(const Editor& editor, const EditStep& place);
 // Where a place's words begin, from the second word on; the number of words: nowhere.
 std::size_t next_place(const Words& words, std::size_t from = 1);
+// Takes "50 cm", "half a meter" out of the words: metres.
+std::optional<float> take_length(Words& words);
 // "50 cm to the left", "closer to the window": by how much things are to be moved.
 std::optional<EditStep> shift_of(const Editor& editor, const Words& words, const std::string& id);
 
@@ -170,8 +175,9 @@ std::optional<EditStep> shift_of(const Editor& editor, const Words& words, const
 struct Value {
     PromptObject looks;  // color, material, pattern
     Vec3f factor{1, 1, 1};
+    Vec3f by{};  // metres
     float brighter = 1;
-    bool resizes() const { return !(factor == Vec3f{1, 1, 1}); }
+    bool resizes() const { return !(factor == Vec3f{1, 1, 1}) || !(by == Vec3f{}); }
 };
 // Nothing unless all the words are looks or sizes.
 std::optional<Value> value_of(const Words& words);
@@ -183,8 +189,10 @@ std::optional<PromptObject> looks_of(const std::string& words);
 // A sentence while it is acted on.
 struct Talk {
     Editor& editor;
-    std::vector<std::string> last{};  // the things last spoken of: "it"
-    EditStep last_place{};            // where they were put
+    std::vector<std::string> last{};   // the things last spoken of: "it"
+    EditStep last_place{};             // where they were put
+    bool there = false;                // the clause ends with "there"
+    std::optional<Vec2f> last_gone{};  // where what was removed last stood: "there"
 
     std::vector<std::string> things(const Words& words);
     std::vector<std::string> things_of_parts(const Words& words);

@@ -57,6 +57,9 @@ std::optional<Relation> relation_at(const Words& words, std::size_t at) {
             if (term == phrase) return Relation{std::string(name), at + length};
         const auto word = look_up(term);
         if (!word || word->kind != WordKind::relation) continue;
+        // "on the left nightstand", "in the right drawer": the side is the thing's.
+        const bool side = is_one_of(words[at + length - 1], {"left", "right"}) && length > 1;
+        if (side && at + length < words.size()) continue;
         return Relation{word->meaning == "both sides" ? "on both sides of" : word->meaning, at + length};
     }
     return {};
@@ -69,9 +72,8 @@ struct Part {
     std::size_t next = 0;
 
     bool says(std::initializer_list<std::string_view> any) const {
-        return std::any_of(modifiers.begin(), modifiers.end(), [&](const std::string& w) {
-            return std::find(any.begin(), any.end(), w) != any.end();
-        });
+        return std::any_of(modifiers.begin(), modifiers.end(),
+                           [&](const std::string& w) { return std::find(any.begin(), any.end(), w) != any.end(); });
     }
     bool is_other() const { return says({"other", "another", "different", "opposite"}); }
 };
@@ -101,9 +103,10 @@ std::optional<Part> room_part(const Words& words, std::size_t at) {
             return out;
         }
         if (!wall_of && !is_definite(w) &&
-            !is_one_of(w, {"a", "an", "each", "every", "all", "four", "other", "another", "left", "right", "far",
-                           "near", "back", "front", "opposite", "one", "any", "free", "empty", "different", "same",
-                           "side", "bare", "big", "large", "hand", "of", "some", "both"}))
+            !is_one_of(w,
+                       {"a",    "an",   "each", "every", "all",      "four", "other", "another", "left",  "right",
+                        "far",  "near", "back", "front", "opposite", "one",  "any",   "free",    "empty", "different",
+                        "same", "side", "bare", "big",   "large",    "hand", "of",    "some",    "both"}))
             return {};
         out.modifiers.push_back(w);
     }
@@ -261,6 +264,12 @@ class Reader {
         if (part.noun == "corner") return at_corner(part, rest);
         if (part.noun == "middle" && of_room) return place("in the middle");
         if (part.noun == "side" && of_room) return at_wall(part, {});
+        // "on the other side of the sofa"
+        if (part.noun == "side" && rest.size() > 1 && rest.front() == "of" && !part.says({"left", "right"})) {
+            auto beside = at_thing({"next to", part.next + 1});
+            if (beside && part.is_other()) free_side(*beside);
+            return beside;
+        }
         if (part.noun == "wall") return at_wall(part, rest, relation);
         if (!rest.empty()) return {};
         if (part.noun == "floor") return place("on", "floor");
@@ -301,8 +310,7 @@ class Reader {
         const Words there = part_of(words, relation->next);
         if (const auto part = room_part(there, 0)) {
             for (const Opening& o : editor_.plan().openings)
-                if (is_opening_of(o, part->noun))
-                    return flat(editor_.plan().wall(o.wall).point((o.u0 + o.u1) / 2, 0));
+                if (is_opening_of(o, part->noun)) return flat(editor_.plan().wall(o.wall).point((o.u0 + o.u1) / 2, 0));
             return {};
         }
         const auto found = all_named(editor_, text_of(there));
@@ -310,9 +318,22 @@ class Reader {
         return flat(editor_.room().furnished.placed[static_cast<std::size_t>(found.front())].position);
     }
 
+    // "the wall opposite the bed", "the wall behind the sofa"; otherwise as without the wall.
+    std::optional<Place> at_wall_of(const Words& rest) {
+        auto out = Reader(editor_, rest, kind_, mover_).read();
+        if (!out || !is_one_of(out->step.wish.relation, {"opposite", "behind"})) return out;
+        const auto anchors = things_at(editor_, out->step);
+        if (anchors.empty()) return out;
+        const Vec3f front = front_of(editor_.placed(anchors.front()).yaw);
+        const bool opposite = out->step.wish.relation == "opposite";
+        out = place("against");
+        out->step.wall = wall_towards(editor_.plan(), opposite ? front : front * -1.f);
+        return out;
+    }
+
     std::optional<Place> at_wall(const Part& part, const Words& rest, const std::string& relation = {}) {
         // "on the wall above the bed"
-        if (!rest.empty() && rest.front() != "of") return Reader(editor_, rest, kind_, mover_).read();
+        if (!rest.empty() && rest.front() != "of") return at_wall_of(rest);
         const bool hangs = mount_of(editor_, kind_) == Mount::wall || kind_ == "tv";
         Place out = hangs && (relation == "on" || relation == "to") ? place("on", "wall") : place("against");
         if (const auto direction = direction_said(editor_, part))
@@ -354,6 +375,21 @@ class Reader {
         return out;
     }
 
+    // Left or right of a thing: the side at which fewer things stand, or it does not stand itself.
+    void free_side(Place& place) const {
+        const auto anchors = things_at(editor_, place.step);
+        if (anchors.size() != 1) return;
+        const Placed& at = editor_.placed(anchors.front());
+        float balance = 0;
+        constexpr float kNear = 1.2f;  // metres from its edge
+        for (const Placed& p : editor_.room().furnished.placed) {
+            const bool counts = moving_ ? p.id == mover_ : asked_kind(p) == kind_;
+            if (!counts || distance_to(footprint_of(at), footprint_of(p).center) > kNear) continue;
+            balance += dot(p.position - at.position, right_of(at.yaw)) > 0 ? 1.f : -1.f;
+        }
+        if (balance != 0) place.step.wish.relation = balance > 0 ? "left of" : "right of";
+    }
+
     // "The other desk": not that at which it stands.
     std::vector<std::string> others(const Anchor& anchor) const {
         const Vec2f here = footprint_of(editor_.placed(mover_)).center;
@@ -362,9 +398,8 @@ class Reader {
             if (t.kind == anchor.kind || kind_of(t) == anchor.kind) out.push_back(t.id);
         const auto far = [&](const std::string& id) { return distance_to(footprint_of(editor_.placed(id)), here); };
         if (out.size() > 1)
-            out.erase(std::min_element(out.begin(), out.end(), [&](const std::string& a, const std::string& b) {
-                return far(a) < far(b);
-            }));
+            out.erase(std::min_element(out.begin(), out.end(),
+                                       [&](const std::string& a, const std::string& b) { return far(a) < far(b); }));
         return out;
     }
 
@@ -398,12 +433,12 @@ std::optional<Place> place_of(const Editor& editor, const Words& words, const st
 
 std::size_t next_place(const Words& words, std::size_t from) {
     static constexpr std::array<std::string_view, 49> kPlaces{
-        "to",        "into",      "onto",    "on",        "in",       "next",      "beside",   "near",
-        "under",     "below",     "beneath", "above",     "over",     "behind",    "by",       "between",
-        "against",   "opposite",  "facing",  "around",    "along",    "at",        "before",   "left",
-        "right",     "towards",   "toward",  "across",    "close",    "closer",    "nearer",   "underneath",
-        "alongside", "inside",    "off",     "away",      "further",  "farther",   "back",     "backwards",
-        "forward",   "forwards",  "up",      "down",      "higher",   "lower",    "somewhere", "elsewhere", "from"};
+        "to",      "into",      "onto",      "on",        "in",         "next",      "beside",  "near",    "under",
+        "below",   "beneath",   "above",     "over",      "behind",     "by",        "between", "against", "opposite",
+        "facing",  "around",    "along",     "at",        "before",     "left",      "right",   "towards", "toward",
+        "across",  "close",     "closer",    "nearer",    "underneath", "alongside", "inside",  "off",     "away",
+        "further", "farther",   "back",      "backwards", "forward",    "forwards",  "up",      "down",    "higher",
+        "lower",   "somewhere", "elsewhere", "from"};
     for (std::size_t i = std::max<std::size_t>(1, from); i < words.size(); ++i) {
         // "the left nightstand", "the right one", "the back wall"
         const bool named = is_one_of(words[i], {"left", "right", "back"}) && is_definite(words[i - 1]) &&

@@ -204,10 +204,13 @@ void Editor::face(const EditStep& step) {
                     if (!done) throw Error("{}: it faces the {} already", id, in_words(step.wish.relation_to));
                     break;
                 }
-                const std::string wrong = new_fault(with_pose(i, {to, yaw}, {}));
-                if (off == 0) fault = wrong;
-                done = wrong.empty();
-                if (done) checked([&] { set_pose(i, {to, yaw}, {}); });
+                for (const std::vector<int>& along : {seats_at(i), std::vector<int>{}}) {
+                    const std::string wrong = new_fault(with_pose(i, {to, yaw}, along));
+                    if (off == 0) fault = wrong;
+                    done = wrong.empty();
+                    if (done) checked([&] { set_pose(i, {to, yaw}, along); });
+                    if (done) break;
+                }
             }
             if (done) break;
         }

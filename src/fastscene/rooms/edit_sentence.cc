@@ -28,12 +28,11 @@ std::vector<std::string> riders_of(const Editor& editor, const std::vector<std::
 }
 
 void remove_all(Talk& talk, const std::vector<std::string>& ids) {
+    if (!ids.empty()) talk.last_gone = flat(talk.editor.placed(ids.front()).position);
     EditStep step;
     step.ids = ids;
     talk.editor.apply(step);
-    std::erase_if(talk.last, [&](const std::string& id) {
-        return std::find(ids.begin(), ids.end(), id) != ids.end();
-    });
+    std::erase_if(talk.last, [&](const std::string& id) { return std::find(ids.begin(), ids.end(), id) != ids.end(); });
 }
 
 void clear(Talk& talk, const Words& words) {
@@ -46,11 +45,14 @@ void clear(Talk& talk, const Words& words) {
 // "everything on the table", "everything but the sofa"; nothing: it does not speak of everything.
 bool remove_everything(Talk& talk, const Words& words) {
     std::size_t next = 1;
-    if (words.size() > 2 && words[0] == "all" && words[1] == "the" && is_one_of(words[2], {"things", "stuff"})) next = 3;
+    if (words.size() > 2 && words[0] == "all" && words[1] == "the" && is_one_of(words[2], {"things", "stuff"}))
+        next = 3;
     else if (words.size() > 1 && is_one_of(words[0], {"all", "the"}) && is_one_of(words[1], {"things", "stuff"}))
         next = 2;
     else if (!is_one_of(words.front(), {"everything", "anything", "all"})) return false;
     if (words.size() > next + 1 && words[next] == "else") ++next;
+    while (words.size() > next + 1 && is_one_of(words[next], {"that", "which", "stands", "stand", "is", "are", "lies"}))
+        ++next;
     const Words rest = part_of(words, next);
     if (rest.empty()) {
         std::vector<std::string> ids;
@@ -108,9 +110,9 @@ void want(Talk& talk, const Words& words) {
     std::size_t mark = find_word(words, {"should", "must", "shall", "needs", "need", "has", "have", "ought"}, 1);
     if (mark == words.size()) mark = std::min(find_word(words, {"to"}, 1), mark);
     std::size_t next = mark;
-    while (next < words.size() && is_one_of(words[next], {"should", "must", "shall", "needs", "need", "has", "have",
-                                                          "ought", "to", "be", "look", "become", "go", "stand",
-                                                          "move", "hang", "moved", "placed"}) &&
+    while (next < words.size() &&
+           is_one_of(words[next], {"should", "must", "shall", "needs", "need", "has", "have", "ought", "to", "be",
+                                   "look", "become", "go", "stand", "move", "hang", "moved", "placed"}) &&
            !(words[next] == "to" && next + 1 < words.size() && is_definite(words[next + 1])))
         ++next;
     const Words thing = part_of(words, 0, mark), rest = part_of(words, next);
@@ -164,7 +166,8 @@ std::vector<std::string> Talk::things(const Words& words) {
         std::vector<std::string> ids;
         for (const int i : all_named(editor, text_of(words)))
             ids.push_back(editor.document().things[static_cast<std::size_t>(i)].id);
-        std::erase_if(ids, [&](const std::string& id) { return std::find(last.begin(), last.end(), id) != last.end(); });
+        std::erase_if(ids,
+                      [&](const std::string& id) { return std::find(last.begin(), last.end(), id) != last.end(); });
         if (ids.size() == 1) return last = ids;
     }
     return last = named(editor, text_of(words));
@@ -226,7 +229,9 @@ bool says_value(const Words& words) {
 void Talk::act(const Clause& clause) {
     const Words& words = clause.words;
     if (clause.verb == Verb::refuse) refuse(clause);
-    if (words.empty()) throw UsageError("expected what to change after \"{}\", found the end of the sentence", clause.said);
+    there = clause.there;
+    if (words.empty())
+        throw UsageError("expected what to change after \"{}\", found the end of the sentence", clause.said);
     const std::size_t end = next_place(words), instead = find_word(words, {"instead"}, 1);
     if (instead + 2 < words.size() && words[instead + 1] == "of")
         return replace(*this, part_of(words, instead + 2), part_of(words, 0, instead));
@@ -265,7 +270,8 @@ void Talk::act(const Clause& clause) {
         case Verb::smaller: {
             Words all = words;
             const std::size_t by = find_word(all, {"by"}, 1);
-            all.insert(all.begin() + static_cast<std::ptrdiff_t>(by), clause.verb == Verb::larger ? "larger" : "smaller");
+            all.insert(all.begin() + static_cast<std::ptrdiff_t>(by),
+                       clause.verb == Verb::larger ? "larger" : "smaller");
             return make(*this, all);
         }
         case Verb::copy: return copy(*this, words);

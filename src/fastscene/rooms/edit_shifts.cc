@@ -31,21 +31,6 @@ constexpr std::array<Unit, 13> kUnits{{{"cm", 0.01f},
                                        {"feet", 0.305f},
                                        {"inches", 0.0254f}}};
 
-// Takes "50 cm", "half a meter", "1 m" out of the words.
-std::optional<float> take_length(Words& words) {
-    for (std::size_t i = 0; i + 1 < words.size(); ++i) {
-        const auto number = number_said(words[i]);
-        if (!number) continue;
-        std::size_t at = i + 1;
-        if (is_one_of(words[at], {"a", "of"}) && at + 1 < words.size()) ++at;
-        const auto unit = std::find_if(kUnits.begin(), kUnits.end(), [&](const Unit& u) { return u.word == words[at]; });
-        if (unit == kUnits.end()) continue;
-        words.erase(words.begin() + static_cast<std::ptrdiff_t>(i), words.begin() + static_cast<std::ptrdiff_t>(at) + 1);
-        return *number * unit->metres;
-    }
-    return {};
-}
-
 // Towards a thing or an opening from where something stands; nothing: there is none.
 std::optional<Vec3f> way_to(const Editor& editor, const Words& words, const Placed& from) {
     const Vec2f here = footprint_of(from).center;
@@ -112,6 +97,22 @@ std::optional<Vec3f> direction_of(const Editor& editor, Words words, const Place
 }
 
 }  // namespace
+
+std::optional<float> take_length(Words& words) {
+    for (std::size_t i = 0; i + 1 < words.size(); ++i) {
+        const auto number = number_said(words[i]);
+        if (!number) continue;
+        std::size_t at = i + 1;
+        if (is_one_of(words[at], {"a", "of"}) && at + 1 < words.size()) ++at;
+        const auto unit = std::find_if(kUnits.begin(), kUnits.end(),
+                                       [&](const Unit& u) { return u.word == words[at]; });
+        if (unit == kUnits.end()) continue;
+        words.erase(words.begin() + static_cast<std::ptrdiff_t>(i),
+                    words.begin() + static_cast<std::ptrdiff_t>(at) + 1);
+        return *number * unit->metres;
+    }
+    return {};
+}
 
 std::optional<EditStep> shift_of(const Editor& editor, const Words& words, const std::string& id) {
     Words rest = words;

@@ -120,7 +120,7 @@ std::size_t take_look(const Words& tokens, std::size_t i, PromptObject& out) {
     for (std::size_t length = std::min(kLongest, tokens.size() - i); length > 0; --length) {
         const std::string term = text_of(tokens, i, i + length);
         const auto word = look_up(term);
-        std::string* to = word && word->kind == WordKind::pattern ? &out.pattern
+        std::string* to = word && word->kind == WordKind::pattern                                     ? &out.pattern
                           : word && word->kind == WordKind::material && material_named(word->meaning) ? &out.material
                           : color_named(plain_name(term))                                             ? &out.color
                           : material_named(plain_name(term))                                          ? &out.material
@@ -163,6 +163,15 @@ std::optional<PromptObject> looks_of(const std::string& words) {
 std::optional<Value> value_of(const Words& words) {
     Value out;
     if (words.empty()) return {};
+    Words without = words;
+    if (const auto metres = take_length(without)) {
+        // "20 cm wider", "wider by 20 cm"
+        const auto factor = compared(without);
+        if (!factor) return {};
+        for (std::size_t a = 0; a < 3; ++a)
+            if ((*factor)[a] != 1) out.by[a] = (*factor)[a] > 1 ? *metres : -*metres;
+        return out;
+    }
     if (const auto factor = compared(words)) {
         out.factor = *factor;
         return out;

@@ -99,7 +99,7 @@ float volume_of(const Placed& p) { return p.piece.size_m.x * p.piece.size_m.y * 
 // "every second chair", "every other chair"
 void every_second(const std::vector<std::string>& words, std::vector<int>& found) {
     for (std::size_t i = 0; i + 1 < words.size(); ++i) {
-        const std::size_t step = words[i] != "every"                               ? 0
+        const std::size_t step = words[i] != "every"                            ? 0
                                  : is_one_of(words[i + 1], {"second", "other"}) ? 2
                                  : words[i + 1] == "third"                      ? 3
                                                                                 : 0;
@@ -241,16 +241,25 @@ void nearest_to(const Editor& editor, const std::string& kind, std::vector<int>&
         found = {*std::min_element(found.begin(), found.end(), [&](int a, int b) { return far(a) < far(b); })};
 }
 
+// Whether the phrase is in the words, in the plural as well.
+bool says_phrase(const Words& words, const Words& phrase) {
+    for (std::size_t i = 0; i + phrase.size() <= words.size(); ++i) {
+        Words there = part_of(words, i, i + phrase.size());
+        if (there.back() == phrase.back() + "s") there.back().pop_back();
+        if (there == phrase) return true;
+    }
+    return false;
+}
+
 // "the towel stack", "two dining tables": a kind of the room by its own name of several words, before any place.
 void by_kind(const Editor& editor, const std::vector<std::string>& tokens, PromptObject& said,
              std::vector<int>& found) {
-    const std::string head = " " + joined(part_of(tokens, 0, next_place(tokens))) + " ";
+    const Words head = part_of(tokens, 0, next_place(tokens));
     std::string best;
     for (const DocumentThing& t : editor.document().things) {
         const std::string name = in_words(t.kind);
-        if (name.find(' ') == std::string::npos || name.size() < best.size()) continue;
-        if (head.find(" " + name + " ") != std::string::npos || head.find(" " + name + "s ") != std::string::npos)
-            best = name;
+        const Words phrase = tokens_of(name);
+        if (phrase.size() > 1 && name.size() > best.size() && says_phrase(head, phrase)) best = name;
     }
     if (best.empty() || in_words(said.kind) == best) return;
     found.clear();
@@ -290,8 +299,7 @@ Meaning meaning_of(const Editor& editor, const std::string& words) {
     Meaning out;
     // The room's own meaning first: a kitchen's "cabinets" are its counter's.
     for (const bool in_room : {true, false}) {
-        const PromptSpec spec = in_room ? read_in_room(editor, plain)
-                                        : understand_prompt(plain, false, editor.pack());
+        const PromptSpec spec = in_room ? read_in_room(editor, plain) : understand_prompt(plain, false, editor.pack());
         if (spec.objects.empty()) continue;
         out.said = spec.objects.front();
         out.found = alike(editor.document(), out.said, says_several(tokens, out.said));
@@ -351,8 +359,8 @@ std::vector<std::string> named(const Editor& editor, const std::string& words) {
     const auto number = number_said(tokens.front());
     const bool all = has_word(tokens, {"all", "both", "every", "each"}) || says_several(tokens, said);
     // "Two chairs" of four, "a chair", "one of the chairs": the last ones.
-    const std::size_t count = number && *number >= 1                           ? static_cast<std::size_t>(*number)
-                              : said.counted && said.count > 1                 ? static_cast<std::size_t>(said.count)
+    const std::size_t count = number && *number >= 1                       ? static_cast<std::size_t>(*number)
+                              : said.counted && said.count > 1             ? static_cast<std::size_t>(said.count)
                               : is_one_of(tokens.front(), {"some", "any"}) ? 1
                                                                            : 0;
     if (count > found.size())
