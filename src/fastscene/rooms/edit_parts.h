@@ -1,10 +1,12 @@
 // What the edit*.cc files share.
 #pragma once
 
+#include <algorithm>
 #include <functional>
 #include <memory>
 #include <optional>
 #include <set>
+#include <string_view>
 #include <string>
 #include <utility>
 #include <vector>
@@ -150,6 +152,30 @@ std::vector<int> all_named(const Editor& editor, const std::string& words);
 std::vector<std::string> named(const Editor& editor, const std::string& words);
 [[noreturn]] void refuse_shell();
 
+// ---- edit_place_words.cc: the words of places
+
+struct Relation {
+    std::string name;
+    std::size_t next = 0;  // where the words of its place begin
+};
+std::optional<Relation> relation_at(const Words& words, std::size_t at);
+// "the far left corner", "another wall", "the window": a part of the room.
+struct Part {
+    std::string noun;  // corner, middle, wall, side, floor, ceiling, window, door, doorway, room
+    Words modifiers;
+    std::size_t next = 0;
+
+    bool says(std::initializer_list<std::string_view> any) const {
+        return std::any_of(modifiers.begin(), modifiers.end(),
+                           [&](const std::string& w) { return std::find(any.begin(), any.end(), w) != any.end(); });
+    }
+    bool is_other() const { return says({"other", "another", "different", "opposite"}); }
+};
+std::optional<Part> room_part(const Words& words, std::size_t at);
+std::string noun_of(const std::string& word);  // "corner", "wall", "window" …; empty: no part of a room
+// Where a place's words begin, from the second word on; the number of words: nowhere.
+std::size_t next_place(const Words& words, std::size_t from = 1);
+
 // ---- edit_places.cc: where words say
 
 // A place's steps: relation, relation_to, at, wall …; nothing where the words are no place. `thing`: what is to stand
@@ -163,8 +189,6 @@ std::optional<Place> place_of(const Editor& editor, const Words& words, const st
                               const std::string& mover);
 // The things that a place is at.
 std::vector<std::string> things_at(const Editor& editor, const EditStep& place);
-// Where a place's words begin, from the second word on; the number of words: nowhere.
-std::size_t next_place(const Words& words, std::size_t from = 1);
 // Takes "50 cm", "half a meter" out of the words: metres.
 std::optional<float> take_length(Words& words);
 // "50 cm to the left", "closer to the window": by how much things are to be moved.
