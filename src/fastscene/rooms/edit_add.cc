@@ -67,6 +67,15 @@ Addition addition_of(const Editor& editor, const Words& words) {
         const Words there = part_of(words, end);
         // "a table in oak"
         if (value_of(part_of(there, 1))) continue;
+        // "a side table next to the sofa with a lamp on it"
+        if (const std::size_t with = find_word(there, {"with"}, 1); with < there.size()) {
+            Words all = part_of(words, 0, end);
+            Words rest = part_of(there, with);
+            if (rest.size() > 2 && rest.back() == "it") rest.resize(rest.size() - 2);
+            all.insert(all.end(), rest.begin(), rest.end());
+            const auto both = wishes_of(editor, all);
+            if (auto place = place_of(editor, part_of(there, 0, with), both.front().kind, "")) return {both, place};
+        }
         const auto wishes = wishes_of(editor, part_of(words, 0, end));
         if (auto place = place_of(editor, there, wishes.front().kind, "")) return {wishes, place};
     }

@@ -292,11 +292,16 @@ void Editor::place_one(int index, const std::vector<int>& along, EditStep step) 
     if (std::find(step.at.begin(), step.at.end(), id) != step.at.end())
         throw UsageError("{}: it cannot stand{}", id, place_in_words(step));
     const std::vector<Placed> all = laid_out(standing, step, &was);
-    constexpr float kSame = 2e-3f, kThere = 0.02f;  // metres
+    constexpr float kSame = 2e-3f, kThere = 0.02f, kNudge = 0.25f;  // metres
     if (all.size() != standing.placed.size() + 1 || length(all.back().piece.size_m - was.piece.size_m) > kSame)
         throw Error("{}: there is no free place for it{}", id, place_in_words(step));
     const Placed& found = all.back();
-    if (length(found.position - was.position) < kThere) throw Error("{}: it stands there already", id);
+    PromptObject now = wish;
+    now.id = -2;  // none of those that stand there
+    const bool there = step.wall < 0 && !step.elsewhere && step.at.empty() && !wish.relation.empty() &&
+                       is_where_asked(plan(), room_.furnished.placed, placed(index), now);
+    if (length(found.position - was.position) < (there ? kNudge : kThere))
+        throw Error("{}: it stands there already", id);
     try {
         checked([&] { stand_at_found(index, found, standing, step, along); });
     } catch (const Error& e) {

@@ -214,6 +214,7 @@ std::optional<PromptObject> looks_of(const std::string& words);
 struct Talk {
     Editor& editor;
     std::vector<std::string> last{};   // the things last spoken of: "it"
+    std::string noun{};               // what they are called: "one"
     EditStep last_place{};             // where they were put
     bool there = false;                // the clause ends with "there"
     std::optional<Vec2f> last_gone{};  // where what was removed last stood: "there"

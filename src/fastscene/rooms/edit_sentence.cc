@@ -49,6 +49,9 @@ bool remove_everything(Talk& talk, const Words& words) {
         next = 3;
     else if (words.size() > 1 && is_one_of(words[0], {"all", "the"}) && is_one_of(words[1], {"things", "stuff"}))
         next = 2;
+    else if (words.size() > 1 && words[0] == "the" &&
+             is_one_of(words[1], {"clutter", "mess", "objects", "items", "decoration", "decorations"}))
+        next = 2;
     else if (!is_one_of(words.front(), {"everything", "anything", "all"})) return false;
     if (words.size() > next + 1 && words[next] == "else") ++next;
     while (words.size() > next + 1 && is_one_of(words[next], {"that", "which", "stands", "stand", "is", "are", "lies"}))
@@ -159,6 +162,12 @@ std::vector<std::string> Talk::things(const Words& words) {
         if (last.empty()) throw UsageError("what is \"{}\"? nothing was named before", words.front());
         return last;
     }
+    // "the first one"
+    if (words.size() > 1 && is_one_of(words.back(), {"one", "ones"}) && !noun.empty()) {
+        Words all = words;
+        all.back() = noun;
+        return things(all);
+    }
     const std::size_t except = find_word(words, {"except", "but", "excluding", "besides"}, 1);
     if (except + 1 < words.size()) return last = all_but(part_of(words, 0, except), part_of(words, except + 1));
     // "the other armchair": not that one which was spoken of.
@@ -170,7 +179,9 @@ std::vector<std::string> Talk::things(const Words& words) {
                       [&](const std::string& id) { return std::find(last.begin(), last.end(), id) != last.end(); });
         if (ids.size() == 1) return last = ids;
     }
-    return last = named(editor, text_of(words));
+    last = named(editor, text_of(words));
+    noun = in_words(asked_kind(editor.placed(last.front())));
+    return last;
 }
 
 // "all pictures except the largest one"

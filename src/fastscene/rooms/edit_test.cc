@@ -60,7 +60,8 @@ Difference difference(const RoomDocument& before, const RoomDocument& after) {
         }
         const DocumentThing& n = *found->second;
         if (n.position != t->position || n.yaw != t->yaw) out.moved.insert(id);
-        if (n.color != t->color || n.material != t->material || n.seed != t->seed || n.size_m != t->size_m)
+        if (n.color != t->color || n.material != t->material || n.holder_color != t->holder_color ||
+            n.seed != t->seed || n.size_m != t->size_m)
             out.other.insert(id);
     }
     for (const auto& [id, t] : now)

@@ -27,10 +27,13 @@ bool has_word(const std::vector<std::string>& words, std::initializer_list<std::
                        [&](const std::string& w) { return std::find(any.begin(), any.end(), w) != any.end(); });
 }
 
-// "coffee_table" and "dining_table_round" are tables, "table_lamp" is none.
+// "coffee_table" and "dining_table_round" are tables, "table_lamp" and "picture_ledge" are no table and no picture.
 bool is_a(const std::string& kind, const std::string& word) {
     if (kind == word || kind.ends_with("_" + word)) return true;
-    return ("_" + kind).find("_" + word + "_") != std::string::npos && nyu40_label(kind) == nyu40_label(word);
+    const std::string all = "_" + kind;
+    const auto at = all.find("_" + word + "_");
+    return at != std::string::npos &&
+           is_one_of(all.substr(at + word.size() + 2), {"round", "small", "tree", "single", "tall", "low", "corner"});
 }
 
 std::string singular(const std::string& word) {
@@ -296,12 +299,19 @@ void with_place(const Editor& editor, const PromptSpec& spec, std::vector<int>& 
 Meaning meaning_of(const Editor& editor, const std::string& words) {
     const std::vector<std::string> tokens = tokens_of(words);
     const std::string plain = without_number(tokens);
+    const std::size_t place = next_place(tokens);
     Meaning out;
     // The room's own meaning first: a kitchen's "cabinets" are its counter's.
     for (const bool in_room : {true, false}) {
         const PromptSpec spec = in_room ? read_in_room(editor, plain) : understand_prompt(plain, false, editor.pack());
         if (spec.objects.empty()) continue;
         out.said = spec.objects.front();
+        // Of "the clutter on the desk" the desk is the place.
+        const Words noun = tokens_of(out.said.words);
+        if (!says_phrase(part_of(tokens, 0, place), noun) && says_phrase(part_of(tokens, place), noun)) {
+            out.said = {};
+            continue;
+        }
         out.found = alike(editor.document(), out.said, says_several(tokens, out.said));
         by_kind(editor, tokens, out.said, out.found);
         with_looks(out.said, editor, out.found);
