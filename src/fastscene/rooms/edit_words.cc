@@ -32,8 +32,8 @@ bool is_a(const std::string& kind, const std::string& word) {
     if (kind == word || kind.ends_with("_" + word)) return true;
     const std::string all = "_" + kind;
     const auto at = all.find("_" + word + "_");
-    return at != std::string::npos &&
-           is_one_of(all.substr(at + word.size() + 2), {"round", "small", "tree", "single", "tall", "low", "corner"});
+    return at != std::string::npos && is_one_of(all.substr(at + word.size() + 2), {"round", "small", "tree", "blocks",
+                                                                                   "single", "tall", "low", "corner"});
 }
 
 std::string singular(const std::string& word) {
