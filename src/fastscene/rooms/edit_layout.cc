@@ -215,14 +215,15 @@ bool Editor::at_a_wall(Layout& layout, const EditStep& step, const Placed* movin
     return false;
 }
 
-// Near a point, for what stands on the floor.
+// Near a point, for what stands on the floor or hangs on a wall.
 bool Editor::near_a_point(Layout& layout, const EditStep& step) const {
     constexpr float kReach = 1.2f;  // metres
     const PromptObject& wish = layout.spec().objects[0];
     const Layout::WallWish there{.near = step.position, .center_pull = 0, .at_most_from_near = kReach};
     if (!layout.why_not(wish.kind).empty()) return false;
     const PieceRequest request = layout.request(wish.kind, &wish);
-    return make_piece(request).mount == Mount::floor && layout.against_wall(request, there, wish).has_value();
+    const Mount mount = make_piece(request).mount;
+    return (mount == Mount::floor || mount == Mount::wall) && layout.against_wall(request, there, wish).has_value();
 }
 
 // Lays out what is wished for among what stands; `moving` is made as it was. Nothing: there is no place for all of it.
