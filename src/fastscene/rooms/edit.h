@@ -15,19 +15,32 @@ struct EditStep {
         remove,   // what stands on it goes as well
         move,     // to `position` and `yaw`; what stands on it moves along
         place,    // moves it to where `wish` says: relation, relation_to
+        shift,    // by `by`
         turn,     // by `yaw`
+        face,     // turns it towards what `wish` says: relation_to
+        swap,     // the first of `ids` and the second change places
         recolor,  // color, material, pattern; on a surface (wall, floor, ceiling, trim) as `surface`
         resize,   // by `factor`
         add,      // `wish`, where it says, near `position`, or where such things stand
+        replace,  // by `wish`, as many as it says, each where one of `ids` stood
         restyle,  // the room, by `value`
         light,    // hour, weather or lamps, by `value`
     } kind = Kind::remove;
     std::vector<std::string> ids;  // of things; none for add, restyle and light
     std::string surface;
-    PromptObject wish{};              // what to add; of a move the place, of a recoloring the looks
+    PromptObject wish{};  // what to add; of a move the place, of a recoloring the looks
+    // Of a place: the very things that relation_to and relation_and mean; none: any of that kind.
+    std::vector<std::string> at{}, at_and{};
+    int wall = -1;                    // … at this wall
+    bool elsewhere = false;           // … not where it is now: another wall, another corner
+    bool opposite = false;            // … but at the wall that faces it
+    bool each = false;                // add: in as many corners as have room
     std::optional<Vec2f> position{};  // x, z in the room
     std::optional<float> yaw{};       // radians
-    float factor = 1;
+    Vec3f by{};                       // metres: as much of it as there is room for, or `exactly`
+    bool exactly = false;
+    Vec3f factor{1, 1, 1};  // of width, height, depth
+    float brighter = 1;     // recolor: the color that it has, so many times as bright
     std::string value;
 };
 

@@ -1,15 +1,24 @@
 // What the edit*.cc files share.
 #pragma once
 
+#include <algorithm>
+#include <functional>
 #include <memory>
+#include <optional>
+#include <set>
+#include <string_view>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "fastscene/rooms/edit.h"
 
 namespace fastscene::editing {
 
-// A document while it is edited, with its room.
+std::string in_words(std::string kind);  // "coffee_table" -> "coffee table"
+
+// A document while it is edited, with its room. edit.cc; poses in edit_poses.cc, places in edit_layout.cc,
+// exchanges in edit_exchange.cc.
 class Editor {
   public:
     Editor(const RoomDocument& document, std::shared_ptr<const FurniturePack> pack, const Run& run);
@@ -17,31 +26,73 @@ class Editor {
     void apply(const EditStep& step);
     const RoomDocument& document() const { return result_.document; }
     const DocumentRoom& room() const { return room_; }
+    const Plan& plan() const { return room_.furnished.plan; }
     const std::shared_ptr<const FurniturePack>& pack() const { return pack_; }
     const EditResult& result() const { return result_; }
+    int index_of(const std::string& id) const;
+    const Placed& placed(const std::string& id) const;
+    // With all that stands on them.
+    std::vector<int> with_riders(const std::vector<int>& roots) const;
 
   private:
+    struct Pose {
+        Vec3f position;
+        float yaw = 0;
+    };
+    // What stands without some of it, and which of the room's things each one is.
+    struct Standing {
+        std::vector<Placed> placed;
+        std::vector<int> was, now;
+    };
+
     void build();
-    int index_of(const std::string& id) const;
-    std::vector<int> with_riders(const std::vector<int>& roots) const;
     void tell(const std::string& id, const std::string& what);
-    void carry(int index, Vec3f position, float yaw, const std::vector<int>& along);
-    std::vector<int> seats_at(int table) const;
-    void place_one(int index, const std::vector<int>& along, PromptObject wish);
-    std::vector<Placed> with_added(const PromptObject& asked, const std::optional<Vec2f>& near) const;
-    template <class Change>
-    void checked(const Change& change);
-    std::vector<Placed> laid_out(const std::vector<Placed>& standing, const PromptObject& wish, const Placed* moving,
-                                 const std::optional<Vec2f>& near) const;
+    DocumentThing& thing(int index) { return result_.document.things[static_cast<std::size_t>(index)]; }
+    const Placed& placed(int index) const { return room_.furnished.placed[static_cast<std::size_t>(index)]; }
     std::string new_id(const std::string& kind) const;
 
-    void take(const std::vector<std::string>& ids);
+    // ---- edit_poses.cc
+    void set_pose(int index, Pose pose, const std::vector<int>& along);
+    void tell_pose(int index, Vec3f from);
+    void checked(const std::function<void()>& change);
+    std::string new_fault(const std::vector<Placed>& all) const;
+    std::vector<Placed> with_pose(int index, Pose pose, const std::vector<int>& along) const;
+    std::vector<int> seats_at(int table) const;
+    std::optional<Vec2f> target_of(const EditStep& step, int from) const;
     void move(const EditStep& step);
+    void shift(const EditStep& step);
+    void face(const EditStep& step);
+    void resize(const EditStep& step);
+    void resize_one(int index, Vec3f factor);
+    void keep_seats(int index, const Placed& before);
+    void carry_riders(int index, const Placed& before, Vec3f factor);
+
+    // ---- edit_layout.cc
+    Standing without(const std::vector<int>& gone) const;
+    std::vector<Placed> laid_out(const Standing& standing, const EditStep& step, const Placed* moving) const;
+    Layout begin_layout(PromptSpec& spec, Random& rng, const std::vector<Placed>& standing, const Placed* moving) const;
+    bool at_a_wall(Layout& layout, const EditStep& step, const Placed* moving) const;
+    bool near_a_point(Layout& layout, const EditStep& step) const;
+    std::string why_none_added(EditStep step) const;
     void place(const EditStep& step);
+    void place_one(int index, const std::vector<int>& along, EditStep step);
+    void stand_at_found(int index, const Placed& found, const Standing& standing, const EditStep& step,
+                        const std::vector<int>& along);
+    std::vector<Placed> with_added(const EditStep& step) const;
     void add(const EditStep& step);
+    std::vector<std::string> admit(const std::vector<Placed>& all, const Standing& standing, const std::string& how);
+
+    // ---- edit_exchange.cc
+    void swap(const EditStep& step);
+    void replace(const EditStep& step);
+    std::vector<Placed> in_place_of(const std::vector<Placed>& all, const Standing& standing, const EditStep& step,
+                                    const Placed& old, int nth, int here) const;
+    void set_down(const std::vector<std::pair<std::string, int>>& riders, const std::vector<std::string>& onto);
+
+    // ---- edit.cc
+    void take(const std::vector<std::string>& ids);
     void recolor(const EditStep& step);
     void recolor_surface(const EditStep& step, const std::string& said);
-    void resize(const EditStep& step);
     void restyle(const std::string& name);
     void light(const std::string& value);
 
@@ -51,8 +102,144 @@ class Editor {
     DocumentRoom room_;
 };
 
-// The things that words mean in a room.
-std::vector<std::string> named(const RoomDocument& document, const DocumentRoom& room, const std::string& words,
-                               const std::shared_ptr<const FurniturePack>& pack);
+// ---- edit_clauses.cc: a sentence as clauses, each with its verb
+
+using Words = std::vector<std::string>;
+
+enum class Verb : unsigned char {
+    none,
+    remove,
+    clear,  // "clear the table": what stands on it goes
+    move,
+    put,
+    make,
+    add,
+    want,  // "I want a plant", "the sofa should be green": the rest says what is to be done
+    replace,
+    swap,
+    turn,
+    face,
+    color,
+    larger,
+    smaller,
+    copy,
+    refuse,  // understood, and nothing that a sentence does
+};
+struct Clause {
+    Verb verb = Verb::none;
+    std::string said;  // the verb's word
+    Words words;
+    bool there = false;  // it ended with "there", "in its place"
+};
+std::vector<Clause> clauses_of(const std::string& sentence);
+
+std::string text_of(const Words& words, std::size_t from = 0, std::size_t to = std::string::npos);
+Words part_of(const Words& words, std::size_t from, std::size_t to = std::string::npos);
+bool is_joint(const std::string& word);     // a comma, "and" …
+bool is_definite(const std::string& word);  // "the", "my" …
+bool begins_anew(const Words& words);       // "a plant", "two chairs", "another lamp", "books": none of those there
+// What stands between joints. "Between the bed and the window" is one.
+std::vector<Words> parts_of(const Words& words);
+std::optional<float> number_said(const std::string& word);  // "3", "two", "half"
+
+// ---- edit_words.cc: which things of the room words mean
+
+// The words as a prompt about such a room.
+PromptSpec read_in_room(const Editor& editor, const std::string& words);
+// All that they may mean; none if nothing is like it.
+std::vector<int> all_named(const Editor& editor, const std::string& words);
+// Throws UsageError for none, or for several where one is meant.
+std::vector<std::string> named(const Editor& editor, const std::string& words);
+[[noreturn]] void refuse_shell();
+
+// ---- edit_place_words.cc: the words of places
+
+struct Relation {
+    std::string name;
+    std::size_t next = 0;  // where the words of its place begin
+};
+std::optional<Relation> relation_at(const Words& words, std::size_t at);
+// "the far left corner", "another wall", "the window": a part of the room.
+struct Part {
+    std::string noun;  // corner, middle, wall, side, floor, ceiling, window, door, doorway, room
+    Words modifiers;
+    std::size_t next = 0;
+
+    bool says(std::initializer_list<std::string_view> any) const {
+        return std::any_of(modifiers.begin(), modifiers.end(),
+                           [&](const std::string& w) { return std::find(any.begin(), any.end(), w) != any.end(); });
+    }
+    bool is_other() const { return says({"other", "another", "different", "opposite"}); }
+};
+std::optional<Part> room_part(const Words& words, std::size_t at);
+std::string noun_of(const std::string& word);  // "corner", "wall", "window" …; empty: no part of a room
+// Where a place's words begin, from the second word on; the number of words: nowhere.
+std::size_t next_place(const Words& words, std::size_t from = 1);
+
+// ---- edit_places.cc: where words say
+
+// A place's steps: relation, relation_to, at, wall …; nothing where the words are no place. `thing`: what is to stand
+// there, the first of its kind or a new one.
+struct Place {
+    EditStep step;
+    std::vector<std::vector<std::string>> each_at;  // "on both nightstands": one at each
+};
+// `mover`: the id of what is to move there; empty: it comes new.
+std::optional<Place> place_of(const Editor& editor, const Words& words, const std::string& kind,
+                              const std::string& mover);
+// The things that a place is at.
+std::vector<std::string> things_at(const Editor& editor, const EditStep& place);
+// Takes "50 cm", "half a meter" out of the words: metres.
+std::optional<float> take_length(Words& words);
+// "50 cm to the left", "closer to the window": by how much things are to be moved.
+std::optional<EditStep> shift_of(const Editor& editor, const Words& words, const std::string& id);
+
+// ---- edit_values.cc: how words want things to be
+
+struct Value {
+    PromptObject looks;  // color, material, pattern
+    Vec3f factor{1, 1, 1};
+    Vec3f by{};  // metres
+    float brighter = 1;
+    bool resizes() const { return !(factor == Vec3f{1, 1, 1}) || !(by == Vec3f{}); }
+};
+// Nothing unless all the words are looks or sizes.
+std::optional<Value> value_of(const Words& words);
+// "green", "light blue and white": nothing unless all are looks.
+std::optional<PromptObject> looks_of(const std::string& words);
+
+// ---- edit_sentence.cc: what clauses do
+
+// A sentence while it is acted on.
+struct Talk {
+    Editor& editor;
+    std::vector<std::string> last{};   // the things last spoken of: "it"
+    std::string noun{};               // what they are called: "one"
+    EditStep last_place{};             // where they were put
+    bool there = false;                // the clause ends with "there"
+    std::optional<Vec2f> last_gone{};  // where what was removed last stood: "there"
+
+    std::vector<std::string> things(const Words& words);
+    std::vector<std::string> things_of_parts(const Words& words);
+    std::vector<std::string> all_but(const Words& words, Words others);
+    void act(const Clause& clause);
+};
+std::string asked_kind(const Placed& p);  // as it was asked for
+std::size_t find_word(const Words& words, std::initializer_list<std::string_view> any, std::size_t from = 0);
+void add_new(std::vector<std::string>& to, const std::vector<std::string>& more);
+// ---- edit_move.cc
+void move(Talk& talk, const Words& words);
+void turn(Talk& talk, const Words& words);
+void face(Talk& talk, const Words& words);  // "the sofa towards the tv", "the chair at the desk"
+// ---- edit_add.cc
+void add(Talk& talk, const Words& words);
+void copy(Talk& talk, const Words& words);
+void replace(Talk& talk, const Words& old, const Words& by);
+void swap(Talk& talk, Words words);
+// ---- edit_make.cc
+// "the sofa green", "it night", "the walls sage", "the rug larger", "the style to japandi"
+void make(Talk& talk, const Words& words);
+// "the lamps on": what is to become of the lamps; empty: the words are not about that.
+std::string lamps_said(const Words& words);
 
 }  // namespace fastscene::editing

@@ -1,14 +1,15 @@
-// Which things of a room words mean, and which looks.
+// Which things of a room words mean.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numeric>
 
 #include "fastscene/base/error.h"
 #include "fastscene/base/is_one_of.h"
-#include "fastscene/rooms/document_parts.h"
+#include "fastscene/rooms/catalogue.h"
 #include "fastscene/rooms/edit_parts.h"
 #include "fastscene/rooms/layout_relations.h"
 #include "fastscene/rooms/lexicon.h"
@@ -26,10 +27,13 @@ bool has_word(const std::vector<std::string>& words, std::initializer_list<std::
                        [&](const std::string& w) { return std::find(any.begin(), any.end(), w) != any.end(); });
 }
 
-// "coffee_table" is a table: one of the words of its kind is that.
+// "coffee_table" and "dining_table_round" are tables, "table_lamp" and "picture_ledge" are no table and no picture.
 bool is_a(const std::string& kind, const std::string& word) {
-    const std::string all = "_" + kind + "_";
-    return all.find("_" + word + "_") != std::string::npos;
+    if (kind == word || kind.ends_with("_" + word)) return true;
+    const std::string all = "_" + kind;
+    const auto at = all.find("_" + word + "_");
+    return at != std::string::npos && is_one_of(all.substr(at + word.size() + 2), {"round", "small", "tree", "blocks",
+                                                                                   "single", "tall", "low", "corner"});
 }
 
 std::string singular(const std::string& word) {
@@ -64,41 +68,72 @@ std::string whereabouts(const RoomDocument& document, const DocumentRoom& room, 
     return fmt::format("at x {:.1f}, z {:.1f}", t.position.x, t.position.z);
 }
 
-// Things of the kind that words name: of that very kind, else of one that the word is a part of.
-std::vector<std::size_t> alike(const RoomDocument& document, const PromptObject& said) {
-    std::vector<std::size_t> exact, near;
-    std::string last = said.words.substr(said.words.rfind(' ') + 1);
-    last = singular(last);
+bool says_several(const std::vector<std::string>& words, const PromptObject& said) {
+    return has_word(words, {"all", "both", "every", "each"}) || said.count > 1 || said.words.ends_with("s");
+}
+
+// Things of the kind that words name: of that very kind, else of one that the word is a part of ("table" of a coffee
+// table), else of one whose name ends so ("chair" of an armchair).
+std::vector<int> alike(const RoomDocument& document, const PromptObject& said, bool several) {
+    std::vector<int> exact, near, ending;
+    const std::string last = singular(said.words.substr(said.words.rfind(' ') + 1));
     for (std::size_t i = 0; i < document.things.size(); ++i) {
         const DocumentThing& t = document.things[i];
         const std::string asked = t.asked ? t.asked->kind : "";
-        if (t.kind == said.kind || asked == said.kind) exact.push_back(i);
-        if (is_a(t.kind, last) || (!asked.empty() && is_a(asked, last)) || t.kind == said.kind || asked == said.kind)
-            near.push_back(i);
+        const bool is = t.kind == said.kind || asked == said.kind;
+        if (is) exact.push_back(static_cast<int>(i));
+        if (is || is_a(t.kind, last) || (!asked.empty() && is_a(asked, last))) near.push_back(static_cast<int>(i));
+        if (t.kind.ends_with(last)) ending.push_back(static_cast<int>(i));
     }
-    // "A table" is any, "a chair" first of all a chair.
+    // "A table" is any, "a chair" first of all a chair; "all plants" are trees as well, "console tables" nothing else.
     const bool by_name = plain_name(said.kind) == plain_name(singular(said.words));
-    return by_name && !exact.empty() ? exact : near;
+    const bool one_word = said.words.find(' ') == std::string::npos;
+    if (!exact.empty() && (!one_word || (by_name && !several))) return exact;
+    return near.empty() ? ending : near;
 }
 
 float to_the_right(const DocumentRoom& room, const DocumentThing& t) {
     const Vec3f looks = room.furnished.looks, d = t.position - room.furnished.camera;
-    return dot(d, cross(Vec3f{0, 1, 0}, looks));
+    return dot(d, cross(looks, Vec3f{0, 1, 0}));
 }
 
-// "the second chair", "the left nightstand".
-void pick(const std::vector<std::string>& words, const RoomDocument& document, const DocumentRoom& room,
-          std::vector<std::size_t>& found) {
+float volume_of(const Placed& p) { return p.piece.size_m.x * p.piece.size_m.y * p.piece.size_m.z; }
+
+// "every second chair", "every other chair"
+void every_second(const std::vector<std::string>& words, std::vector<int>& found) {
+    for (std::size_t i = 0; i + 1 < words.size(); ++i) {
+        const std::size_t step = words[i] != "every"                            ? 0
+                                 : is_one_of(words[i + 1], {"second", "other"}) ? 2
+                                 : words[i + 1] == "third"                      ? 3
+                                                                                : 0;
+        if (step == 0) continue;
+        std::vector<int> out;
+        for (std::size_t k = step - 1; k < found.size(); k += step) out.push_back(found[k]);
+        found = out;
+    }
+}
+
+// "the second chair", "the last one", "the left nightstand", "the larger plant".
+void pick(const std::vector<std::string>& words, const PromptObject& said, const Editor& editor,
+          std::vector<int>& found) {
     static constexpr std::array<std::string_view, 5> kOrdinals{"first", "second", "third", "fourth", "fifth"};
-    for (std::size_t k = 0; k < kOrdinals.size() && found.size() > 1; ++k)
+    for (std::size_t k = 0; k < kOrdinals.size() && found.size() > 1 && !has_word(words, {"every", "each"}); ++k)
         if (has_word(words, {kOrdinals[k]}) && k < found.size()) found = {found[k]};
-    const bool left = has_word(words, {"left"}), right = has_word(words, {"right"});
-    if (found.size() < 2 || left == right) return;
-    const auto by_side = [&](std::size_t a, std::size_t b) {
-        return to_the_right(room, document.things[a]) < to_the_right(room, document.things[b]);
+    every_second(words, found);
+    if (found.size() < 2) return;
+    if (has_word(words, {"last"})) found = {found.back()};
+    const auto extreme = [&](const auto& measure, bool most) {
+        const auto less = [&](int a, int b) { return measure(a) < measure(b); };
+        found = {most ? *std::max_element(found.begin(), found.end(), less)
+                      : *std::min_element(found.begin(), found.end(), less)};
     };
-    found = {left ? *std::min_element(found.begin(), found.end(), by_side)
-                  : *std::max_element(found.begin(), found.end(), by_side)};
+    const bool left = has_word(words, {"left", "leftmost"}), right = has_word(words, {"right", "rightmost"});
+    const auto all = [&](int i) -> const DocumentThing& {
+        return editor.document().things[static_cast<std::size_t>(i)];
+    };
+    if (left != right) extreme([&](int i) { return to_the_right(editor.room(), all(i)); }, right);
+    else if (said.size == "large" || said.size == "small")
+        extreme([&](int i) { return volume_of(editor.placed(all(i).id)); }, said.size == "large");
 }
 
 bool has_looks(const DocumentThing& t, const PromptObject& said) {
@@ -110,55 +145,241 @@ bool has_looks(const DocumentThing& t, const PromptObject& said) {
             (t.asked && is(t.asked->material, said.material)));
 }
 
-[[noreturn]] void refuse_many(const std::string& words, const RoomDocument& document, const DocumentRoom& room,
-                              const std::vector<std::size_t>& found) {
-    std::vector<std::string> list;
-    for (const std::size_t i : found) list.push_back(document.things[i].id + " " + whereabouts(document, room, i));
-    throw UsageError("which {}? {}", words, fmt::join(list, ", "));
+// The color of a thing that was made in the style's.
+float difference(const Placed& p, const std::string& color) {
+    const auto named = color_named(plain_name(color));
+    const auto main = static_cast<std::size_t>(p.piece.main_material);
+    return named && main < p.piece.materials.size() ? length(p.piece.materials[main].color_a - *named) : 0.f;
 }
 
-[[noreturn]] void refuse_none(const std::string& words, const RoomDocument& document) {
-    std::vector<std::string> ids;
-    for (const DocumentThing& t : document.things) ids.push_back(t.id);
-    throw UsageError("there is no \"{}\" in the room; there are {}", words, fmt::join(ids, ", "));
-}
-
-}  // namespace
-
-std::vector<std::string> named(const RoomDocument& document, const DocumentRoom& room, const std::string& words,
-                               const std::shared_ptr<const FurniturePack>& pack) {
-    const std::vector<std::string> tokens = tokens_of(words);
-    const std::string text = joined(tokens);
-    for (const DocumentThing& t : document.things) {
-        const std::string id = joined(tokens_of(t.id));
-        if (t.id == words || text == id || text == "the " + id) return {t.id};
+// Those that were said to look so; where nobody said how they look, the one that looks most like it.
+void with_looks(const PromptObject& said, const Editor& editor, std::vector<int>& found) {
+    std::vector<int> out;
+    for (const int i : found)
+        if (has_looks(editor.document().things[static_cast<std::size_t>(i)], said)) out.push_back(i);
+    if (!out.empty() || found.size() < 2) {
+        if (!out.empty()) found = out;
+        return;
     }
-    const PromptSpec spec = understand_prompt(words, false, pack);
-    if (spec.objects.empty()) refuse_none(words, document);
-    const PromptObject& said = spec.objects.front();
-    std::vector<std::size_t> found = alike(document, said);
-    std::erase_if(found, [&](std::size_t i) { return !has_looks(document.things[i], said); });
-    PromptObject where = said;
+    constexpr float kLike = 0.25f;  // of linear albedos
+    const auto& all = editor.room().furnished.placed;
+    const auto off = [&](int i) { return difference(all[static_cast<std::size_t>(i)], said.color); };
+    std::erase_if(found, [&](int i) { return !said.color.empty() && off(i) > kLike; });
+}
+
+[[noreturn]] void refuse_many(const std::string& words, const Editor& editor, const std::vector<int>& found) {
+    constexpr std::size_t kMost = 6;
+    std::vector<std::string> list;
+    for (const int i : found) {
+        if (list.size() == kMost) break;
+        list.push_back(editor.document().things[static_cast<std::size_t>(i)].id + " " +
+                       whereabouts(editor.document(), editor.room(), static_cast<std::size_t>(i)));
+    }
+    throw UsageError("which {}? {}{}", words, fmt::join(list, ", "),
+                     found.size() > kMost ? fmt::format(" and {} more", found.size() - kMost) : "");
+}
+
+// With the few that are most like it: of its class, or the largest.
+[[noreturn]] void refuse_none(const std::string& words, const Editor& editor, const std::string& kind) {
+    const std::vector<DocumentThing>& things = editor.document().things;
+    std::vector<int> order(things.size());
+    std::iota(order.begin(), order.end(), 0);
+    const int label = kind.empty() ? -1 : nyu40_label(kind);
+    const auto rank = [&](int i) {
+        const DocumentThing& t = things[static_cast<std::size_t>(i)];
+        return (nyu40_label(t.kind) == label ? 1e3f : 0.f) + volume_of(editor.placed(t.id));
+    };
+    std::stable_sort(order.begin(), order.end(), [&](int a, int b) { return rank(a) > rank(b); });
+    constexpr std::size_t kMost = 5;
+    std::vector<std::string> near;
+    for (const int i : order)
+        if (near.size() < kMost) near.push_back(things[static_cast<std::size_t>(i)].id);
+    throw UsageError("there is no \"{}\" in the room; there are {}{}", words, fmt::join(near, ", "),
+                     things.size() > near.size() ? " and smaller things" : "");
+}
+
+// "Two of the chairs" are chairs.
+std::string without_number(const std::vector<std::string>& tokens) {
+    if (tokens.size() < 3 || tokens[1] != "of") return joined(tokens);
+    if (!number_said(tokens[0]) && !is_one_of(tokens[0], {"all", "both", "each", "some", "any"})) return joined(tokens);
+    std::vector<std::string> rest(tokens.begin() + 2, tokens.end());
+    if (tokens[0] == "all" || tokens[0] == "both" || tokens[0] == "each") rest.insert(rest.begin(), tokens[0]);
+    return joined(rest);
+}
+
+// What words mean, before it is known whether one or several were meant.
+struct Meaning {
+    PromptObject said;
+    std::vector<int> found;
+    bool unknown = false;  // the words name no thing at all
+};
+
+// The bed has the bedding.
+std::vector<int> with_part(const Editor& editor, const std::vector<std::string>& tokens) {
+    std::vector<std::string> bare = tokens;
+    std::erase_if(bare, [](const std::string& w) { return is_one_of(w, {"the", "my", "of", "a"}); });
+    const auto word = look_up(joined(bare));
+    std::vector<int> out;
+    if (!word || word->kind != WordKind::detail || word->meaning != "textile") return out;
+    for (std::size_t i = 0; i < editor.document().things.size(); ++i)
+        if (has_role(editor.document().things[i].kind, Role::bed)) out.push_back(static_cast<int>(i));
+    return out;
+}
+
+// "The table near the door", where none is close to it: the nearest.
+void nearest_to(const Editor& editor, const std::string& kind, std::vector<int>& found) {
+    const FurnishedRoom& room = editor.room().furnished;
+    std::vector<Vec2f> places;
+    for (const Opening& o : room.plan.openings)
+        if (is_opening_of(o, kind)) places.push_back(flat(room.plan.wall(o.wall).point((o.u0 + o.u1) / 2, 0)));
+    for (const Placed& p : room.placed)
+        if (p.piece.kind == kind || p.wish.kind == kind) places.push_back(footprint_of(p).center);
+    const auto far = [&](int i) {
+        float least = 1e9f;
+        for (const Vec2f at : places)
+            least = std::min(least, distance_to(footprint_of(room.placed[static_cast<std::size_t>(i)]), at));
+        return least;
+    };
+    if (!places.empty())
+        found = {*std::min_element(found.begin(), found.end(), [&](int a, int b) { return far(a) < far(b); })};
+}
+
+// Whether the phrase is in the words, in the plural as well.
+bool says_phrase(const Words& words, const Words& phrase) {
+    for (std::size_t i = 0; i + phrase.size() <= words.size(); ++i) {
+        Words there = part_of(words, i, i + phrase.size());
+        if (there.back() == phrase.back() + "s") there.back().pop_back();
+        if (there == phrase) return true;
+    }
+    return false;
+}
+
+// "the towel stack", "two dining tables": a kind of the room by its own name of several words, before any place.
+void by_kind(const Editor& editor, const std::vector<std::string>& tokens, PromptObject& said,
+             std::vector<int>& found) {
+    const Words head = part_of(tokens, 0, next_place(tokens));
+    std::string best;
+    for (const DocumentThing& t : editor.document().things) {
+        const std::string name = in_words(t.kind);
+        const Words phrase = tokens_of(name);
+        if (phrase.size() > 1 && name.size() > best.size() && says_phrase(head, phrase)) best = name;
+    }
+    if (best.empty() || in_words(said.kind) == best) return;
+    found.clear();
+    said.words = best;
+    for (std::size_t i = 0; i < editor.document().things.size(); ++i)
+        if (in_words(editor.document().things[i].kind) == best) {
+            said.kind = editor.document().things[i].kind;
+            found.push_back(static_cast<int>(i));
+        }
+}
+
+// Of those found, the ones that stand where the words say.
+void with_place(const Editor& editor, const PromptSpec& spec, std::vector<int>& found) {
+    PromptObject where = spec.objects.front();
     where.count = static_cast<int>(found.size());
     // "at", "by", "near" a window, where the reader takes no place from it.
     if (where.relation.empty() && spec.objects.size() > 1)
         where.relation = "next to", where.relation_to = spec.objects[1].kind;
-    if (!where.relation.empty() && found.size() > 1) {
-        std::vector<std::size_t> there;
-        const FurnishedRoom& furnished = room.furnished;
-        for (const std::size_t i : found)
-            if (stands_as_asked(furnished.plan, furnished.placed, furnished.placed[i], where).value_or(false))
-                there.push_back(i);
-        if (!there.empty()) found = there;
+    if (where.relation.empty() || found.size() < 2) return;
+    if (!is_shell(where.relation_to) && spec.objects.size() > 1)
+        if (const auto at = alike(editor.document(), spec.objects[1], false); !at.empty())
+            where.relation_to = editor.document().things[static_cast<std::size_t>(at.front())].kind;
+    std::vector<int> there;
+    const FurnishedRoom& furnished = editor.room().furnished;
+    const bool several = where.count > 1 && spec.objects.front().count > 1;
+    for (const int i : found)
+        if (stands_as_asked(furnished.plan, furnished.placed, furnished.placed[static_cast<std::size_t>(i)], where)
+                .value_or(false))
+            there.push_back(i);
+    if (!there.empty()) found = there;
+    else if (where.relation == "next to" && !several) nearest_to(editor, where.relation_to, found);
+}
+
+Meaning meaning_of(const Editor& editor, const std::string& words) {
+    const std::vector<std::string> tokens = tokens_of(words);
+    const std::string plain = without_number(tokens);
+    const std::size_t place = next_place(tokens);
+    Meaning out;
+    // The room's own meaning first: a kitchen's "cabinets" are its counter's.
+    for (const bool in_room : {true, false}) {
+        const PromptSpec spec = in_room ? read_in_room(editor, plain) : understand_prompt(plain, false, editor.pack());
+        if (spec.objects.empty()) continue;
+        out.said = spec.objects.front();
+        // Of "the clutter on the desk" the desk is the place.
+        const Words noun = tokens_of(out.said.words);
+        if (!says_phrase(part_of(tokens, 0, place), noun) && says_phrase(part_of(tokens, place), noun)) {
+            out.said = {};
+            continue;
+        }
+        out.found = alike(editor.document(), out.said, says_several(tokens, out.said));
+        by_kind(editor, tokens, out.said, out.found);
+        with_looks(out.said, editor, out.found);
+        with_place(editor, spec, out.found);
+        pick(tokens, out.said, editor, out.found);
+        if (!out.found.empty()) return out;
     }
-    pick(tokens, document, room, found);
-    if (found.empty()) refuse_none(words, document);
-    const bool all = said.count > 1 || has_word(tokens, {"all", "both", "every", "each"});
-    // "Two chairs" of four are not told apart.
-    if (found.size() > 1 && (!all || (said.counted && static_cast<std::size_t>(said.count) < found.size())))
-        refuse_many(said.words, document, room, found);
+    out.unknown = out.said.kind.empty();
+    out.found = with_part(editor, tokens);
+    return out;
+}
+
+// "chair-2", also "chair 2".
+std::optional<int> id_said(const RoomDocument& document, const std::string& words) {
+    const std::string text = joined(tokens_of(words));
+    for (std::size_t i = 0; i < document.things.size(); ++i) {
+        const std::string id = joined(tokens_of(document.things[i].id));
+        if (document.things[i].id == words || text == id || text == "the " + id) return static_cast<int>(i);
+    }
+    return {};
+}
+
+}  // namespace
+
+void refuse_shell() {
+    throw UsageError(
+        "sentences do not change the room's shape, its windows or doors; \"plan\" in the document does: width_m, "
+        "depth_m, height_m, openings (docs/room-document.md)");
+}
+
+PromptSpec read_in_room(const Editor& editor, const std::string& words) {
+    PromptSpec spec = understand_prompt("a " + room_title(editor.document().type) + " with " + words, false,
+                                        editor.pack());
+    std::erase_if(spec.objects, [](const PromptObject& o) { return o.forbidden; });
+    return spec;
+}
+
+std::vector<int> all_named(const Editor& editor, const std::string& words) {
+    if (const auto id = id_said(editor.document(), words)) return {*id};
+    return meaning_of(editor, words).found;
+}
+
+std::vector<std::string> named(const Editor& editor, const std::string& words) {
+    if (const auto id = id_said(editor.document(), words))
+        return {editor.document().things[static_cast<std::size_t>(*id)].id};
+    const std::vector<std::string> tokens = tokens_of(words);
+    Meaning meant = meaning_of(editor, words);
+    std::vector<int>& found = meant.found;
+    const PromptObject& said = meant.said;
+    if (found.empty() && (is_shell(said.kind) || has_role(said.kind, Role::opening))) refuse_shell();
+    if (found.empty() && is_one_of(tokens.front(), {"everything", "all", "anything"}) && meant.unknown)
+        throw UsageError("name the things that are meant, found \"{}\"", words);
+    if (found.empty()) refuse_none(words, editor, said.kind);
+    // "two chairs", "two of the chairs"; the articles are numbers as well.
+    const auto number = number_said(tokens.front());
+    const bool all = has_word(tokens, {"all", "both", "every", "each"}) || says_several(tokens, said);
+    // "Two chairs" of four, "a chair", "one of the chairs": the last ones.
+    const std::size_t count = number && *number >= 1                       ? static_cast<std::size_t>(*number)
+                              : said.counted && said.count > 1             ? static_cast<std::size_t>(said.count)
+                              : is_one_of(tokens.front(), {"some", "any"}) ? 1
+                                                                           : 0;
+    if (count > found.size())
+        throw UsageError("there {} only {} of \"{}\" in the room", found.size() == 1 ? "is" : "are", found.size(),
+                         words);
+    if (count > 0) found.erase(found.begin(), found.end() - static_cast<std::ptrdiff_t>(count));
+    else if (found.size() > 1 && !all) refuse_many(said.words, editor, found);
     std::vector<std::string> ids;
-    for (const std::size_t i : found) ids.push_back(document.things[i].id);
+    for (const int i : found) ids.push_back(editor.document().things[static_cast<std::size_t>(i)].id);
     return ids;
 }
 
@@ -166,45 +387,7 @@ std::vector<std::string> named(const RoomDocument& document, const DocumentRoom&
 
 std::vector<std::string> things_named(const RoomDocument& document, const std::string& words,
                                       std::shared_ptr<const FurniturePack> pack) {
-    const DocumentRoom room = furnish_document(document, "room", pack, Run{});
-    return editing::named(document, room, words, pack);
-}
-
-PromptObject looks_named(const std::string& words) {
-    PromptObject out;
-    std::vector<std::string> tokens = tokens_of(words);
-    std::erase_if(tokens, [](const std::string& w) {
-        return is_one_of(w, {"a", "an", "the", "in", "of", "and", ",", "out"});
-    });
-    if (words.size() == 7 && words[0] == '#' && document_fields::color_said(words)) {
-        out.color = words;
-        return out;
-    }
-    constexpr std::size_t kLongest = 3;  // words of a color: "dark olive green"
-    for (std::size_t i = 0; i < tokens.size();) {
-        std::size_t length = std::min(kLongest, tokens.size() - i);
-        for (; length > 0; --length) {
-            const auto first = tokens.begin() + static_cast<std::ptrdiff_t>(i);
-            const std::string term = fmt::format("{}",
-                                                 fmt::join(first, first + static_cast<std::ptrdiff_t>(length), " "));
-            const auto word = look_up(term);
-            std::string* to = word && word->kind == WordKind::pattern ? &out.pattern
-                              : word && word->kind == WordKind::material && material_named(word->meaning)
-                                  ? &out.material
-                              : color_named(plain_name(term))    ? &out.color
-                              : material_named(plain_name(term)) ? &out.material
-                                                                 : nullptr;
-            if (!to) continue;
-            const bool look = word && (word->kind == WordKind::pattern || word->kind == WordKind::material ||
-                                       word->kind == WordKind::color);
-            *to = look ? word->meaning : plain_name(term);
-            break;
-        }
-        if (length == 0) throw UsageError("expected a color, a material or a pattern, found \"{}\"", tokens[i]);
-        i += length;
-    }
-    if (tokens.empty()) throw UsageError("expected a color, a material or a pattern, found nothing");
-    return out;
+    return editing::named(editing::Editor(document, std::move(pack), Run{}), words);
 }
 
 }  // namespace fastscene

@@ -1,0 +1,221 @@
+// "a floor lamp beside the bed", "the sofa with two armchairs": what comes new, and what changes places.
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "fastscene/base/error.h"
+#include "fastscene/base/is_one_of.h"
+#include "fastscene/rooms/catalogue.h"
+#include "fastscene/rooms/edit_parts.h"
+#include "fastscene/rooms/layout_parts.h"
+#include "fastscene/rooms/plan.h"
+
+namespace fastscene::editing {
+namespace {
+
+// "another chair", "two more plants", "a few books"
+Words counted_anew(Words words) {
+    if (!words.empty() && words.front() == "another") words.front() = "a";
+    if (words.size() > 1 && words[0] == "a" && is_one_of(words[1], {"second", "third", "new", "extra", "further"}))
+        words.erase(words.begin() + 1);
+    if (words.size() > 2 && words[0] == "a" && words[1] == "few") words.erase(words.begin() + 1), words[0] = "three";
+    if (words.size() > 3 && words[0] == "a" && words[1] == "couple" && words[2] == "of")
+        words.erase(words.begin() + 1, words.begin() + 3), words[0] = "two";
+    // "A bigger mirror" is a big one.
+    for (std::string& w : words) {
+        if (is_one_of(w, {"bigger", "larger", "longer", "wider"})) w = "large";
+        if (is_one_of(w, {"smaller", "shorter", "narrower"})) w = "small";
+        if (is_one_of(w, {"taller", "higher"})) w = "tall";
+    }
+    for (std::size_t i = 0; i < std::min<std::size_t>(2, words.size()); ++i)
+        if (is_one_of(words[i], {"more", "some", "additional", "extra", "new", "also"}) && words.size() > 1)
+            words.erase(words.begin() + static_cast<std::ptrdiff_t>(i--));
+    return words;
+}
+
+// What words ask for, beside each other in them: "a desk with a lamp".
+std::vector<PromptObject> wishes_of(const Editor& editor, const Words& words) {
+    const std::string text = text_of(counted_anew(words));
+    PromptSpec spec = read_in_room(editor, text);
+    const auto unknown = spec.words_with(PromptWord::Fate::not_understood);
+    if (!unknown.empty()) throw UsageError("expected a thing to add, found \"{}\"", unknown.front().words);
+    if (spec.objects.empty()) throw UsageError("expected a thing to add, found \"{}\"", text);
+    for (PromptObject& o : spec.objects) {
+        if (is_shell(o.kind) || has_role(o.kind, Role::opening)) refuse_shell();
+        o.relation = o.relation_to = o.relation_and = "";
+        // "Books" are a stack of them.
+        if (!o.counted && has_role(o.kind, Role::heap)) o.count = 1;
+    }
+    PromptObject& first = spec.objects.front();
+    for (std::size_t k = 1; k < spec.objects.size(); ++k) {
+        PromptObject& o = spec.objects[k];
+        o.relation_to = first.kind;
+        o.relation = furnishing::is_small(o.kind)                                             ? "on"
+                     : has_role(o.kind, Role::seat) && has_role(first.kind, Role::lamp_above) ? "around"
+                                                                                              : "next to";
+    }
+    return spec.objects;
+}
+
+struct Addition {
+    std::vector<PromptObject> wishes;
+    std::optional<Place> place;
+};
+
+Addition addition_of(const Editor& editor, const Words& words) {
+    for (std::size_t end = next_place(words); end < words.size(); end = next_place(words, end + 1)) {
+        const Words there = part_of(words, end);
+        // "a table in oak"
+        if (value_of(part_of(there, 1))) continue;
+        // "a side table next to the sofa with a lamp on it"
+        if (const std::size_t with = find_word(there, {"with"}, 1); with < there.size()) {
+            Words all = part_of(words, 0, end);
+            Words rest = part_of(there, with);
+            if (rest.size() > 2 && rest.back() == "it") rest.resize(rest.size() - 2);
+            all.insert(all.end(), rest.begin(), rest.end());
+            const auto both = wishes_of(editor, all);
+            if (auto place = place_of(editor, part_of(there, 0, with), both.front().kind, "")) return {both, place};
+        }
+        const auto wishes = wishes_of(editor, part_of(words, 0, end));
+        if (auto place = place_of(editor, there, wishes.front().kind, "")) return {wishes, place};
+    }
+    return {wishes_of(editor, words), {}};
+}
+
+// A chair where others stand at a table: at that table, if it has room for one more.
+bool drawn_up(Talk& talk, EditStep step) {
+    if (!has_role(step.wish.kind, Role::seat) || !step.wish.relation.empty() || step.position) return false;
+    const std::vector<Placed>& all = talk.editor.room().furnished.placed;
+    for (const Placed& p : all) {
+        if (asked_kind(p) != step.wish.kind || p.with < 0) continue;
+        const Placed& table = all[static_cast<std::size_t>(p.with)];
+        if (!has_role(table.piece.kind, Role::lamp_above)) continue;
+        step.wish.relation = "around", step.wish.relation_to = asked_kind(table);
+        try {
+            talk.editor.apply(step);
+            return true;
+        } catch (const Error&) {
+            return false;
+        }
+    }
+    return false;
+}
+
+void add_wish(Talk& talk, const PromptObject& wish, const std::optional<Place>& place) {
+    const std::size_t before = talk.editor.document().things.size();
+    EditStep step = place ? place->step : EditStep{};
+    step.kind = EditStep::Kind::add;
+    const PromptObject where = step.wish;
+    step.wish = wish;
+    if (place)
+        step.wish.relation = where.relation, step.wish.relation_to = where.relation_to,
+        step.wish.relation_and = where.relation_and;
+    if (step.each) step.wish.count = std::max(4, wish.count), step.wish.counted = false;
+    if (!place && talk.there) step.position = talk.last_gone;
+    if (!place && drawn_up(talk, step)) {
+        // with its like, at their table
+    } else if (place && !place->each_at.empty())
+        for (const auto& at : place->each_at) step.at = at, talk.editor.apply(step);
+    else talk.editor.apply(step);
+    const auto& things = talk.editor.document().things;
+    for (std::size_t i = before; i < things.size(); ++i) talk.last.push_back(things[i].id);
+}
+
+}  // namespace
+
+// "a floor lamp beside the bed and two plants in the corner"; a place holds for those before it that name none.
+void add(Talk& talk, const Words& words) {
+    std::vector<Addition> all;
+    for (const Words& part : parts_of(words)) all.push_back(addition_of(talk.editor, part));
+    if (all.empty()) throw UsageError("expected a thing to add, found the end of the sentence");
+    talk.last.clear();
+    for (std::size_t k = 0; k < all.size(); ++k) {
+        const auto own = all[k].place;
+        std::optional<Place> shared;
+        for (std::size_t next = k; next < all.size() && !shared; ++next) shared = all[next].place;
+        const PromptObject& first = all[k].wishes.front();
+        try {
+            add_wish(talk, first, shared);
+        } catch (const Error&) {
+            if (own || !shared) throw;
+            add_wish(talk, first, {});
+        }
+        for (std::size_t w = 1; w < all[k].wishes.size(); ++w) add_wish(talk, all[k].wishes[w], {});
+    }
+}
+
+void copy(Talk& talk, const Words& words) {
+    for (const std::string& id : talk.things_of_parts(words)) {
+        const Placed p = talk.editor.placed(id);
+        EditStep step;
+        step.kind = EditStep::Kind::add;
+        step.wish = p.wish;
+        step.wish.kind = asked_kind(p), step.wish.words = in_words(step.wish.kind);
+        step.wish.count = 1;
+        step.wish.relation = step.wish.relation_to = step.wish.relation_and = "";
+        for (const DocumentThing& t : talk.editor.document().things)
+            if (t.id == id) step.wish.color = t.color, step.wish.material = t.material, step.wish.pattern = t.pattern;
+        step.wish.size_m = p.piece.size_m;
+        talk.editor.apply(step);
+    }
+}
+
+void replace(Talk& talk, const Words& old, const Words& by) {
+    EditStep step;
+    step.kind = EditStep::Kind::replace;
+    step.ids = talk.things_of_parts(old);
+    std::vector<Words> parts = parts_of(by);
+    // "with a bigger one", "with a blue one", "with a round one"
+    if (!by.empty() && is_one_of(by.back(), {"one", "ones"})) {
+        Words all{"it"};
+        for (const std::string& w : by)
+            if (!is_one_of(w, {"a", "an", "one", "ones"})) all.push_back(w);
+        if (value_of(part_of(all, 1))) return make(talk, all);
+        parts = {by};
+        parts[0].back() = in_words(asked_kind(talk.editor.placed(step.ids.front())));
+    }
+    if (parts.empty()) throw UsageError("expected what comes in place of \"{}\"", text_of(old));
+    step.wish = wishes_of(talk.editor, parts.front()).front();
+    const bool one = is_one_of(parts.front().front(), {"a", "an", "another", "one"});
+    if (!step.wish.counted && !one) step.wish.count = static_cast<int>(step.ids.size());
+    talk.editor.apply(step);
+    talk.last = {};
+    for (const EditChange& change : talk.editor.result().changes)
+        if (change.what.starts_with("added in place of")) talk.last.push_back(change.id);
+    for (std::size_t k = 1; k < parts.size(); ++k) {
+        PromptObject wish = wishes_of(talk.editor, parts[k]).front();
+        wish.relation = "next to", wish.relation_to = step.wish.kind;
+        add_wish(talk, wish, {});
+    }
+}
+
+void swap(Talk& talk, Words words) {
+    for (const char* name : {"positions", "position", "places", "place"})
+        if (const std::size_t at = find_word(words, {name}); at + 1 < words.size() && words[at + 1] == "of")
+            words = part_of(words, at + 2);
+    const std::size_t with = find_word(words, {"with", "for", "by", "and"});
+    if (const auto two = with == words.size() ? talk.things(words) : std::vector<std::string>{}; two.size() == 2) {
+        EditStep step;
+        step.kind = EditStep::Kind::swap;
+        step.ids = two;
+        return talk.editor.apply(step);
+    }
+    if (with + 1 >= words.size())
+        throw UsageError("expected \"swap … and …\" or \"swap … for …\", found \"{}\"", text_of(words));
+    const Words one = part_of(words, 0, with), other = part_of(words, with + 1);
+    const bool anew = words[with] == "for" || words[with] == "by" ||
+                      (words[with] == "with" && is_one_of(other.front(), {"a", "an", "some", "another"}));
+    if (anew || (words[with] == "with" && all_named(talk.editor, text_of(other)).empty()))
+        return replace(talk, one, other);
+    EditStep step;
+    step.kind = EditStep::Kind::swap;
+    const auto a = talk.things(one), b = talk.things(other);
+    if (a.size() != b.size())
+        throw UsageError("expected as many things to swap as to swap them with, found {} and {}", a.size(), b.size());
+    for (std::size_t k = 0; k < a.size(); ++k) {
+        step.ids = {a[k], b[k]};
+        talk.editor.apply(step);
+    }
+}
+
+}  // namespace fastscene::editing

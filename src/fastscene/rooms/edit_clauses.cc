@@ -1,0 +1,321 @@
+// A sentence cut into clauses: each begins with what is to be done.
+#include <algorithm>
+#include <array>
+#include <charconv>
+
+#include "fastscene/base/error.h"
+#include "fastscene/base/is_one_of.h"
+#include "fastscene/rooms/edit_parts.h"
+#include "fastscene/rooms/lexicon.h"
+#include "fastscene/rooms/prompt_text.h"
+
+namespace fastscene::editing {
+namespace {
+
+// How clauses begin, by what is to be done. The longest that fits counts; what is politely said before it is passed
+// over.
+struct Row {
+    Verb verb;
+    std::string_view beginnings;  // with "|" between them
+};
+constexpr std::array<Row, 16> kBeginnings{{
+    {Verb::remove,
+     "remove|delete|erase|take away|take out|take|drop|get rid of|throw out|throw away|throw|"
+     "lose|discard|ditch|hide|clear away|clear out|without|no more|no|i dont like|"
+     "i do not like|i dont want|i do not want|i dont need|we dont need|there should be no"},
+    {Verb::clear, "clear|empty"},
+    {Verb::move, "move|shift|bring|push|pull|slide|drag|relocate|lower|raise|lift|carry"},
+    {Verb::put, "put|place|set|stand|hang|lay|position|mount|lean"},
+    {Verb::make, "make|change|switch|give"},
+    {Verb::refuse,
+     "turn up|turn down|dim|open|close|shut|rearrange|reorganize|arrange|redecorate|tidy|"
+     "tidy up|clean|clean up|improve|fix|undo|redo|keep|leave"},
+    {Verb::add,
+     "add|insert|include|get|create|bring in|have|give me|give us|can i have|can we have|"
+     "could i have|could we have|can i get|there should be|there must be|there needs to be|"
+     "let there be|it needs|the room needs"},
+    {Verb::want,
+     "i need|we need|i want|we want|i wish|i would like|we would like|id like|id love|"
+     "i would love|i prefer|id prefer|let"},
+    {Verb::replace, "replace|exchange|substitute"},
+    {Verb::swap, "swap|interchange"},
+    {Verb::turn, "turn|rotate|spin|flip"},
+    {Verb::face, "face|point|orient|aim"},
+    {Verb::color, "paint|color|recolor|dye|tint|repaint|reupholster|cover"},
+    {Verb::larger, "enlarge|scale up"},
+    {Verb::smaller, "shrink|scale down|reduce"},
+    {Verb::copy, "duplicate|copy|clone"},
+}};
+
+struct Beginning {
+    Words words;
+    Verb verb;
+};
+const std::vector<Beginning>& beginnings() {
+    static const std::vector<Beginning> all = [] {
+        std::vector<Beginning> out;
+        for (const Row& row : kBeginnings) {
+            std::string_view left = row.beginnings;
+            while (!left.empty()) {
+                const std::string_view one = left.substr(0, left.find('|'));
+                left.remove_prefix(std::min(left.size(), one.size() + 1));
+                out.push_back({tokens_of(one), row.verb});
+            }
+        }
+        return out;
+    }();
+    return all;
+}
+
+// Said before what is to be done, and nothing by itself.
+constexpr std::array<std::string_view, 43> kPolite{"please",
+                                                   "pls",
+                                                   "plz",
+                                                   "can you",
+                                                   "could you",
+                                                   "would you",
+                                                   "will you",
+                                                   "can we",
+                                                   "could we",
+                                                   "you should",
+                                                   "we should",
+                                                   "you can",
+                                                   "i want to",
+                                                   "i want you to",
+                                                   "i would like to",
+                                                   "i would like you to",
+                                                   "id like to",
+                                                   "id like you to",
+                                                   "we want to",
+                                                   "let's",
+                                                   "lets",
+                                                   "let us",
+                                                   "let me",
+                                                   "try to",
+                                                   "go ahead and",
+                                                   "just",
+                                                   "now",
+                                                   "then",
+                                                   "also",
+                                                   "maybe",
+                                                   "perhaps",
+                                                   "next",
+                                                   "ok",
+                                                   "okay",
+                                                   "hey",
+                                                   "hi",
+                                                   "actually",
+                                                   "first",
+                                                   "finally",
+                                                   "kindly",
+                                                   "afterwards",
+                                                   "would you mind",
+                                                   "i need you to"};
+
+std::size_t count_of(std::string_view phrase) {
+    return static_cast<std::size_t>(std::count(phrase.begin(), phrase.end(), ' ')) + 1;
+}
+
+bool stands_at(const Words& words, std::size_t at, std::string_view phrase) {
+    const std::size_t count = count_of(phrase);
+    return at + count <= words.size() && text_of(words, at, at + count) == phrase;
+}
+
+std::size_t past_polite(const Words& words, std::size_t at) {
+    for (bool again = true; again;) {
+        again = false;
+        std::size_t longest = 0;
+        for (const std::string_view phrase : kPolite)
+            if (stands_at(words, at, phrase)) longest = std::max(longest, count_of(phrase));
+        if (longest > 0) at += longest, again = true;
+    }
+    return at;
+}
+
+const Beginning* beginning_at(const Words& words, std::size_t at) {
+    const Beginning* best = nullptr;
+    for (const Beginning& b : beginnings())
+        if (part_of(words, at, at + b.words.size()) == b.words && (!best || b.words.size() > best->words.size()))
+            best = &b;
+    return best;
+}
+
+// "the sofa should be green", "the lamp needs to go to the corner"
+bool is_statement(const Words& words, std::size_t at) {
+    if (!is_definite(words[at]) && !is_one_of(words[at], {"all", "both", "every", "each"})) return false;
+    for (std::size_t i = at + 1; i + 1 < words.size() && words[i] != ","; ++i)
+        if (is_one_of(words[i], {"should", "must", "shall", "needs", "need", "has", "have", "ought"}) &&
+            is_one_of(words[i + 1], {"be", "go", "stand", "face", "to", "hang", "move", "look", "become"}))
+            return true;
+    return false;
+}
+
+// Ends of a clause that say nothing: "from the room", "please", "for me".
+void trim(Words& words, const Words& all_rooms) {
+    const auto is_room = [&](const std::string& w) {
+        return w == "room" || w == "scene" || std::find(all_rooms.begin(), all_rooms.end(), w) != all_rooms.end();
+    };
+    for (bool again = true; again && !words.empty();) {
+        again = true;
+        const std::size_t n = words.size();
+        if (is_joint(words.back()) || is_one_of(words.back(), {"too", "instead", "now", "thanks", "there", "here"}))
+            words.pop_back();
+        else if (n > 2 && (stands_at(words, n - 2, "as well") || stands_at(words, n - 2, "for me") ||
+                           stands_at(words, n - 2, "thank you") || stands_at(words, n - 2, "in here")))
+            words.resize(n - 2);
+        else if (n > 3 && is_room(words[n - 1]) && is_one_of(words[n - 2], {"the", "my", "this", "our"}) &&
+                 is_one_of(words[n - 3], {"from", "in", "into", "to", "of", "inside"}) &&
+                 !is_one_of(words[n - 4], {"middle", "center", "centre", "side", "end", "corner", "back", "front",
+                                           "rest", "style", "size"}))
+            words.resize(n - 3);
+        else again = false;
+    }
+}
+
+// "everything but the sofa", "all pictures but the largest one"
+bool says_all(const Words& words) {
+    return std::any_of(words.begin(), words.end(), [](const std::string& w) {
+        return is_one_of(w, {"everything", "all", "every", "each"});
+    });
+}
+
+// "20%" as a word, so that no mark ends the clause there.
+std::string with_percent(const std::string& sentence) {
+    std::string out;
+    for (const char c : sentence)
+        if (c == '%') out += " percent ";
+        else out += c;
+    return out;
+}
+
+}  // namespace
+
+bool is_joint(const std::string& word) {
+    return is_one_of(word, {",", ".", ";", "and", "then", "please", "also", "but", "plus"});
+}
+
+bool is_definite(const std::string& word) {
+    return is_one_of(word, {"the", "my", "this", "that", "its", "these", "those", "our", "your", "it", "them"});
+}
+
+std::optional<float> number_said(const std::string& word) {
+    static constexpr std::array<std::pair<std::string_view, float>, 17> kNumbers{{{"one", 1},
+                                                                                  {"two", 2},
+                                                                                  {"three", 3},
+                                                                                  {"four", 4},
+                                                                                  {"five", 5},
+                                                                                  {"six", 6},
+                                                                                  {"seven", 7},
+                                                                                  {"eight", 8},
+                                                                                  {"nine", 9},
+                                                                                  {"ten", 10},
+                                                                                  {"eleven", 11},
+                                                                                  {"twelve", 12},
+                                                                                  {"half", 0.5f},
+                                                                                  {"quarter", 0.25f},
+                                                                                  {"a", 1},
+                                                                                  {"an", 1},
+                                                                                  {"couple", 2}}};
+    for (const auto& [name, value] : kNumbers)
+        if (word == name) return value;
+    float value = 0;
+    const auto read = std::from_chars(word.data(), word.data() + word.size(), value);
+    if (read.ec != std::errc() || read.ptr != word.data() + word.size()) return {};
+    return value;
+}
+
+bool begins_anew(const Words& words) {
+    if (words.empty() || is_definite(words.front())) return false;
+    return !is_one_of(words.front(), {"all", "both", "every", "each", "everything", "this", "one"}) ||
+           (words.front() == "one" && !(words.size() > 1 && words[1] == "of"));
+}
+
+std::string text_of(const Words& words, std::size_t from, std::size_t to) {
+    std::string out;
+    for (std::size_t i = from; i < std::min(to, words.size()); ++i) out += (out.empty() ? "" : " ") + words[i];
+    return out;
+}
+
+Words part_of(const Words& words, std::size_t from, std::size_t to) {
+    from = std::min(from, words.size()), to = std::min(to, words.size());
+    return from < to ? Words(words.begin() + static_cast<std::ptrdiff_t>(from),
+                             words.begin() + static_cast<std::ptrdiff_t>(to))
+                     : Words{};
+}
+
+std::vector<Words> parts_of(const Words& words) {
+    std::vector<Words> parts{{}};
+    bool between = false;
+    for (const std::string& w : words) {
+        if (w == "between") between = true;
+        if (is_joint(w) && !(between && w == "and")) {
+            if (!parts.back().empty()) parts.emplace_back();
+            between = false;
+            continue;
+        }
+        if (w == "and") between = false;
+        parts.back().push_back(w);
+    }
+    if (parts.back().empty()) parts.pop_back();
+    return parts;
+}
+
+std::vector<Clause> clauses_of(const std::string& sentence) {
+    static const Words kRooms = [] {
+        Words out;
+        for (const std::string& type : room_types()) out.push_back(type);
+        return out;
+    }();
+    const Words words = tokens_of(with_percent(sentence));
+    std::vector<Clause> out;
+    bool begins = true;
+    for (std::size_t i = 0; i < words.size();) {
+        // "everything but the sofa" goes on.
+        const bool except = words[i] == "but" && !out.empty() && i + 1 < words.size() && says_all(out.back().words) &&
+                            !beginning_at(words, i + 1);
+        if (is_joint(words[i]) && !except) {
+            begins = true;
+            if (!out.empty()) out.back().words.push_back(words[i]);
+            ++i;
+            continue;
+        }
+        if (begins) {
+            begins = false;
+            const std::size_t from = past_polite(words, i);
+            const Beginning* found = from < words.size() ? beginning_at(words, from) : nullptr;
+            if (found) {
+                out.push_back({found->verb, text_of(found->words), {}});
+                i = from + found->words.size();
+                continue;
+            }
+            const bool says = from < words.size() && is_statement(words, from);
+            const bool asks = out.empty() && from < words.size() &&
+                              (number_said(words[from]) || is_one_of(words[from], {"another", "some", "more"}));
+            if (says) out.push_back({Verb::want, "want", {}});
+            else if (asks) out.push_back({Verb::add, "add", {}});
+            if (from > i && from < words.size() && (says || asks || out.empty())) {
+                i = from;
+                continue;
+            }
+        }
+        if (out.empty())
+            throw UsageError(
+                "expected what to do (move, remove, add, make, turn, replace …) at the beginning of \"{}\", found "
+                "\"{}\"",
+                sentence, words[i]);
+        out.back().words.push_back(except ? "except" : words[i]);
+        ++i;
+    }
+    for (Clause& clause : out) {
+        while (!clause.words.empty() && is_joint(clause.words.back())) clause.words.pop_back();
+        const std::size_t n = clause.words.size();
+        clause.there = n > 1 &&
+                       (clause.words.back() == "there" || (n > 3 && stands_at(clause.words, n - 3, "in its place")));
+        if (clause.there && clause.words.back() == "place") clause.words.resize(n - 3);
+        trim(clause.words, kRooms);
+    }
+    if (out.empty()) throw UsageError("expected what to change, found an empty sentence");
+    return out;
+}
+
+}  // namespace fastscene::editing

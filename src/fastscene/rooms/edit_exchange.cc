@@ -1,0 +1,233 @@
+// Things that take the places of others: swapped, or new ones for old ones.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "fastscene/base/error.h"
+#include "fastscene/rooms/document_parts.h"
+#include "fastscene/rooms/edit_parts.h"
+
+namespace fastscene::editing {
+namespace {
+
+// Where a piece stands in the place of another on the floor: its back where the other's was, or their middles; the
+// others further along and further out from there.
+std::vector<Vec2f> spots(const Piece& piece, const Placed& place, float aside) {
+    std::vector<Vec2f> out;
+    const Vec2f front = flat(front_of(place.yaw)), right = flat(right_of(place.yaw));
+    const bool backs = piece.against_wall && place.piece.against_wall;
+    const float back = backs ? (piece.size_m.z - place.piece.size_m.z) / 2 : 0.f;
+    for (const float along : {0.f, 0.12f, -0.12f, 0.25f, -0.25f, 0.4f, -0.4f, 0.6f, -0.6f})
+        for (const float out_by : {0.f, 0.05f, 0.12f, 0.22f, 0.35f}) {
+            const Vec2f at = flat(place.position) + right * (aside + along);
+            out.push_back(at + front * (back + out_by));
+            if (!place.piece.against_wall) out.push_back(at - front * out_by);
+        }
+    return out;
+}
+
+std::optional<int> stand_in_place(Layout& layout, const PieceRequest& request, const PromptObject& wish,
+                                  const Placed& place, float aside) {
+    const Piece piece = make_piece(request);
+    for (const Vec2f at : spots(piece, place, aside))
+        if (const auto i = layout.stand_at(piece, at, place.yaw, wish, {})) return i;
+    return {};
+}
+
+std::optional<int> hang_in_place(Layout& layout, const PieceRequest& request, const PromptObject& wish,
+                                 const Placed& place, float aside) {
+    Piece piece = make_piece(request);
+    piece.hang_height_m = std::max(0.05f, place.position.y + (place.piece.size_m.y - piece.size_m.y) / 2);
+    for (int w = 0; w < 4; ++w) {
+        const WallFace face = layout.plan().wall(w);
+        const float off = dot(place.position - face.origin, face.inward);
+        constexpr float kAtWall = 0.08f;  // metres
+        if (dot(face.inward, front_of(place.yaw)) < 0.99f || std::abs(off) > kAtWall) continue;
+        for (const float further : {0.f, 0.1f, -0.1f, 0.2f, -0.2f})
+            if (const auto i = layout.hang_at(piece, w, dot(place.position - face.origin, face.along) + aside + further,
+                                              wish))
+                return i;
+    }
+    return {};
+}
+
+// Where another stood; `on`: what carried that, in the layout. `aside`: metres along it.
+std::optional<int> take_place(Layout& layout, const PieceRequest& request, const PromptObject& wish,
+                              const Placed& place, int on, float aside) {
+    const Piece piece = make_piece(request);
+    if (on >= 0) {
+        if (piece.mount != Mount::surface) return {};
+        const Vec2f at = flat(place.position + right_of(place.yaw) * aside);
+        if (const auto i = layout.on_top_at(on, request, at, place.yaw, wish)) return i;
+        return layout.on_top(on, request, wish);
+    }
+    if (place.sill >= 0) return layout.on_sill(request, place.sill, wish);
+    // A cactus for a large plant stands on the floor as that did.
+    if (piece.mount == Mount::surface && place.piece.mount == Mount::floor)
+        return layout.on_floor_near(flat(place.position), request, wish);
+    if (piece.mount != place.piece.mount) return {};
+    switch (piece.mount) {
+        case Mount::floor:
+            if (place.flat)
+                return layout.lay(flat(place.position + right_of(place.yaw) * aside), place.yaw, request, wish);
+            return stand_in_place(layout, request, wish, place, aside);
+        case Mount::wall: return hang_in_place(layout, request, wish, place, aside);
+        case Mount::ceiling: return layout.hanging(request, flat(place.position + right_of(place.yaw) * aside), wish);
+        case Mount::surface: break;
+    }
+    return {};
+}
+
+}  // namespace
+
+// Backs that stood at walls stand at walls.
+void Editor::swap(const EditStep& step) {
+    if (step.ids.size() != 2 || step.ids[0] == step.ids[1])
+        throw UsageError("expected two things to change places, found {}", step.ids.size());
+    const int a = index_of(step.ids[0]), b = index_of(step.ids[1]);
+    const Placed one = placed(a), other = placed(b);
+    if (one.on == b || other.on == a) throw UsageError("{} and {}: one stands on the other", step.ids[0], step.ids[1]);
+    const Standing standing = without(with_riders({a, b}));
+    PromptSpec spec = room_.spec;
+    spec.objects = {};
+    Random rng(room_.seed, "swap");
+    Layout layout = begin_layout(spec, rng, standing.placed, nullptr);
+    const auto put = [&](const Placed& p, const Placed& place) {
+        layout.make_as(p.piece.made_from);
+        PromptObject wish = p.wish;
+        if (wish.kind.empty()) wish.kind = p.piece.kind;
+        wish.relation = wish.relation_to = "";
+        const int on = place.on < 0 ? -1 : standing.now[static_cast<std::size_t>(place.on)];
+        const auto i = take_place(layout, layout.request(p.piece.kind, &wish), wish, place, on, 0);
+        if (!i) throw Error("{} finds no room where {} stands", p.id, place.id);
+        return layout.placed()[static_cast<std::size_t>(*i)];
+    };
+    const Placed first = put(one, other), second = put(other, one);
+    checked([&] {
+        std::swap(thing(a).on, thing(b).on);
+        std::swap(thing(a).window, thing(b).window);
+        set_pose(a, {first.position, first.yaw}, {});
+        set_pose(b, {second.position, second.yaw}, {});
+    });
+}
+
+// As many new ones as were asked for, shared out to the places of the old ones; without a place there, near it.
+void Editor::replace(const EditStep& step) {
+    std::vector<int> roots;
+    std::vector<Placed> olds;
+    for (const std::string& id : step.ids) {
+        roots.push_back(index_of(id));
+        olds.push_back(placed(roots.back()));
+    }
+    std::vector<std::pair<std::string, int>> riders;  // what stood on the old ones, and on which
+    std::vector<std::string> seats;
+    for (std::size_t k = 0; k < roots.size(); ++k) {
+        for (const int i : with_riders({roots[k]}))
+            if (placed(i).on == roots[k]) riders.emplace_back(thing(i).id, static_cast<int>(k));
+        for (const int i : seats_at(roots[k])) seats.push_back(thing(i).id);
+    }
+    const Standing standing = without(with_riders(roots));
+    std::vector<Placed> all = standing.placed;
+    const int count = std::max(1, step.wish.count), places = static_cast<int>(olds.size());
+    std::vector<int> place_of_new;
+    for (int n = 0; n < count; ++n) {
+        const int k = n % places, here = (count - k + places - 1) / places, nth = n / places;
+        const auto more = in_place_of(all, standing, step, olds[static_cast<std::size_t>(k)], nth, here);
+        if (more.size() == all.size())
+            throw Error("{}: there is a place for {} of {} where {} stood", step.wish.words, n, count,
+                        olds[static_cast<std::size_t>(k)].id);
+        all = more;
+        place_of_new.push_back(k);
+    }
+    const std::vector<std::string> fresh = admit(all, standing, " in place of " + step.ids.front());
+    std::vector<std::string> onto(olds.size());
+    for (std::size_t n = 0; n < fresh.size(); ++n)
+        if (const auto k = static_cast<std::size_t>(place_of_new[std::min(n, place_of_new.size() - 1)]);
+            onto[k].empty())
+            onto[k] = fresh[n];
+    for (const std::string& id : step.ids) tell(id, "removed");
+    for (const std::string& id : step.ids)
+        for (DocumentThing& t : result_.document.things) {
+            if (t.with == id) t.with = std::find(seats.begin(), seats.end(), t.id) != seats.end() ? onto[0] : "";
+            if (t.below == id) t.below.clear();
+        }
+    std::erase_if(result_.document.things, [&](const DocumentThing& t) {
+        return std::find(step.ids.begin(), step.ids.end(), t.id) != step.ids.end();
+    });
+    set_down(riders, onto);
+}
+
+// One more in the place of an old one: the `nth` of `here` that share it.
+std::vector<Placed> Editor::in_place_of(const std::vector<Placed>& all, const Standing& standing, const EditStep& step,
+                                        const Placed& old, int nth, int here) const {
+    PromptSpec spec = room_.spec;
+    PromptObject wish = step.wish;
+    wish.count = 1;
+    wish.id = 0;
+    spec.objects = {wish};
+    Random rng(room_.seed, "replace:" + wish.kind + old.id, all.size());
+    const auto now = [&](int i) { return i < 0 ? -1 : standing.now[static_cast<std::size_t>(i)]; };
+    for (const float scale : {1.f, 0.85f, 0.7f}) {
+        Layout layout = begin_layout(spec, rng, all, nullptr);
+        if (const std::string why = layout.why_not(wish.kind); !why.empty()) throw Error("{}: {}", wish.words, why);
+        PieceRequest request = layout.request(wish.kind, &wish);
+        request.size_factor *= scale;
+        const float wide = std::max(make_piece(request).size_m.x + 0.06f,
+                                    old.piece.size_m.x / static_cast<float>(here));
+        const float aside = (static_cast<float>(nth) - 0.5f * static_cast<float>(here - 1)) * wide;
+        auto i = take_place(layout, request, wish, old, now(old.on), aside);
+        const Piece piece = make_piece(request);
+        for (const float reach : {0.8f, 1.6f})
+            if (!i && piece.mount == Mount::floor && old.on < 0)
+                i = layout.against_wall(
+                    request, {.near = flat(old.position), .center_pull = 0, .at_most_from_near = reach}, wish);
+        if (!i && wish.size_m != Vec3f{} && scale < 1) break;
+        if (!i) continue;
+        if (old.with >= 0 && now(old.with) >= 0) layout.join(*i, now(old.with));
+        return layout.placed();
+    }
+    EditStep anywhere = step;
+    anywhere.wish = wish;
+    Standing among = standing;
+    among.placed = all;
+    among.was.resize(all.size(), 0);
+    const std::vector<Placed> out = laid_out(among, anywhere, nullptr);
+    return out.empty() ? all : out;
+}
+
+// What stood on what was replaced stands on what came, where that has room for it.
+void Editor::set_down(const std::vector<std::pair<std::string, int>>& riders, const std::vector<std::string>& onto) {
+    std::vector<std::string> gone;
+    for (const auto& [id, place] : riders) {
+        DocumentThing& t = thing(index_of(id));
+        t.on = onto[static_cast<std::size_t>(place)];
+    }
+    build();
+    for (const auto& [id, place] : riders) {
+        const std::string& top = onto[static_cast<std::size_t>(place)];
+        if (top.empty()) {
+            gone.push_back(id);
+            continue;
+        }
+        const int i = index_of(id);
+        const Placed& carrier = placed(top);
+        const auto& surfaces = carrier.piece.surfaces;
+        const Footprint box = footprint_of(placed(i));
+        const std::array<Vec2f, 4> corners = corners_of(box);
+        const bool holds = !surfaces.empty() && std::all_of(corners.begin(), corners.end(), [&](Vec2f corner) {
+            return distance_to(footprint_of(carrier), corner) < 0.005f;
+        });
+        if (!holds) {
+            gone.push_back(id);
+            continue;
+        }
+        const float up = carrier.position.y + surfaces.front().center.y - placed(i).position.y;
+        for (const int k : with_riders({i})) thing(k).position.y += up;
+    }
+    if (!gone.empty()) take(gone);
+    else build();
+}
+
+}  // namespace fastscene::editing

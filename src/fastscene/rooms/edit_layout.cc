@@ -1,0 +1,387 @@
+// Where things that are added or moved come to stand: searched for as for a prompt, among what stands.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "fastscene/base/error.h"
+#include "fastscene/base/is_one_of.h"
+#include "fastscene/rooms/catalogue.h"
+#include "fastscene/rooms/document_parts.h"
+#include "fastscene/rooms/edit_parts.h"
+#include "fastscene/rooms/layout_relations.h"
+
+namespace fastscene::editing {
+namespace {
+
+constexpr float kElsewhere = 0.7f;  // metres: nearer than that is the same place
+
+std::string place_in_words(const EditStep& step) {
+    const PromptObject& wish = step.wish;
+    if (step.wall >= 0) return " at that wall";
+    if (step.elsewhere) return wish.relation == "in the corner" ? " in another corner" : " elsewhere";
+    if (wish.relation.empty()) return "";
+    if (wish.relation == "against" && wish.relation_to.empty()) return " at a wall";
+    std::string out = " " + wish.relation;
+    if (step.at.size() == 1) out += " " + step.at.front();
+    else if (!wish.relation_to.empty()) out += " the " + in_words(wish.relation_to);
+    if (!wish.relation_and.empty()) out += " and the " + in_words(wish.relation_and);
+    return out;
+}
+
+// Chairs around a table are drawn up to it.
+bool is_drawn_up(const std::vector<Placed>& all, const Placed& piece, const std::string& kind) {
+    constexpr float kReach = 0.45f;  // metres from a table's edge to a chair's front
+    return std::any_of(all.begin(), all.end(), [&](const Placed& p) {
+        return &p != &piece && (p.piece.kind == kind || p.wish.kind == kind) &&
+               distance_to(footprint_of(p), footprint_of(piece).center) < kReach + piece.piece.size_m.z / 2;
+    });
+}
+
+bool is_where_asked(const Plan& plan, const std::vector<Placed>& all, const Placed& piece, const PromptObject& wish) {
+    if (wish.relation == "around" && has_role(piece.piece.kind, Role::seat) &&
+        !is_drawn_up(all, piece, wish.relation_to))
+        return false;
+    return stands_as_asked(plan, all, piece, wish).value_or(wish.relation.empty());
+}
+
+// Every place on a top is tried.
+bool set_down_on(Layout& layout, int top, const PieceRequest& request, const PromptObject& wish) {
+    constexpr float kStep = 0.02f, kLevel = 0.01f;  // metres
+    const Placed t = layout.placed()[static_cast<std::size_t>(top)];
+    const Vec3f size = make_piece(request).size_m;
+    for (const bool across : {false, true})
+        for (const Surface& s : t.piece.surfaces) {
+            if (std::abs(s.center.y - t.piece.surfaces.front().center.y) > kLevel) continue;
+            const float wide = s.half.x - (across ? size.z : size.x) / 2;
+            const float deep = s.half.y - (across ? size.x : size.z) / 2;
+            for (float z = -deep; z <= deep + 1e-4f; z += kStep)
+                for (float x = -wide; x <= wide + 1e-4f; x += kStep) {
+                    const Vec3f at = t.position + right_of(t.yaw) * (s.center.x + x) +
+                                     front_of(t.yaw) * (s.center.z + z);
+                    if (layout.on_top_at(top, request, flat(at), t.yaw + (across ? kPi / 2 : 0), wish)) return true;
+                }
+        }
+    return false;
+}
+
+// On a top that is almost full: smaller ones of its kind, and smaller than usual at last.
+void fill_gap(Layout& layout, const PromptObject& wish, bool moving) {
+    if (wish.relation != "on" || !layout.why_not(wish.kind).empty()) return;
+    constexpr int kDraws = 6;
+    const bool fixed = moving || wish.size_m != Vec3f{};
+    for (const float scale : {1.f, 0.8f, 0.65f, 0.5f})
+        for (int draw = 0; draw < (fixed ? 1 : kDraws); ++draw) {
+            if (fixed && scale < 1) return;
+            PieceRequest request = layout.request(wish.kind, &wish);
+            if (const Thing* thing = find_thing(request.kind); thing && !request.model && !thing->small_form.empty())
+                request.kind = thing->small_form;
+            // On a small top a vase is a small one.
+            const auto& classes = piece_classes();
+            if (const std::string small = request.kind + "_small";
+                !fixed && scale < 1 && !request.model && std::binary_search(classes.begin(), classes.end(), small))
+                request.kind = small;
+            request.size_factor *= scale;
+            for (int i = 0; i < static_cast<int>(layout.placed().size()); ++i) {
+                const Placed& top = layout.placed()[static_cast<std::size_t>(i)];
+                if ((top.piece.kind == wish.relation_to || top.wish.kind == wish.relation_to) &&
+                    set_down_on(layout, i, request, wish))
+                    return;
+            }
+        }
+}
+
+// From the ceiling above a thing: its middle, else along it.
+bool hang_above(Layout& layout, const PromptObject& wish) {
+    if (wish.relation != "above" || wish.count > 1 || !layout.why_not(wish.kind).empty()) return false;
+    const PieceRequest request = layout.request(wish.kind, &wish);
+    if (make_piece(request).mount != Mount::ceiling) return false;
+    for (int i = 0; i < static_cast<int>(layout.placed().size()); ++i) {
+        const Placed below = layout.placed()[static_cast<std::size_t>(i)];
+        if (below.piece.kind != wish.relation_to && below.wish.kind != wish.relation_to) continue;
+        const Vec3f half = below.piece.size_m * 0.5f;
+        const bool turned = half.z > half.x;
+        const Vec3f along = turned ? front_of(below.yaw) * half.z : right_of(below.yaw) * half.x;
+        for (const float part : {0.f, 0.3f, -0.3f, 0.5f, -0.5f, 0.7f, -0.7f})
+            if (const auto k = layout.hanging(request, flat(below.position + along * part), wish))
+                return layout.join(*k, i), true;
+    }
+    return false;
+}
+
+// While it lives, the very things that a place means bear a name of their own, by which the layout finds them.
+class Tagged {
+  public:
+    Tagged(std::vector<Placed>& placed, const std::vector<DocumentThing>& things, const std::vector<int>& was,
+           const EditStep& step, PromptObject& wish) {
+        for (const auto& [ids, to, tag] :
+             {std::tuple{&step.at, &wish.relation_to, "@at"}, {&step.at_and, &wish.relation_and, "@and"}}) {
+            if (ids->empty()) continue;
+            for (std::size_t i = 0; i < placed.size(); ++i)
+                if (std::find(ids->begin(), ids->end(), things[static_cast<std::size_t>(was[i])].id) != ids->end())
+                    placed[i].wish.kind = tag;
+            *to = tag;
+        }
+    }
+};
+
+// Nothing comes along to carry it: no small table, no stand.
+std::vector<PromptObject> wish_alone(const PromptObject& wish) {
+    std::vector<PromptObject> out{wish};
+    for (const char* kind : {"side_table", "nightstand", "tv_stand"}) {
+        if (wish.kind == kind) continue;
+        PromptObject none;
+        none.kind = none.words = kind;
+        none.forbidden = true;
+        none.id = static_cast<int>(out.size());
+        out.push_back(none);
+    }
+    return out;
+}
+
+// Whether it is among them.
+bool has(const std::vector<int>& all, int one) { return std::find(all.begin(), all.end(), one) != all.end(); }
+
+// The wall that is at a thing's back; -1: none.
+int wall_behind(const Plan& plan, const Placed& p) {
+    constexpr float kAtWall = 0.3f, kWalls = 4;  // metres
+    const Footprint box = footprint_of(p);
+    for (int w = 0; w < static_cast<int>(kWalls); ++w) {
+        const WallFace face = plan.wall(w);
+        const float off = dot(box.center - flat(face.origin), flat(face.inward)) - extent(box, flat(face.inward));
+        if (dot(face.inward, front_of(p.yaw)) > 0.9f && off < kAtWall) return w;
+    }
+    return -1;
+}
+
+}  // namespace
+
+Editor::Standing Editor::without(const std::vector<int>& gone) const {
+    const std::vector<Placed>& all = room_.furnished.placed;
+    Standing out;
+    out.now.assign(all.size(), -1);
+    for (int i = 0; i < static_cast<int>(all.size()); ++i) {
+        if (has(gone, i)) continue;
+        out.now[static_cast<std::size_t>(i)] = static_cast<int>(out.placed.size());
+        out.was.push_back(i);
+        out.placed.push_back(placed(i));
+    }
+    for (Placed& p : out.placed)
+        for (int* at : {&p.on, &p.below, &p.with})
+            if (*at >= 0) *at = out.now[static_cast<std::size_t>(*at)];
+    return out;
+}
+
+// A layout in which nothing comes that was not asked for.
+Layout Editor::begin_layout(PromptSpec& spec, Random& rng, const std::vector<Placed>& standing,
+                            const Placed* moving) const {
+    spec.not_placed.clear();
+    spec.clutter = "empty";
+    Layout layout(plan(), spec, rng);
+    layout.begin_with(standing);
+    if (moving) layout.make_as(moving->piece.made_from);
+    return layout;
+}
+
+// At one wall, or at the others than the present one, that opposite first; in a corner of them, where it was asked.
+bool Editor::at_a_wall(Layout& layout, const EditStep& step, const Placed* moving) const {
+    const PromptObject& wish = layout.spec().objects[0];
+    if (!layout.why_not(wish.kind).empty()) return false;
+    const PieceRequest request = layout.request(wish.kind, &wish);
+    const Mount mount = make_piece(request).mount;
+    if (mount != Mount::floor && mount != Mount::wall) return false;
+    const bool corner = wish.relation == "in the corner";
+    const int own = moving ? wall_behind(plan(), *moving) : -1;
+    std::vector<int> walls{step.wall};
+    if (step.wall < 0)
+        walls = own < 0 ? std::vector<int>{0, 1, 3, 2}
+                        : std::vector<int>{(own + 2) % 4, (own + 1) % 4, (own + 3) % 4, own};
+    if (step.wall < 0 && step.elsewhere && !corner && own >= 0) walls.pop_back();
+    if (step.opposite && own >= 0 && !corner) walls.resize(1);
+    for (const int wall : walls) {
+        Layout::WallWish there{.wall = wall, .center_pull = 0.4f, .corner = corner};
+        if (step.position) there.near = step.position, there.at_most_from_near = 1.3f;
+        const std::size_t before = layout.mark();
+        PromptObject as_said = wish;
+        layout.insist(corner ? &as_said : nullptr);
+        const auto found = layout.against_wall(request, there, wish);
+        layout.insist(nullptr);
+        if (!found) continue;
+        const Vec2f to = footprint_of(layout.placed().back()).center;
+        if (!step.elsewhere || !moving || length(to - footprint_of(*moving).center) > kElsewhere) return true;
+        layout.undo(before);
+    }
+    return false;
+}
+
+// Near a point, for what stands on the floor or hangs on a wall.
+bool Editor::near_a_point(Layout& layout, const EditStep& step) const {
+    constexpr float kReach = 1.2f;  // metres
+    const PromptObject& wish = layout.spec().objects[0];
+    const Layout::WallWish there{.near = step.position, .center_pull = 0, .at_most_from_near = kReach};
+    if (!layout.why_not(wish.kind).empty()) return false;
+    const PieceRequest request = layout.request(wish.kind, &wish);
+    const Mount mount = make_piece(request).mount;
+    return (mount == Mount::floor || mount == Mount::wall) && layout.against_wall(request, there, wish).has_value();
+}
+
+// Lays out what is wished for among what stands; `moving` is made as it was. Nothing: there is no place for all of it.
+std::vector<Placed> Editor::laid_out(const Standing& standing, const EditStep& step, const Placed* moving) const {
+    PromptSpec spec = room_.spec;
+    spec.objects = wish_alone(step.wish);
+    PromptObject& wish = spec.objects[0];
+    wish.id = 0;
+    std::vector<Placed> among = standing.placed;
+    const Tagged tagged(among, result_.document.things, standing.was, step, wish);
+    Random rng(room_.seed, "edit:" + wish.kind + wish.relation + step.wish.relation_to, among.size());
+    Layout layout = begin_layout(spec, rng, among, moving);
+    const std::size_t before = layout.mark();
+    bool done = false;
+    if (step.wall >= 0 || step.elsewhere || (step.position && wish.relation == "in the corner"))
+        done = at_a_wall(layout, step, moving);
+    else {
+        if (step.position) done = near_a_point(layout, step);
+        if (!done) done = hang_above(layout, wish);
+        if (!done) place_asked(layout);
+        if (layout.mark() == before || !is_where_asked(plan(), layout.placed(), layout.placed().back(), wish)) {
+            layout.undo(before);
+            fill_gap(layout, wish, moving != nullptr);
+        }
+        done = layout.mark() >= before + static_cast<std::size_t>(std::max(1, wish.count)) &&
+               std::all_of(layout.placed().begin() + static_cast<std::ptrdiff_t>(before), layout.placed().end(),
+                           [&](const Placed& p) {
+                               return p.wish.kind != wish.kind || is_where_asked(plan(), layout.placed(), p, wish);
+                           });
+    }
+    if (!done) return {};
+    std::vector<Placed> out = layout.placed();
+    for (std::size_t i = 0; i < before; ++i) out[i].wish = standing.placed[i].wish;
+    for (std::size_t i = before; i < out.size(); ++i) {
+        PromptObject& own = out[i].wish;
+        if (own.kind != wish.kind) continue;
+        own.relation_to = step.wish.relation_to, own.relation_and = step.wish.relation_and;
+        own.count = 1;
+    }
+    return out;
+}
+
+void Editor::place(const EditStep& step) {
+    for (const std::string& id : step.ids) {
+        const int index = index_of(id);
+        const std::vector<int> seats = seats_at(index);
+        if (!seats.empty()) try {
+                place_one(index, seats, step);
+                continue;
+            } catch (const Error&) {  // there is no room for them: it goes alone
+            }
+        place_one(index, {}, step);
+    }
+}
+
+void Editor::place_one(int index, const std::vector<int>& along, EditStep step) {
+    std::vector<int> moving{index};
+    moving.insert(moving.end(), along.begin(), along.end());
+    const Standing standing = without(with_riders(moving));
+    const Placed was = placed(index);
+    const std::string id = thing(index).id;
+    PromptObject& wish = step.wish;
+    wish.kind = was.wish.kind.empty() ? was.piece.kind : was.wish.kind;
+    wish.words = in_words(wish.kind);
+    wish.count = 1;
+    wish.size_m = was.piece.size_m;
+    if (std::find(step.at.begin(), step.at.end(), id) != step.at.end())
+        throw UsageError("{}: it cannot stand{}", id, place_in_words(step));
+    const std::vector<Placed> all = laid_out(standing, step, &was);
+    constexpr float kSame = 2e-3f, kThere = 0.02f, kNudge = 0.25f;  // metres
+    if (all.size() != standing.placed.size() + 1 || length(all.back().piece.size_m - was.piece.size_m) > kSame)
+        throw Error("{}: there is no free place for it{}", id, place_in_words(step));
+    const Placed& found = all.back();
+    PromptObject now = wish;
+    now.id = -2;  // none of those that stand there
+    const bool there = step.wall < 0 && !step.elsewhere && step.at.empty() && !wish.relation.empty() &&
+                       is_where_asked(plan(), room_.furnished.placed, placed(index), now);
+    if (length(found.position - was.position) < (there ? kNudge : kThere))
+        throw Error("{}: it stands there already", id);
+    try {
+        checked([&] { stand_at_found(index, found, standing, step, along); });
+    } catch (const Error& e) {
+        throw Error("{}: there is no place for it{}: {}", id, place_in_words(step), e.what());
+    }
+}
+
+void Editor::stand_at_found(int index, const Placed& found, const Standing& standing, const EditStep& step,
+                            const std::vector<int>& along) {
+    DocumentThing& t = thing(index);
+    const auto id_of = [&](int i) {
+        const int old = i < 0 || i >= static_cast<int>(standing.was.size()) ? -1
+                                                                            : standing.was[static_cast<std::size_t>(i)];
+        return old < 0 ? std::string() : thing(old).id;
+    };
+    t.on = id_of(found.on), t.below = id_of(found.below), t.with = id_of(found.with);
+    t.window = found.sill;
+    t.mount.reset();
+    if (found.piece.mount != found.piece.made_mount) t.mount = found.piece.mount;
+    if (t.asked) t.asked->relation = step.wish.relation, t.asked->relation_to = step.wish.relation_to;
+    set_pose(index, {found.position, found.yaw}, along);
+}
+
+// As large as it is usual; where there is no room for that, smaller; of a number that was not said, as many as fit.
+std::vector<Placed> Editor::with_added(const EditStep& step) const {
+    const Standing standing = without({});
+    const int most = std::max(1, step.wish.count), least = step.wish.counted && !step.each ? most : 1;
+    for (int count = most; count >= least; --count)
+        for (const float scale : {1.f, 0.82f, 0.66f, 0.56f}) {
+            EditStep one = step;
+            one.wish.count = count;
+            if (scale < 1) {
+                if (step.wish.size_m != Vec3f{} || step.wish.kind == "rug") break;
+                PromptSpec spec = room_.spec;
+                Random rng(room_.seed, "size");
+                Layout layout(plan(), spec, rng);
+                if (!layout.why_not(one.wish.kind).empty()) break;
+                one.wish.size_m = make_piece(layout.request(one.wish.kind, &one.wish)).size_m * scale;
+            }
+            const std::vector<Placed> all = laid_out(standing, one, nullptr);
+            if (!all.empty()) return all;
+        }
+    throw Error("{}", why_none_added(step));
+}
+
+std::string Editor::why_none_added(EditStep step) const {
+    const std::string place = place_in_words(step);
+    PromptSpec spec = room_.spec;
+    Random rng(room_.seed, "why");
+    if (const std::string why = Layout(plan(), spec, rng).why_not(step.wish.kind); !why.empty())
+        return fmt::format("{}: {}", step.wish.words, why);
+    const int asked = step.wish.count;
+    while (--step.wish.count > 0)
+        if (!laid_out(without({}), step, nullptr).empty())
+            return fmt::format("{}: there is a free place for {} of {}{}", step.wish.words, step.wish.count, asked,
+                               place);
+    return fmt::format("{}: there is no free place for it{}", step.wish.words, place);
+}
+
+// What came to what stood, as things of the document; their ids.
+std::vector<std::string> Editor::admit(const std::vector<Placed>& all, const Standing& standing,
+                                       const std::string& how) {
+    std::vector<std::string> ids, out;
+    for (const int was : standing.was) ids.push_back(thing(was).id);
+    for (std::size_t i = standing.placed.size(); i < all.size(); ++i) {
+        const std::string id = new_id(all[i].wish.kind.empty() ? all[i].piece.kind : all[i].wish.kind);
+        ids.push_back(id), out.push_back(id);
+        DocumentThing t = thing_of(all[i], ids, i);
+        const std::string place = t.on.empty() ? how : " on " + t.on;
+        tell(t.id, fmt::format("added{} at x {:.2f}, z {:.2f}", place, t.position.x, t.position.z));
+        result_.document.things.push_back(std::move(t));
+    }
+    return out;
+}
+
+void Editor::add(const EditStep& step) {
+    const std::vector<Placed> all = with_added(step);
+    admit(all, without({}), place_in_words(step));
+    build();
+}
+
+}  // namespace fastscene::editing

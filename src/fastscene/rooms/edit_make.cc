@@ -1,0 +1,237 @@
+// "the sofa green", "it night", "the walls sage", "the rug larger": how things, surfaces and the room are to be.
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include "fastscene/base/error.h"
+#include "fastscene/base/is_one_of.h"
+#include "fastscene/rooms/edit_parts.h"
+#include "fastscene/rooms/lexicon.h"
+
+namespace fastscene::editing {
+namespace {
+
+bool says_any(const Words& words, std::initializer_list<std::string_view> any) {
+    return std::any_of(words.begin(), words.end(),
+                       [&](const std::string& w) { return std::find(any.begin(), any.end(), w) != any.end(); });
+}
+
+// "The color of the sofa", "the sofa's color" speak of the sofa.
+Words bare_subject(Words words) {
+    for (std::size_t i = 0; i + 1 < words.size(); ++i)
+        if (is_one_of(words[i], {"color", "material", "size", "look", "fabric", "upholstery", "height", "width"}) &&
+            words[i + 1] == "of") {
+            words = part_of(words, i + 2);
+            break;
+        }
+    while (words.size() > 2 && is_one_of(words.back(), {"color", "material", "size", "fabric", "upholstery", "look"}))
+        words.pop_back();
+    for (std::string& w : words)
+        if (w.size() > 2 && w.ends_with("'s")) w.resize(w.size() - 2);
+    return words;
+}
+
+// What is to be so, and how; either may be empty.
+struct Group {
+    std::vector<Words> subjects;
+    std::vector<Words> values;  // "larger" and "black"
+    Words by;                   // "into a rocking chair": another thing
+};
+
+// Cuts "the sofa dark green", "the sofa to dark green"; no value: all of it is the subject.
+void cut(const Words& part, Words& subject, Words& value, Words& by) {
+    subject = part;
+    if (value_of(part)) {
+        value = part, subject.clear();
+        return;
+    }
+    for (std::size_t i = part.size(); i-- > 1;) {
+        if (!is_one_of(part[i], {"to", "into", "in", "with"})) continue;
+        const Words rest = part_of(part, i + 1);
+        if (value_of(rest)) {
+            value = rest, subject = part_of(part, 0, i);
+            return;
+        }
+        if (is_one_of(part[i], {"to", "into"}) && !rest.empty() &&
+            is_one_of(rest.front(), {"a", "an", "two", "three"})) {
+            by = rest, subject = part_of(part, 0, i);
+            return;
+        }
+    }
+    for (std::size_t i = 1; i < part.size(); ++i)
+        if (value_of(part_of(part, i))) {
+            value = part_of(part, i), subject = part_of(part, 0, i);
+            return;
+        }
+}
+
+// "Black" and "white" are one look, "larger" and "black" are two values.
+void join_value(std::vector<Words>& values, const Words& more) {
+    Words all = values.empty() ? Words{} : values.back();
+    all.insert(all.end(), more.begin(), more.end());
+    if (!values.empty() && value_of(all)) values.back() = all;
+    else values.push_back(more);
+}
+
+// "the chairs white and the table black", "the sofa and the armchair green", "the sofa black and white"
+std::vector<Group> groups_of(const Words& words) {
+    std::vector<Group> out;
+    Group open;
+    for (const Words& part : parts_of(words)) {
+        Words subject, value, by;
+        cut(part, subject, value, by);
+        if (subject.empty() && open.subjects.empty()) {
+            if (out.empty()) throw UsageError("expected what to make \"{}\"", text_of(value));
+            join_value(out.back().values, value);
+            continue;
+        }
+        if (!subject.empty()) open.subjects.push_back(bare_subject(subject));
+        if (value.empty() && by.empty()) continue;
+        if (!value.empty()) open.values = {value};
+        open.by = by;
+        out.push_back(open);
+        open = {};
+    }
+    if (!open.subjects.empty())
+        throw UsageError("expected how to make it, for example \"green\" or \"larger\", after \"{}\"",
+                         text_of(open.subjects.back()));
+    return out;
+}
+
+// "wall", "floor", "ceiling", "trim"; empty: the words are no surface of the room.
+std::string surface_said(const Words& words) {
+    Words bare = words;
+    std::erase_if(bare, [](const std::string& w) {
+        return is_definite(w) || is_one_of(w, {"all", "whole", "entire", "room", "of", "a"});
+    });
+    const std::string text = text_of(bare);
+    if (text.find("accent wall") != std::string::npos) return "accent_wall";
+    if (is_one_of(text, {"trim", "trims", "baseboard", "baseboards", "skirting", "skirting board", "skirting boards",
+                         "molding", "moldings"}))
+        return "trim";
+    const auto word = look_up(text);
+    if (word && is_one_of(word->meaning, {"wall", "floor", "ceiling"})) return word->meaning;
+    if (says_any(words, {"wall"}) && bare.size() > 1 &&
+        (bare.back() == "wall" || is_one_of(bare.front(), {"wall", "left", "right", "far", "back"})))
+        throw UsageError("a sentence paints all walls alike; \"accent_wall\" in the document's plan names one of them");
+    return {};
+}
+
+bool speaks_of_shell(const Words& subject) {
+    Words bare = subject;
+    std::erase_if(bare, [](const std::string& w) { return is_definite(w) || is_one_of(w, {"all", "a"}); });
+    const std::string text = text_of(bare);
+    const auto word = look_up(text);
+    return text == "room" || (word &&
+                              is_one_of(word->meaning, {"window", "door", "doorway", "ceiling", "wall", "floor",
+                                                        "bay_window", "skylight"}) &&
+                              word->kind == WordKind::structure);
+}
+
+// Of a kitchen counter the top alone.
+void of_the_top(PromptObject& looks) {
+    looks.holder_color = std::exchange(looks.color, "");
+    looks.holder_material = std::exchange(looks.material, "");
+}
+
+// The things that it is of; none: a surface.
+std::vector<std::string> make_one(Talk& talk, const Words& subject, const Value& value) {
+    EditStep step;
+    step.kind = value.resizes() ? EditStep::Kind::resize : EditStep::Kind::recolor;
+    step.factor = value.factor;
+    step.wish = value.looks;
+    step.brighter = value.brighter;
+    if (value.resizes() && speaks_of_shell(subject)) refuse_shell();
+    if (!value.resizes()) step.surface = surface_said(subject);
+    if (step.surface.empty()) step.ids = talk.things(subject);
+    if (says_any(subject, {"worktop", "worktops", "countertop", "countertops"})) of_the_top(step.wish);
+    if (value.by == Vec3f{}) {
+        talk.editor.apply(step);
+        return step.ids;
+    }
+    for (const std::string& id : step.ids) {
+        EditStep one = step;
+        one.ids = {id};
+        const Vec3f size = talk.editor.placed(id).piece.size_m;
+        for (std::size_t a = 0; a < 3; ++a) one.factor[a] = std::max(0.2f, 1 + value.by[a] / size[a]);
+        talk.editor.apply(one);
+    }
+    return step.ids;
+}
+
+void apply(Talk& talk, const Group& group) {
+    std::vector<std::string> spoken;
+    for (const Words& subject : group.subjects) {
+        if (!group.by.empty()) {
+            replace(talk, subject, group.by);
+            spoken = talk.last;
+        }
+        for (const Words& words : group.values) add_new(spoken, make_one(talk, subject, *value_of(words)));
+    }
+    talk.last = spoken;
+}
+
+void light(Talk& talk, const std::string& value) {
+    EditStep step;
+    step.kind = EditStep::Kind::light;
+    step.value = value;
+    talk.editor.apply(step);
+}
+
+// Of the whole room: its style, hour and weather. Says whether the clause was about that.
+bool of_the_room(Talk& talk, const Words& words) {
+    const bool of_it = is_one_of(words.front(), {"it", "them"});
+    const bool of_room = says_any(
+        words, {"everything", "room", "style", "time", "weather", "lighting", "outside", "hour", "view"});
+    if (!of_it && !of_room) return false;
+    const PromptSpec spec = understand_prompt(text_of(words), false, talk.editor.pack());
+    bool told = false;
+    for (const std::string* value : {&spec.time, &spec.weather, &spec.outlook})
+        if (!value->empty()) light(talk, *value), told = true;
+    if (!spec.style.empty()) {
+        EditStep step;
+        step.kind = EditStep::Kind::restyle;
+        step.value = spec.style;
+        talk.editor.apply(step);
+        told = true;
+    }
+    if (told) return true;
+    const auto value = value_of(part_of(words, 1));
+    if (of_it && (value || !talk.last.empty())) return false;  // of what was named before
+    for (std::size_t i = 1; i < words.size() && of_room; ++i)
+        if (const auto said = value_of(part_of(words, i))) {
+            if (said->resizes()) refuse_shell();
+            // "the walls of the room white"
+            if (!surface_said(part_of(words, 0, i)).empty()) return false;
+        }
+    throw UsageError("expected a style, an hour or a weather for the room, found \"{}\"", text_of(words));
+}
+
+// "the sofa a green cover" -> "the sofa green"
+Words as_made(Words words) {
+    if (words.size() > 3 && is_one_of(words.back(), {"color", "look", "finish", "cover", "coat", "paint", "tone"}))
+        words.pop_back();
+    return words;
+}
+
+}  // namespace
+
+std::string lamps_said(const Words& words) {
+    const bool lamps = std::any_of(words.begin(), words.end(), [](const std::string& w) {
+        return w.find("lamp") != std::string::npos || is_one_of(w, {"light", "lights"});
+    });
+    if (!lamps || words.size() > 5) return {};
+    const std::size_t last = words.size() - 1;
+    for (const auto& [word, value] : {std::pair{"on", "lamps on"}, {"off", "lamps off"}, {"out", "lamps off"}})
+        if (words.front() == word || words[last] == word) return value;
+    return {};
+}
+
+void make(Talk& talk, const Words& words) {
+    if (const std::string lamps = lamps_said(words); !lamps.empty()) return light(talk, lamps);
+    if (says_any(words, {"face", "facing"})) return face(talk, words);
+    if (of_the_room(talk, words)) return;
+    for (const Group& group : groups_of(as_made(words))) apply(talk, group);
+}
+
+}  // namespace fastscene::editing

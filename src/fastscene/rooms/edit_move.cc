@@ -1,0 +1,234 @@
+// "the armchair to the window", "the sofa towards the tv": things that stand already, moved and turned.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "fastscene/base/error.h"
+#include "fastscene/base/is_one_of.h"
+#include "fastscene/rooms/edit_parts.h"
+
+namespace fastscene::editing {
+namespace {
+
+// A thing's words and the words of its place.
+struct Split {
+    Words thing, place;
+};
+// Where a place may begin: at the last "to" first, then from the left.
+std::vector<Split> splits_of(const Words& words) {
+    std::vector<std::size_t> ends;
+    // "50 cm to the left", "a bit to the left"
+    const std::size_t much = next_place(words);
+    if (much < words.size() && (number_said(words[much]) || words[much] == "slightly")) ends.push_back(much);
+    for (std::size_t i = words.size(); i-- > 1;)
+        if (is_one_of(words[i], {"to", "into", "onto"}) &&
+            !is_one_of(words[i - 1],
+                       {"next", "close", "over", "closer", "up", "nearer", "near", "back", "adjacent", "opposite"})) {
+            ends.push_back(i);
+            break;
+        }
+    for (std::size_t i = next_place(words); i < words.size(); i = next_place(words, i + 1)) ends.push_back(i);
+    std::vector<Split> out;
+    for (const std::size_t end : ends) out.push_back({part_of(words, 0, end), part_of(words, end)});
+    return out;
+}
+
+// "to the left of the bed": as far as there is room, when that is not a place.
+bool shifted(Talk& talk, const std::vector<std::string>& ids, const Words& place) {
+    std::vector<EditStep> steps;
+    for (const std::string& id : ids)
+        if (const auto step = shift_of(talk.editor, place, id)) steps.push_back(*step);
+    if (steps.size() < ids.size() || steps.empty()) return false;
+    for (const EditStep& step : steps) talk.editor.apply(step);
+    return true;
+}
+
+bool put_at(Talk& talk, const std::vector<std::string>& ids, const Words& words) {
+    std::string why_not;
+    try {
+        if (shifted(talk, ids, words)) return true;
+    } catch (const UsageError&) {
+        throw;
+    } catch (const Error& e) {  // "closer to the window", with no free way there: a place at the window
+        why_not = e.what();
+    }
+    std::optional<Place> place;
+    try {
+        place = place_of(talk.editor, words, asked_kind(talk.editor.placed(ids.front())), ids.front());
+    } catch (const UsageError&) {
+        if (why_not.empty()) throw;
+    }
+    if (!place && !why_not.empty()) throw Error("{}", why_not);
+    if (!place) return false;
+    place->step.kind = EditStep::Kind::place;
+    for (std::size_t k = 0; k < ids.size(); ++k) {
+        place->step.ids = {ids[k]};
+        if (!place->each_at.empty()) place->step.at = place->each_at[k % place->each_at.size()];
+        talk.editor.apply(place->step);
+    }
+    talk.last_place = place->step;
+    return true;
+}
+
+void move_one(Talk& talk, const std::vector<Words>& before, const Words& words) {
+    std::string wrong;
+    for (const Split& split : splits_of(words)) {
+        std::vector<std::string> ids;
+        try {
+            for (const Words& part : before) add_new(ids, talk.things(part));
+            add_new(ids, talk.things(split.thing));
+        } catch (const UsageError& e) {  // "the lamp" of several; "the lamp on the desk" may be one
+            if (wrong.empty()) wrong = e.what();
+            continue;
+        }
+        talk.last = ids;
+        if (put_at(talk, ids, split.place)) return;
+        if (wrong.empty()) wrong = fmt::format("expected a place in the room, found \"{}\"", text_of(split.place));
+    }
+    if (wrong.empty())
+        wrong = fmt::format("expected where to move \"{}\", for example \"to the window\"", text_of(words));
+    throw UsageError("{}", wrong);
+}
+
+// "left", "by 45 degrees", "a bit", "around": radians; nothing: none of those. `end`: where the words of that begin.
+std::optional<float> angle_said(const Words& words, std::size_t& end) {
+    constexpr float kDegree = kPi / 180, kABit = 20;
+    std::optional<float> degrees;
+    float sign = 1;
+    end = words.size();
+    for (std::size_t i = 1; i < words.size(); ++i) {
+        const std::string& w = words[i];
+        const bool side = is_one_of(w, {"left", "right"}) && !(is_definite(words[i - 1]) && i + 1 < words.size());
+        const auto number = number_said(w);
+        if (is_one_of(w, {"around", "round", "backwards", "about"})) degrees = 180.f;
+        else if (is_one_of(w, {"slightly", "bit", "little"})) degrees = kABit;
+        else if (is_one_of(w, {"quarter"})) degrees = 90.f;
+        else if (w == "half" && i + 1 < words.size() && words[i + 1] == "turn") degrees = 180.f;
+        else if (is_one_of(w, {"clockwise", "right"}) && (side || w == "clockwise")) sign = -1;
+        else if (is_one_of(w, {"counterclockwise", "anticlockwise"}) || side) sign = 1;
+        else if (number && w != "a" && w != "an" && i + 1 < words.size() &&
+                 is_one_of(words[i + 1], {"degrees", "degree", "deg"}))
+            degrees = *number;
+        else if (is_one_of(w, {"by", "to", "a"}) && i + 1 < words.size()) {
+            // "by 45 degrees", "to the left", "a bit"
+            if (!(w == "by" || is_one_of(words.back(), {"left", "right", "bit", "little", "turn"}))) continue;
+        } else continue;
+        end = std::min(end, i);
+        if (!degrees && (side || w.ends_with("clockwise"))) degrees = 90.f;
+    }
+    if (!degrees) return {};
+    return *degrees * sign * kDegree;
+}
+
+}  // namespace
+
+std::vector<std::string> things_at(const Editor& editor, const EditStep& place) {
+    if (!place.at.empty()) return place.at;
+    std::vector<std::string> out;
+    for (const DocumentThing& t : editor.document().things)
+        if (t.kind == place.wish.relation_to || (t.asked && t.asked->kind == place.wish.relation_to))
+            out.push_back(t.id);
+    return out;
+}
+
+// "the armchair and the plant to the window", "the vase to the desk and the lamp to the shelf"
+void move(Talk& talk, const Words& words) {
+    std::vector<Words> before;
+    for (const Words& part : parts_of(words)) {
+        // "in front of the fireplace, facing it"
+        if (part.front() == "facing" && !talk.last.empty()) {
+            Words all{"them"};
+            all.insert(all.end(), part.begin(), part.end());
+            face(talk, all);
+            continue;
+        }
+        if (next_place(part) == part.size()) {
+            before.push_back(part);
+            continue;
+        }
+        move_one(talk, before, part);
+        before.clear();
+    }
+    if (!before.empty())
+        throw UsageError("expected where to move \"{}\", for example \"to the window\"", text_of(before.front()));
+}
+
+// "the armchair around", "the sofa towards the tv", "the walls green", "the armchair into a sofa"
+void turn(Talk& talk, const Words& words) {
+    // "so that it faces the door"
+    if (const std::size_t so = find_word(words, {"faces", "looks"}, 1); so < words.size()) {
+        Words all = part_of(words, 0, so);
+        while (all.size() > 1 && is_one_of(all.back(), {"so", "that", "it", "and"})) all.pop_back();
+        all.push_back("facing");
+        const Words to = part_of(words, so + 1);
+        all.insert(all.end(), to.begin(), to.end());
+        return face(talk, all);
+    }
+    const std::size_t towards = find_word(words, {"towards", "toward", "facing", "face"}, 1);
+    std::size_t end = words.size();
+    const auto angle = angle_said(words, end);
+    if (towards < words.size()) return face(talk, words);
+    if (find_word(words, {"upside", "over"}) < words.size())
+        throw UsageError("things are turned about the vertical only, found \"{}\"", text_of(words));
+    if (is_one_of(words.back(), {"on", "off"}))
+        throw UsageError("only lamps are turned on and off, found \"{}\"", text_of(words));
+    EditStep step;
+    step.kind = EditStep::Kind::turn;
+    if (!angle) {
+        for (std::size_t i = 1; i < words.size(); ++i)
+            if (value_of(part_of(words, i))) return make(talk, words);
+        if (find_word(words, {"into"}, 1) < words.size()) return make(talk, words);
+        if (find_word(words, {"to"}, 1) < words.size()) return face(talk, words);
+    }
+    step.yaw = angle.value_or(kPi / 2);
+    step.ids = talk.things_of_parts(part_of(words, 0, end));
+    talk.editor.apply(step);
+}
+
+void face(Talk& talk, const Words& words) {
+    std::size_t end = find_word(words, {"towards", "toward", "facing", "face"}, 1);
+    if (end == words.size()) end = find_word(words, {"to", "at", "into"}, 1);
+    std::size_t next = end;
+    while (next < words.size() && is_one_of(words[next], {"towards", "toward", "facing", "face", "to", "at", "into"}))
+        ++next;
+    Words thing = part_of(words, 0, end);
+    while (thing.size() > 1 && is_one_of(thing.back(), {"to", "so", "it", "around", "that", "should"}))
+        thing.pop_back();
+    const Words target = part_of(words, next);
+    if (target.empty())
+        throw UsageError("expected what \"{}\" is to face, for example \"to the window\"", text_of(words));
+    EditStep step;
+    step.kind = EditStep::Kind::face;
+    step.ids = talk.things_of_parts(thing);
+    const std::string text = text_of(target);
+    if (text == "each other" || text == "one another") {
+        if (step.ids.size() != 2)
+            throw UsageError("expected two things that face each other, found {}", step.ids.size());
+        for (const std::size_t k : {0u, 1u}) {
+            EditStep one = step;
+            one.ids = {step.ids[k]}, one.at = {step.ids[1 - k]};
+            one.wish.relation_to = talk.editor.placed(step.ids[1 - k]).piece.kind;
+            talk.editor.apply(one);
+        }
+        return;
+    }
+    const std::string noun = target.back();
+    if (noun == "it" && !talk.last_place.wish.relation_to.empty()) {
+        step.wish.relation_to = talk.last_place.wish.relation_to;
+        step.at = things_at(talk.editor, talk.last_place);
+    } else if (is_one_of(noun, {"me", "us", "camera", "viewer"})) step.wish.relation_to = "camera";
+    else if (is_one_of(noun, {"room", "middle", "center", "centre", "inside"})) step.wish.relation_to = "room";
+    else {
+        Words at{"opposite"};
+        at.insert(at.end(), target.begin(), target.end());
+        const auto place = place_of(talk.editor, at, "armchair", step.ids.front());
+        if (!place) throw UsageError("expected a thing or an opening to face, found \"{}\"", text);
+        step.wish.relation_to = place->step.wish.relation_to;
+        step.at = things_at(talk.editor, place->step);
+    }
+    talk.editor.apply(step);
+}
+
+}  // namespace fastscene::editing

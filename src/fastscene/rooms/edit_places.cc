@@ -1,0 +1,337 @@
+// Where words say that a thing is to stand, against what there is in the room.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "fastscene/base/error.h"
+#include "fastscene/base/is_one_of.h"
+#include "fastscene/rooms/catalogue.h"
+#include "fastscene/rooms/edit_parts.h"
+#include "fastscene/rooms/layout_parts.h"
+#include "fastscene/rooms/layout_relations.h"
+#include "fastscene/rooms/lexicon.h"
+
+namespace fastscene::editing {
+namespace {
+
+// Left, right, far or near as the camera sees them; nothing: none was said.
+std::optional<Vec3f> direction_said(const Editor& editor, const Part& part) {
+    const Vec3f ahead = editor.room().furnished.looks, right = cross(ahead, Vec3f{0, 1, 0});
+    Vec3f out{};
+    if (part.says({"left"})) out += right * -1.f;
+    if (part.says({"right"})) out += right;
+    if (part.says({"far", "back"})) out += ahead;
+    if (part.says({"near", "front"})) out += ahead * -1.f;
+    return out == Vec3f{} ? std::nullopt : std::optional(out);
+}
+
+int wall_towards(const Plan& plan, Vec3f direction) {
+    int best = 0;
+    for (int w = 1; w < 4; ++w)
+        if (dot(plan.wall(w).inward, direction) < dot(plan.wall(best).inward, direction)) best = w;
+    return best;
+}
+
+std::vector<Vec2f> corners_of_room(const Plan& plan) {
+    return {{plan.width / 2, plan.depth / 2},
+            {-plan.width / 2, plan.depth / 2},
+            {plan.width / 2, -plan.depth / 2},
+            {-plan.width / 2, -plan.depth / 2}};
+}
+
+bool has_opening(const Plan& plan, const std::string& kind) {
+    return std::any_of(plan.openings.begin(), plan.openings.end(),
+                       [&](const Opening& o) { return is_opening_of(o, kind); });
+}
+// A doorway is called a door, too.
+std::string opening_there(const Plan& plan, const std::string& kind) {
+    if (has_opening(plan, kind)) return kind;
+    if (kind == "door" && has_opening(plan, "doorway")) return "doorway";
+    throw UsageError("there is no {} in the room", kind);
+}
+
+Mount mount_of(const Editor& editor, const std::string& kind) {
+    PromptSpec spec = editor.room().spec;
+    Random rng(0, "mount");
+    Layout layout(editor.plan(), spec, rng);
+    PromptObject wish;
+    wish.kind = kind;
+    return layout.why_not(kind).empty() ? make_piece(layout.request(kind, &wish)).mount : Mount::floor;
+}
+
+std::string kind_of(const DocumentThing& t) { return t.asked && !t.asked->kind.empty() ? t.asked->kind : t.kind; }
+
+bool is_table(const std::string& kind) {
+    return has_role(kind, Role::lamp_above) || has_role(kind, Role::work_place) || kind.ends_with("table");
+}
+
+// What "to" and "at" mean there: a vase goes onto a table, a chair up to it.
+std::string suited(const std::string& relation, const std::string& kind, const Placed& there) {
+    const bool small = furnishing::is_small(kind) || furnishing::lies_on_seats(kind);
+    if (relation == "in") return "on";
+    if (relation == "to" && small && !there.piece.surfaces.empty()) return "on";
+    if (has_role(kind, Role::seat) && !has_role(kind, Role::sofa) && !has_role(kind, Role::easy_chair)) {
+        if (has_role(there.piece.kind, Role::work_place)) return "in front of";
+        if (has_role(there.piece.kind, Role::lamp_above)) return "around";
+    }
+    return "next to";
+}
+
+bool fits(const std::string& relation, const Placed& there) {
+    if (relation == "on") return !there.piece.surfaces.empty() || there.flat;
+    if (relation == "around") return is_table(there.piece.kind);
+    if (relation == "under") return there.piece.mount != Mount::ceiling && !there.flat;
+    return true;
+}
+
+float floor_of(const Placed& p) { return p.piece.size_m.x * p.piece.size_m.z; }
+
+// Of the things that the words of a place may mean, those of one kind: what suits the relation, else the largest.
+std::vector<int> of_one_kind(const Editor& editor, std::vector<int> found, const std::string& relation) {
+    const std::vector<Placed>& all = editor.room().furnished.placed;
+    const auto at = [&](int i) -> const Placed& { return all[static_cast<std::size_t>(i)]; };
+    if (std::any_of(found.begin(), found.end(), [&](int i) { return fits(relation, at(i)); }))
+        std::erase_if(found, [&](int i) { return !fits(relation, at(i)); });
+    const int largest = *std::max_element(found.begin(), found.end(),
+                                          [&](int a, int b) { return floor_of(at(a)) < floor_of(at(b)); });
+    const std::string kind = at(largest).piece.kind;
+    std::erase_if(found, [&](int i) { return at(i).piece.kind != kind; });
+    return found;
+}
+
+// The things at which it is, and their kind.
+struct Anchor {
+    std::string kind;
+    std::vector<std::string> ids;  // none: any of the kind
+};
+
+Anchor anchor_of(const Editor& editor, const Words& words, const std::string& relation) {
+    const std::string text = text_of(words);
+    std::vector<int> found = all_named(editor, text);
+    if (found.empty()) named(editor, text);  // says so
+    found = of_one_kind(editor, found, relation);
+    const std::vector<DocumentThing>& things = editor.document().things;
+    Anchor out{kind_of(things[static_cast<std::size_t>(found.front())]), {}};
+    const auto alike = std::count_if(things.begin(), things.end(), [&](const DocumentThing& t) {
+        return t.kind == out.kind || kind_of(t) == out.kind;
+    });
+    if (alike != static_cast<std::ptrdiff_t>(found.size()))
+        for (const int i : found) out.ids.push_back(things[static_cast<std::size_t>(i)].id);
+    return out;
+}
+
+class Reader {
+  public:
+    Reader(const Editor& editor, const Words& words, const std::string& kind, const std::string& mover)
+        : editor_(editor), words_(words), kind_(kind), mover_(mover), moving_(!mover.empty()) {}
+
+    std::optional<Place> read() {
+        std::size_t at = 0;
+        while (at + 1 < words_.size() && is_one_of(words_[at], {"right", "directly", "just", "straight", "somewhere"}))
+            ++at;
+        if (at < words_.size() && is_one_of(words_[at], {"somewhere", "elsewhere"})) return elsewhere();
+        const auto relation = relation_at(words_, at);
+        // "to" and the like before a part of the room, before longer terms of the lexicon: "in the far corner".
+        for (std::size_t i = at; i < std::min(words_.size(), at + 3); ++i) {
+            if (!relation_at(part_of(words_, i, i + 1), 0)) break;
+            const auto part = room_part(words_, i + 1);
+            if (!part || (i > at && relation && relation->next > i + 1)) continue;
+            const auto short_one = relation_at(part_of(words_, at, i + 1), 0);
+            if (short_one && short_one->next == i + 1 - at)
+                if (auto place = at_part(short_one->name, *part)) return place;
+        }
+        if (!relation) return {};
+        if (relation->next < words_.size())
+            if (const auto part = room_part(words_, relation->next))
+                if (auto place = at_part(relation->name, *part)) return place;
+        return at_thing(*relation);
+    }
+
+  private:
+    Place place(const std::string& relation, const std::string& to = {}) const {
+        Place out;
+        out.step.wish.relation = relation, out.step.wish.relation_to = to;
+        return out;
+    }
+    std::optional<Place> elsewhere() const {
+        Place out = place("");
+        out.step.elsewhere = true;
+        return out;
+    }
+
+    std::optional<Place> at_part(const std::string& relation, const Part& part) {
+        const Words rest = part_of(words_, part.next);
+        const bool of_room = rest.empty() || (rest.front() == "of" && noun_of(rest.back()) == "room");
+        if (part.noun == "corner") return at_corner(part, rest);
+        if (part.noun == "middle" && of_room) return place("in the middle");
+        if (part.noun == "side" && of_room) return at_wall(part, {});
+        // "on the other side of the sofa"
+        if (part.noun == "side" && rest.size() > 1 && rest.front() == "of" && !part.says({"left", "right"})) {
+            auto beside = at_thing({"next to", part.next + 1});
+            if (beside && part.is_other()) free_side(*beside);
+            return beside;
+        }
+        if (part.noun == "wall") return at_wall(part, rest, relation);
+        if (!rest.empty()) return {};
+        if (part.noun == "floor") return place("on", "floor");
+        if (part.noun == "ceiling" || part.noun == "room") return place("");
+        if (part.noun == "middle" || part.noun == "side") return {};
+        return at_opening(relation, part);
+    }
+
+    std::optional<Place> at_opening(const std::string& relation, const Part& part) {
+        const std::string kind = opening_there(editor_.plan(), part.noun);
+        const bool small = furnishing::is_small(kind_);
+        if (kind == "window" && (part.says({"sill"}) || (small && is_one_of(relation, {"in", "on", "at", "to"}))))
+            return place("on", "window");
+        if (is_one_of(relation, {"to", "at", "in", "on", "from", "against", "along"})) return place("next to", kind);
+        return place(relation, kind);
+    }
+
+    std::optional<Place> at_corner(const Part& part, const Words& rest) {
+        Place out = place("in the corner");
+        out.step.elsewhere = moving_ && part.is_other();
+        out.step.each = !moving_ && part.says({"each", "every", "all"});
+        std::optional<Vec2f> near;
+        if (const auto direction = direction_said(editor_, part)) near = flat(*direction) * 100.f;
+        if (!rest.empty() && rest.front() != "of") near = point_of(rest);
+        if (!rest.empty() && rest.front() != "of" && !near) return {};
+        if (near) {
+            const auto corners = corners_of_room(editor_.plan());
+            out.step.position = *std::min_element(corners.begin(), corners.end(), [&](Vec2f a, Vec2f b) {
+                return length(a - *near) < length(b - *near);
+            });
+        }
+        return out;
+    }
+    // Where "by the window", "next to the bed" is.
+    std::optional<Vec2f> point_of(const Words& words) {
+        const auto relation = relation_at(words, 0);
+        if (!relation) return {};
+        const Words there = part_of(words, relation->next);
+        if (const auto part = room_part(there, 0)) {
+            for (const Opening& o : editor_.plan().openings)
+                if (is_opening_of(o, part->noun)) return flat(editor_.plan().wall(o.wall).point((o.u0 + o.u1) / 2, 0));
+            return {};
+        }
+        const auto found = all_named(editor_, text_of(there));
+        if (found.empty()) return {};
+        return flat(editor_.room().furnished.placed[static_cast<std::size_t>(found.front())].position);
+    }
+
+    // "the wall opposite the bed", "the wall behind the sofa"; otherwise as without the wall.
+    std::optional<Place> at_wall_of(const Words& rest) {
+        auto out = Reader(editor_, rest, kind_, mover_).read();
+        if (!out || !is_one_of(out->step.wish.relation, {"opposite", "behind"})) return out;
+        const auto anchors = things_at(editor_, out->step);
+        if (anchors.empty()) return out;
+        const Vec3f front = front_of(editor_.placed(anchors.front()).yaw);
+        const bool opposite = out->step.wish.relation == "opposite";
+        out = place("against");
+        out->step.wall = wall_towards(editor_.plan(), opposite ? front : front * -1.f);
+        return out;
+    }
+
+    std::optional<Place> at_wall(const Part& part, const Words& rest, const std::string& relation = {}) {
+        // "on the wall above the bed"
+        if (!rest.empty() && rest.front() != "of") return at_wall_of(rest);
+        const bool hangs = mount_of(editor_, kind_) == Mount::wall || kind_ == "tv";
+        Place out = hangs && (relation == "on" || relation == "to") ? place("on", "wall") : place("against");
+        if (const auto direction = direction_said(editor_, part))
+            out.step.wall = wall_towards(editor_.plan(), *direction);
+        for (const Opening& o : editor_.plan().openings)
+            if ((part.says({"window"}) && o.kind == Opening::Kind::window) ||
+                (part.says({"door"}) && o.kind != Opening::Kind::window))
+                out.step.wall = o.wall;
+        out.step.elsewhere = moving_ && part.is_other();
+        out.step.opposite = part.says({"opposite"}) || (part.noun == "side" && part.is_other());
+        return out;
+    }
+
+    std::optional<Place> at_thing(const Relation& relation) {
+        Words there = part_of(words_, relation.next);
+        const std::string& name = relation.name;
+        if (there.empty()) {
+            if (is_one_of(name, {"in the corner", "in the middle", "far wall", "against"})) return place(name);
+            return name == "as usual" ? std::optional(place("")) : std::nullopt;
+        }
+        if (is_one_of(name, {"in a row", "each other", "as usual", "from"})) return {};
+        if (name == "between") return between(there);
+        if (is_one_of(name, {"in the corner", "in the middle"}) && noun_of(there.back()) == "room") return place(name);
+        if (name == "in the middle") return at_thing({"on", relation.next});
+        // "on the other side of the bed" was read as opposite.
+        const bool each = is_one_of(there.front(), {"each", "both", "every", "all"});
+        const std::string looked = is_one_of(name, {"to", "at", "in"}) ? "" : name;
+        const Anchor anchor = anchor_of(editor_, there, looked);
+        Place out = place(name, anchor.kind);
+        out.step.at = anchor.ids;
+        if (moving_ && std::find(there.begin(), there.end(), "other") != there.end()) out.step.at = others(anchor);
+        const std::vector<int> found = of_one_kind(editor_, all_named(editor_, text_of(there)), looked);
+        const Placed& first = editor_.room().furnished.placed[static_cast<std::size_t>(found.front())];
+        if (looked.empty()) out.step.wish.relation = suited(name, kind_, first);
+        if (name == "along" || name == "against") out.step.wish.relation = "next to";
+        if (each)
+            for (const int i : found)
+                out.each_at.push_back({editor_.document().things[static_cast<std::size_t>(i)].id});
+        return out;
+    }
+
+    // Left or right of a thing: the side at which fewer things stand, or it does not stand itself.
+    void free_side(Place& place) const {
+        const auto anchors = things_at(editor_, place.step);
+        if (anchors.size() != 1) return;
+        const Placed& at = editor_.placed(anchors.front());
+        float balance = 0;
+        constexpr float kNear = 1.2f;  // metres from its edge
+        for (const Placed& p : editor_.room().furnished.placed) {
+            const bool counts = moving_ ? p.id == mover_ : asked_kind(p) == kind_;
+            if (!counts || distance_to(footprint_of(at), footprint_of(p).center) > kNear) continue;
+            balance += dot(p.position - at.position, right_of(at.yaw)) > 0 ? 1.f : -1.f;
+        }
+        if (balance != 0) place.step.wish.relation = balance > 0 ? "left of" : "right of";
+    }
+
+    // "The other desk": not that at which it stands.
+    std::vector<std::string> others(const Anchor& anchor) const {
+        const Vec2f here = footprint_of(editor_.placed(mover_)).center;
+        std::vector<std::string> out;
+        for (const DocumentThing& t : editor_.document().things)
+            if (t.kind == anchor.kind || kind_of(t) == anchor.kind) out.push_back(t.id);
+        const auto far = [&](const std::string& id) { return distance_to(footprint_of(editor_.placed(id)), here); };
+        if (out.size() > 1)
+            out.erase(std::min_element(out.begin(), out.end(),
+                                       [&](const std::string& a, const std::string& b) { return far(a) < far(b); }));
+        return out;
+    }
+
+    std::optional<Place> between(const Words& words) {
+        const auto joint = std::find(words.begin(), words.end(), "and");
+        const auto side = [&](const Words& part) {
+            if (const auto known = room_part(part, 0); known && known->next == part.size())
+                return Anchor{opening_there(editor_.plan(), known->noun), {}};
+            return anchor_of(editor_, part, "");
+        };
+        const Anchor one = side(Words(words.begin(), joint));
+        const Anchor other = joint == words.end() ? one : side(Words(joint + 1, words.end()));
+        Place out = place("between", one.kind);
+        out.step.wish.relation_and = other.kind;
+        out.step.at = one.ids, out.step.at_and = other.ids;
+        return out;
+    }
+
+    const Editor& editor_;
+    Words words_;
+    std::string kind_, mover_;
+    bool moving_;
+};
+
+}  // namespace
+
+std::optional<Place> place_of(const Editor& editor, const Words& words, const std::string& kind,
+                              const std::string& mover) {
+    return words.empty() ? std::nullopt : Reader(editor, words, kind, mover).read();
+}
+
+}  // namespace fastscene::editing

@@ -1,0 +1,295 @@
+// Things moved and turned by so much, and made larger, where they stand.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "fastscene/base/error.h"
+#include "fastscene/rooms/catalogue.h"
+#include "fastscene/rooms/edit_parts.h"
+#include "fastscene/rooms/layout_relations.h"
+#include "fastscene/rooms/validate.h"
+
+namespace fastscene::editing {
+namespace {
+
+// What is wrong with a room, with the ids of its things.
+std::set<std::string> faults_of(const RoomDocument& document, const FurnishedRoom& room,
+                                const std::vector<Placed>& all) {
+    std::set<std::string> out;
+    for (const Fault& fault : room_faults(room.plan, all, room.camera)) {
+        std::string text = fault.text;
+        for (std::size_t i = all.size(); i-- > 0;) {
+            const std::string name = all[i].piece.kind + " #" + std::to_string(i);
+            for (std::size_t at = text.find(name); at != std::string::npos; at = text.find(name))
+                text.replace(at, name.size(), document.things[i].id);
+        }
+        out.insert(text);
+    }
+    return out;
+}
+
+// Where `at` comes to stand when what stood at `from` stands at `to`.
+Vec3f carried(Vec3f at, Vec3f from, Vec3f to, float turn) {
+    const float c = std::cos(turn), s = std::sin(turn);
+    const Vec3f d = at - from;
+    return to + Vec3f{c * d.x + s * d.z, d.y, c * d.z - s * d.x};
+}
+
+// "room: /things/3: sofa-1 reaches into a wall": of a sentence, only what is wrong.
+std::string without_place(const std::string& text) {
+    if (!text.starts_with("room: /things/")) return text;
+    return text.substr(text.find(": ", text.find(": ") + 1) + 2);
+}
+
+}  // namespace
+
+// Moves a thing with what stands on it, and with others `along`.
+void Editor::set_pose(int index, Pose pose, const std::vector<int>& along) {
+    const Placed before = placed(index);
+    std::vector<int> moving{index};
+    moving.insert(moving.end(), along.begin(), along.end());
+    for (const int i : with_riders(moving)) {
+        DocumentThing& t = thing(i);
+        t.position = carried(t.position, before.position, pose.position, pose.yaw - before.yaw);
+        t.yaw = i == index ? pose.yaw : std::remainder(t.yaw + pose.yaw - before.yaw, 2 * kPi);
+    }
+    tell_pose(index, before.position);
+    for (const int i : along) tell(thing(i).id, "moved with " + thing(index).id);
+}
+
+void Editor::tell_pose(int index, Vec3f from) {
+    const DocumentThing& t = thing(index);
+    constexpr float kSeen = 5e-3f;  // metres
+    const float far = length(t.position - from);
+    tell(t.id, far < kSeen ? fmt::format("turned to {:.0f} degrees", t.yaw * 180 / kPi)
+                           : fmt::format("moved {:.2f} m to x {:.2f}, z {:.2f}, turned to {:.0f} degrees", far,
+                                         t.position.x, t.position.z, t.yaw * 180 / kPi));
+}
+
+// The room with a thing at another pose.
+std::vector<Placed> Editor::with_pose(int index, Pose pose, const std::vector<int>& along) const {
+    std::vector<Placed> all = room_.furnished.placed;
+    std::vector<int> moving{index};
+    moving.insert(moving.end(), along.begin(), along.end());
+    const float turn = pose.yaw - placed(index).yaw;
+    for (const int i : with_riders(moving)) {
+        Placed& p = all[static_cast<std::size_t>(i)];
+        p.position = carried(p.position, placed(index).position, pose.position, turn);
+        p.yaw = i == index ? pose.yaw : std::remainder(p.yaw + turn, 2 * kPi);
+    }
+    return all;
+}
+
+// What is wrong with it that was not before; empty: nothing.
+std::string Editor::new_fault(const std::vector<Placed>& all) const {
+    const std::set<std::string> before = faults_of(result_.document, room_.furnished, room_.furnished.placed);
+    for (const std::string& fault : faults_of(result_.document, room_.furnished, all))
+        if (!before.contains(fault)) return fault;
+    return {};
+}
+
+// Nothing may be wrong that was not before.
+void Editor::checked(const std::function<void()>& change) {
+    const std::set<std::string> before = faults_of(result_.document, room_.furnished, room_.furnished.placed);
+    const EditResult kept = result_;
+    try {
+        change();
+        build();
+        for (const std::string& fault : faults_of(result_.document, room_.furnished, room_.furnished.placed))
+            if (!before.contains(fault)) throw Error("{}", fault);
+    } catch (const UsageError&) {
+        result_ = kept;
+        build();
+        throw;
+    } catch (const Error& e) {
+        result_ = kept;
+        build();
+        throw Error("{}", without_place(e.what()));
+    }
+}
+
+void Editor::move(const EditStep& step) {
+    for (const std::string& id : step.ids) {
+        const int i = index_of(id);
+        if (const std::vector<int> seats = seats_at(i); step.kind == EditStep::Kind::turn && !seats.empty()) try {
+                const float yaw = std::remainder(placed(i).yaw + step.yaw.value_or(kPi), 2 * kPi);
+                checked([&] { set_pose(i, {placed(i).position, yaw}, seats); });
+                continue;
+            } catch (const Error&) {  // there is no room for them: it turns alone
+            }
+        checked([&] {
+            const Placed& p = placed(i);
+            Vec3f to = p.position;
+            if (step.position) to.x = step.position->x, to.z = step.position->y;
+            const float yaw = step.kind == EditStep::Kind::turn
+                                  ? std::remainder(p.yaw + step.yaw.value_or(kPi), 2 * kPi)
+                                  : step.yaw.value_or(p.yaw);
+            DocumentThing& t = thing(i);
+            // Off what carried it, it stands on the floor.
+            if (step.position && !t.on.empty()) to.y = 0, t.on.clear();
+            set_pose(i, {to, yaw}, {});
+        });
+    }
+}
+
+// Chairs go with the table that they stand at.
+std::vector<int> Editor::seats_at(int table) const {
+    const std::string& kind = placed(table).piece.kind;
+    std::vector<int> out;
+    if (!has_role(kind, Role::lamp_above) && !has_role(kind, Role::work_place)) return out;
+    for (int i = 0; i < static_cast<int>(room_.furnished.placed.size()); ++i)
+        if (placed(i).with == table && has_role(placed(i).piece.kind, Role::seat)) out.push_back(i);
+    return out;
+}
+
+// As far as there is room, unless it was said how far.
+void Editor::shift(const EditStep& step) {
+    for (const std::string& id : step.ids) {
+        const int i = index_of(id);
+        std::string fault;
+        bool done = false;
+        const std::vector<int> seats = seats_at(i);
+        for (const float part : {1.f, 0.75f, 0.5f, 0.35f, 0.2f}) {
+            if (done || (part < 1 && step.exactly)) break;
+            for (const std::vector<int>& along : {seats, std::vector<int>{}}) {
+                const Pose to{placed(i).position + step.by * part, placed(i).yaw};
+                fault = new_fault(with_pose(i, to, along));
+                done = fault.empty();
+                if (done) checked([&] { set_pose(i, to, along); });
+                if (done || seats.empty()) break;
+            }
+        }
+        if (!done) throw Error("{}: there is no room for it there: {}", id, fault);
+    }
+}
+
+// Where what it is to face stands: the nearest that is meant.
+std::optional<Vec2f> Editor::target_of(const EditStep& step, int from) const {
+    std::optional<Vec2f> best;
+    const Vec2f here = footprint_of(placed(from)).center;
+    const auto take = [&](Vec2f there) {
+        if (!best || length(there - here) < length(*best - here)) best = there;
+    };
+    if (step.wish.relation_to == "room") return Vec2f{0, 0};
+    if (step.wish.relation_to == "camera") return flat(room_.furnished.camera);
+    for (const std::string& id : step.at) take(footprint_of(placed(id)).center);
+    for (const Opening& o : plan().openings)
+        if (is_opening_of(o, step.wish.relation_to)) take(flat(plan().wall(o.wall).point((o.u0 + o.u1) / 2, 0)));
+    return best;
+}
+
+// Turned where it stands; what then reaches into something stands a little off it.
+void Editor::face(const EditStep& step) {
+    constexpr float kFaces = 3 * kPi / 180;
+    for (const std::string& id : step.ids) {
+        const int i = index_of(id);
+        const std::optional<Vec2f> target = target_of(step, i);
+        if (!target) throw UsageError("there is no {} in the room", in_words(step.wish.relation_to));
+        const Placed& p = placed(i);
+        std::string fault;
+        bool done = false;
+        for (const float off : {0.f, 0.1f, 0.2f, 0.3f, 0.45f, 0.6f, 0.8f}) {
+            constexpr int kWays = 8;
+            for (int way = 0; way < (off > 0 ? kWays : 1) && !done; ++way) {
+                const float angle = 2 * kPi * static_cast<float>(way) / kWays;
+                const Vec3f to = p.position + Vec3f{std::sin(angle), 0, std::cos(angle)} * off;
+                const Vec2f ahead = *target - flat(to);
+                const float yaw = std::atan2(ahead.x, ahead.y);
+                if (off == 0 && std::abs(std::remainder(yaw - p.yaw, 2 * kPi)) < kFaces) {
+                    // By this very sentence: "before the fire, facing it".
+                    done = std::any_of(result_.changes.begin(), result_.changes.end(),
+                                       [&](const EditChange& c) { return c.id == id; });
+                    if (!done) throw Error("{}: it faces the {} already", id, in_words(step.wish.relation_to));
+                    break;
+                }
+                for (const std::vector<int>& along : {seats_at(i), std::vector<int>{}}) {
+                    const std::string wrong = new_fault(with_pose(i, {to, yaw}, along));
+                    if (off == 0) fault = wrong;
+                    done = wrong.empty();
+                    if (done) checked([&] { set_pose(i, {to, yaw}, along); });
+                    if (done) break;
+                }
+            }
+            if (done) break;
+        }
+        if (!done) throw Error("{}: there is no room to turn it: {}", id, fault);
+    }
+}
+
+namespace {
+
+// Its back stays at its wall, what hangs keeps its middle.
+Vec3f after_resize(const Placed& p, Vec3f size) {
+    Vec3f at = p.position;
+    const Vec3f more = size - p.piece.size_m;
+    if (p.piece.mount == Mount::wall) at.y -= more.y / 2;
+    else if (p.piece.mount == Mount::floor && p.piece.against_wall) at += front_of(p.yaw) * (more.z / 2);
+    return at;
+}
+
+}  // namespace
+
+// What stands on a thing of another size keeps its place on the top.
+void Editor::carry_riders(int index, const Placed& before, Vec3f factor) {
+    const Placed& after = placed(index);
+    const Vec3f right = right_of(before.yaw), front = front_of(before.yaw);
+    for (const int i : with_riders({index})) {
+        if (placed(i).on != index) continue;
+        const Vec3f d = placed(i).position - before.position;
+        Vec3f to = after.position + right * (dot(d, right) * factor.x) + front * (dot(d, front) * factor.z);
+        to.y = placed(i).position.y;
+        const auto& tops = before.piece.surfaces;
+        for (std::size_t k = 0; k < std::min(tops.size(), after.piece.surfaces.size()); ++k)
+            if (std::abs(tops[k].center.y - d.y) < 0.02f) to.y = after.position.y + after.piece.surfaces[k].center.y;
+        const Vec3f step = to - placed(i).position;
+        for (const int k : with_riders({i})) thing(k).position += step;
+    }
+}
+
+// Chairs keep their distance from the edges of their table.
+void Editor::keep_seats(int index, const Placed& before) {
+    const Placed& after = placed(index);
+    const Vec3f right = right_of(before.yaw), front = front_of(before.yaw);
+    const Vec3f old = before.piece.size_m * 0.5f, more = after.piece.size_m * 0.5f - old;
+    for (const int i : seats_at(index)) {
+        const Vec3f d = placed(i).position - before.position;
+        const float x = dot(d, right), z = dot(d, front);
+        const auto moved = [](float at, float half, float by) {
+            return std::abs(at) > half ? std::copysign(by, at) : at * by / half;
+        };
+        thing(i).position += after.position - before.position + right * moved(x, old.x, more.x) +
+                             front * moved(z, old.z, more.z);
+    }
+}
+
+void Editor::resize_one(int index, Vec3f factor) {
+    const Placed before = placed(index);
+    Vec3f size = before.piece.size_m;
+    for (std::size_t a = 0; a < 3; ++a) size[a] *= factor[a];
+    std::string fault;
+    for (const float aside : {0.f, 0.1f, -0.1f, 0.2f, -0.2f, 0.35f, -0.35f, 0.5f, -0.5f}) {
+        try {
+            return checked([&] {
+                thing(index).size_m = size;
+                thing(index).position = after_resize(before, size) + right_of(before.yaw) * aside;
+                build();
+                carry_riders(index, before, factor);
+                keep_seats(index, before);
+                const Vec3f is = placed(index).piece.size_m;
+                tell(thing(index).id, fmt::format("size: {:.2f} x {:.2f} x {:.2f} m", is.x, is.y, is.z));
+            });
+        } catch (const Error& e) {
+            if (fault.empty()) fault = e.what();
+            if (before.flat) break;
+        }
+    }
+    throw Error("{}: there is no room for it in that size: {}", thing(index).id, fault);
+}
+
+void Editor::resize(const EditStep& step) {
+    for (const std::string& id : step.ids) resize_one(index_of(id), step.factor);
+}
+
+}  // namespace fastscene::editing
