@@ -218,12 +218,13 @@ void face(Talk& talk, const Words& words) {
     if (noun == "it" && !talk.last_place.wish.relation_to.empty()) {
         step.wish.relation_to = talk.last_place.wish.relation_to;
         step.at = things_at(talk.editor, talk.last_place);
-    } else if (is_one_of(noun, {"me", "us", "camera", "viewer"})) step.wish.relation_to = "camera";
+    } else if (is_one_of(noun, {"me", "us", "camera", "viewer"})) step.wish.relation_to = "viewer";
     else if (is_one_of(noun, {"room", "middle", "center", "centre", "inside"})) step.wish.relation_to = "room";
     else {
         Words at{"opposite"};
         at.insert(at.end(), target.begin(), target.end());
-        const auto place = place_of(talk.editor, at, "armchair", step.ids.front());
+        const auto place = place_of(talk.editor, at, asked_kind(talk.editor.placed(step.ids.front())),
+                                    step.ids.front());
         if (!place) throw UsageError("expected a thing or an opening to face, found \"{}\"", text);
         step.wish.relation_to = place->step.wish.relation_to;
         step.at = things_at(talk.editor, place->step);

@@ -173,7 +173,7 @@ std::optional<Vec2f> Editor::target_of(const EditStep& step, int from) const {
         if (!best || length(there - here) < length(*best - here)) best = there;
     };
     if (step.wish.relation_to == "room") return Vec2f{0, 0};
-    if (step.wish.relation_to == "camera") return flat(room_.furnished.camera);
+    if (step.wish.relation_to == "viewer") return flat(room_.furnished.camera);
     for (const std::string& id : step.at) take(footprint_of(placed(id)).center);
     for (const Opening& o : plan().openings)
         if (is_opening_of(o, step.wish.relation_to)) take(flat(plan().wall(o.wall).point((o.u0 + o.u1) / 2, 0)));
