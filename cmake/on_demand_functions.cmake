@@ -1,6 +1,6 @@
 # Writes OUTPUT: a function for each public one of ARCHIVE, that of module MODULE (cmake/on_demand.cmake).
 execute_process(COMMAND ${NM} --defined-only --extern-only ${ARCHIVE} OUTPUT_VARIABLE symbols COMMAND_ERROR_IS_FATAL ANY)
-# Mangled names of functions in namespace fastscene, but not in a namespace within it (which has a name, N, of its own).
+# The functions of namespace fastscene, by their mangled names; those of fastscene::nn are the module's own.
 string(REGEX MATCHALL " T _ZNK?9fastscene[^\n]*" symbols "${symbols}")
 list(TRANSFORM symbols REPLACE "^ T " "")
 list(FILTER symbols EXCLUDE REGEX "^_ZNK?9fastscene2nn")

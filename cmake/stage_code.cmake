@@ -5,8 +5,8 @@
 #   fastscene_hash_stage_code(target)                after all modules: the generated header, for `target`
 #
 # A module below layer 6 counts whole: its sources with all they embed, and its headers. Layers 6 and above hold all
-# stages side by side, so there only the files count that the stage's sources include, each with its .cc. Which module
-# stands on which is what it USES, and so links.
+# stages side by side, so there only the files count that the stage's sources include, each with its .cc. What each
+# module links is what its fastscene_module() USES.
 set(FASTSCENE_FIRST_SHARED_LAYER 6)
 
 function(fastscene_stage name)
