@@ -60,7 +60,7 @@ void fill_standard(SceneParams& p) {
 }
 void fill_high(SceneParams& p) {
     p.panorama.width = 4096;
-    p.panorama.trace = {.cell_m = 0.02f, .cell_samples = 512, .pixel_samples = 16, .outside_detail = 14};
+    p.panorama.trace = {.cell_m = 0.02f, .cell_samples = 512, .pixel_samples = 16, .outside_detail = 12};
     p.walk.viewpoints = 20;
     p.walk.room_viewpoints = 40;
     p.walk.pixel_samples = 4;

@@ -15,11 +15,11 @@ namespace fastscene {
 namespace {
 
 constexpr EquirectSize kTable{512, 256};
-constexpr float kTop = 0.96f;          // radians: height up to which the band reaches, and depth
-constexpr float kStretch = 0.3f;       // radians: rows lie 1.4 times as far apart at this height as at the horizon
-constexpr float kSteepest = 1.36f;     // radians from a window's normal: its reveal hides the rest
-constexpr int kFewest = 3, kMost = 5;  // samples per pixel
-constexpr float kEven = 0.06f;         // relative difference below which two samples do
+constexpr float kTop = 0.96f;           // radians: height up to which the band reaches, and depth
+constexpr float kStretch = 0.3f;        // radians: rows lie 1.4 times as far apart at this height as at the horizon
+constexpr float kSteepest = 1.36f;      // radians from a window's normal: its reveal hides the rest
+constexpr int kFewest = 4, kMost = 24;  // samples per pixel of the band
+constexpr float kError = 0.05f;         // standard error of a pixel's mean, relative to it, at which sampling stops
 
 Vec3f outward_of(const Portal& p) { return -normalize(cross(p.edge_u, p.edge_v)); }
 
@@ -54,24 +54,27 @@ std::vector<bool> columns_shown(const std::vector<Portal>& portals, Vec3f low, V
     return shown;
 }
 
-// The mean over a pixel: a few samples, more where they differ. `towards`: direction at a position within the pixel, in
-// [0, 1)^2.
+// The mean over a pixel, sampled until its standard error is below kError. What is left of the noise is part of the
+// scene: every picture shows the same. `towards`: direction at a position within the pixel, in [0, 1)^2.
 template <class Towards>
 Vec3f pixel_mean(const outdoors::Tracer& tracer, std::uint64_t key, float width, int fewest, int most,
                  const Towards& towards) {
     Random random(key);
     const Vec2f shift{random.uniform(), random.uniform()};
     Vec3f sum{};
-    float low = 1e30f, high = 0;
+    float mean = 0, squares = 0;  // of the luminance; squares: summed squared deviations (Welford 1962)
     int count = 0;
-    for (; count < most; ++count) {
-        if (count == fewest && high - low < kEven * (high + low)) break;
+    for (bool certain = false; count < most && !certain;) {
         const auto k = static_cast<float>(count);
         const Vec2f at{std::fmod(shift.x + 0.754877666f * k, 1.f), std::fmod(shift.y + 0.569840291f * k, 1.f)};
         const Vec3f radiance = tracer.sample(towards(at), width, random).radiance;
-        const float bright = luminance(radiance);
-        low = std::min(low, bright), high = std::max(high, bright);
         sum += radiance;
+        const auto n = static_cast<float>(++count);
+        const float bright = luminance(radiance), off = bright - mean;
+        mean += off / n;
+        squares += off * (bright - mean);
+        const float allowed = kError * mean;
+        certain = count >= fewest && squares <= allowed * allowed * n * (n - 1);
     }
     return sum / static_cast<float>(count);
 }

@@ -146,7 +146,7 @@ void add_foliage(QuadMesh& mesh, const Skeleton& tree, const TreeKind& kind, Ran
     for (std::size_t n = 1; n < tree.nodes.size(); ++n)
         if (tree.nodes[n].radius < kBearing) bearing.push_back(n);
     if (bearing.empty()) return;
-    const float spread = 1.25f * tree.step;
+    const float spread = tree.step;  // wider, and crowns lose the shape of their branches
     for (int k = 0; k < kind.leaves; ++k) {
         const Skeleton::Node& node =
             tree.nodes[bearing[static_cast<std::size_t>(random.index(static_cast<int>(bearing.size())))]];

@@ -11,18 +11,18 @@ namespace {
 
 // Species, as a gardener would tell them apart: outline, density and size of leaf.
 constexpr std::array<TreeKind, 5> kSmall{
-    TreeKind{6.6f, 1.7f, 2.3f, Crown::round, 0.088f, 30000},                          // field maple
-    TreeKind{9.f, 2.2f, 1.9f, Crown::ovate, 0.06f, 44000, kBirchBark, false, 0.35f},  // birch
-    TreeKind{4.8f, 1.3f, 2.2f, Crown::umbrella, 0.075f, 27000, kBark, false, 0.6f},   // apple
-    TreeKind{7.4f, 1.5f, 2.1f, Crown::ovate, 0.085f, 34000},                          // lime
-    TreeKind{5.6f, 0.5f, 1.9f, Crown::round, 0.068f, 32000, kBark, false, 0.7f},      // serviceberry
+    TreeKind{6.6f, 1.7f, 2.3f, Crown::round, 0.07f, 48000},                            // field maple
+    TreeKind{9.f, 2.2f, 1.9f, Crown::ovate, 0.052f, 58000, kBirchBark, false, 0.35f},  // birch
+    TreeKind{4.8f, 1.3f, 2.2f, Crown::umbrella, 0.065f, 36000, kBark, false, 0.6f},    // apple
+    TreeKind{7.4f, 1.5f, 2.1f, Crown::ovate, 0.07f, 50000},                            // lime
+    TreeKind{5.6f, 0.5f, 1.9f, Crown::round, 0.055f, 49000, kBark, false, 0.7f},       // serviceberry
 };
 constexpr std::array<TreeKind, 5> kTall{
-    TreeKind{13.f, 2.4f, 4.6f, Crown::round, 0.16f, 46000},                       // oak
-    TreeKind{15.f, 2.8f, 3.9f, Crown::ovate, 0.15f, 46000},                       // beech
-    TreeKind{14.f, 3.2f, 2.6f, Crown::ovate, 0.11f, 40000, kBirchBark},           // birch
-    TreeKind{17.f, 1.2f, 1.7f, Crown::columnar, 0.12f, 36000},                    // poplar
-    TreeKind{14.f, 6.5f, 3.2f, Crown::umbrella, 0.2f, 9000, kBark, true, 0.35f},  // pine
+    TreeKind{13.f, 2.4f, 4.6f, Crown::round, 0.115f, 96000},                        // oak
+    TreeKind{15.f, 2.8f, 3.9f, Crown::ovate, 0.1f, 103000},                         // beech
+    TreeKind{14.f, 3.2f, 2.6f, Crown::ovate, 0.075f, 86000, kBirchBark},            // birch
+    TreeKind{17.f, 1.2f, 1.7f, Crown::columnar, 0.085f, 72000},                     // poplar
+    TreeKind{14.f, 6.5f, 3.2f, Crown::umbrella, 0.15f, 16000, kBark, true, 0.35f},  // pine
 };
 
 template <std::size_t N>

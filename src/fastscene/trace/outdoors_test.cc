@@ -80,6 +80,31 @@ TEST(Outdoors, LightIsTheMeanOfWhatIsSeen) {
     }
 }
 
+// What noise is left in the band stays in every picture, as a grain that nothing can be trained to hold.
+TEST(Outdoors, FoliageIsSampledUntilItIsSmooth) {
+    const Sky sky = day(Sky::View::forest);
+    const Outdoors outdoors(sky, one_window(), kRoomLow, kRoomHigh, 2);
+    const Outdoors::Band& band = outdoors.band();
+    const Tracer tracer(sky, make_world(sky, main_outlook(one_window())));
+    constexpr int kPixels = 400, kSamples = 256;
+    Random random(1, "foliage");
+    double error = 0, bright = 0;
+    for (int k = 0; k < kPixels;) {
+        const Vec2f corner{static_cast<float>(random.index(band.width)),
+                           static_cast<float>(1 + random.index(band.height - 2))};
+        if (!band.covers(corner + Vec2f{0.5f, 0.5f})) continue;
+        float mean = 0;
+        for (int s = 0; s < kSamples; ++s) {
+            const Vec3f way = band.direction(corner + Vec2f{random.uniform(), random.uniform()});
+            mean += luminance(tracer.sample(way, 2 * kPi / static_cast<float>(band.width), random).radiance) / kSamples;
+        }
+        const float off = luminance(band.at(corner + Vec2f{0.5f, 0.5f})) - mean;
+        error += static_cast<double>(off * off) / kPixels, bright += static_cast<double>(mean) / kPixels;
+        ++k;
+    }
+    EXPECT_LT(std::sqrt(error), 0.06 * bright);
+}
+
 TEST(Outdoors, AnyNumberOfThreadsShowsTheSame) {
     const Sky sky = day(Sky::View::city);
     const auto pictured = [&](int threads) {

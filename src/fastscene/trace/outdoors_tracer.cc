@@ -150,30 +150,41 @@ struct Tracer::Impl {
         return lerp(lerp(open[j][left], open[j][right], a), lerp(open[j + 1][left], open[j + 1][right], a), b);
     }
 
-    // Irradiance of a surface, one sample: sun, sky, and what other things reflect.
-    Vec3f irradiance(Vec3f at, Vec3f normal, Random& random) const {
-        Vec3f sum{};
-        const Vec3f from = at + normal * kOffset_m;
-        if (luminance(sky.sun_irradiance) > 0 && dot(normal, to_sun) > 0) {
-            Vec3f s, t;
-            make_frame(to_sun, s, t);
-            const float r = kSunRadius * std::sqrt(random.uniform()), turn = 2 * kPi * random.uniform();
-            const Vec3f way = normalize(to_sun + s * (r * std::cos(turn)) + t * (r * std::sin(turn)));
-            if (!blocked(from, way, kFar)) sum += sky.sun_irradiance * dot(normal, to_sun);
-        }
-        // What comes from an open sky and ground is known for every normal; whether something is in the way is not.
+    // One sample of the sunlight on a surface that faces it.
+    Vec3f sunlight(Vec3f from, float cosine, Random& random) const {
+        Vec3f s, t;
+        make_frame(to_sun, s, t);
+        const float r = kSunRadius * std::sqrt(random.uniform()), turn = 2 * kPi * random.uniform();
+        const Vec3f way = normalize(to_sun + s * (r * std::cos(turn)) + t * (r * std::sin(turn)));
+        return blocked(from, way, kFar) ? Vec3f{} : sky.sun_irradiance * cosine;
+    }
+    // One sample of what comes from the sky, and from other things. The irradiance from an open sky and ground is known
+    // for every normal; whether something is in the way is not.
+    Vec3f skylight(Vec3f from, Vec3f normal, Random& random) const {
         constexpr float kShade = 0.75f;
-        constexpr int kWays = 2;
-        const Vec2f shift{random.uniform(), random.uniform()};
-        int shut = 0;
-        for (int k = 0; k < kWays; ++k) {
-            const float half = 0.5f * static_cast<float>(k);
-            const Vec3f way = cosine_direction(normal,
-                                               {std::fmod(shift.x + half, 1.f), std::fmod(shift.y + half, 1.f)});
-            shut += way.y > 0 && blocked(from, way, kShadowReach_m);
+        const Vec3f way = cosine_direction(normal, {random.uniform(), random.uniform()});
+        return way.y > 0 && blocked(from, way, kShadowReach_m) ? bounced * kShade : open_irradiance(normal);
+    }
+    bool is_sunny() const { return luminance(sky.sun_irradiance) > 0; }
+
+    // Irradiance of a surface, one sample.
+    Vec3f irradiance(Vec3f at, Vec3f normal, Random& random) const {
+        const Vec3f from = at + normal * kOffset_m;
+        const float cosine = dot(normal, to_sun);
+        const Vec3f sun = is_sunny() && cosine > 0 ? sunlight(from, cosine, random) : Vec3f{};
+        return sun + skylight(from, normal, random) + lanterns(at, normal);
+    }
+    // Radiance of a thin sheet, one sample: it reflects what falls on this side, and lets through what falls on the
+    // other. The sun shines on one of them.
+    Vec3f sheet(Vec3f at, Vec3f normal, Vec3f albedo, Vec3f through, Random& random) const {
+        const Vec3f front = at + normal * kOffset_m, back = at - normal * kOffset_m;
+        Vec3f out = albedo * (skylight(front, normal, random) + lanterns(at, normal)) +
+                    through * (skylight(back, -normal, random) + lanterns(at, -normal));
+        if (is_sunny()) {
+            const float cosine = dot(normal, to_sun);
+            out += (cosine > 0 ? albedo : through) * sunlight(cosine > 0 ? front : back, std::abs(cosine), random);
         }
-        sum += lerp(open_irradiance(normal), bounced * kShade, static_cast<float>(shut) / kWays);
-        return sum + lanterns(at, normal);
+        return out * (1 / kPi);
     }
 
     // Street lamps, without shadows.
@@ -358,9 +369,7 @@ struct Tracer::Impl {
         }
         Vec3f out{};
         if (paint.finish == Finish::leaf) {
-            // One of the two sides per sample; the sun is asked for on the side that it shines on.
-            const bool behind = random.uniform() < 0.5f;
-            out = (behind ? through : albedo) * irradiance(at, behind ? -hit.normal : hit.normal, random) * (2 / kPi);
+            out = sheet(at, hit.normal, albedo, through, random);
             // Waxy: near the mirror direction a leaf shows the sky.
             const Vec3f mirrored = normalize(direction - hit.normal * (2 * dot(hit.normal, direction)));
             constexpr float kWaxy = 0.03f;  // needles and dry grass let less light through, and do not shine

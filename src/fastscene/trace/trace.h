@@ -41,7 +41,7 @@ struct TraceParams {
     int cell_samples = 192;       // paths gathered per cell
     int pixel_samples = 16;       // camera rays per pixel
     bool keep_noise = false;      // leave panoramas undenoised
-    float outside_detail = 10.f;  // pixels per degree of the view through the windows, at the horizon
+    float outside_detail = 8.f;  // pixels per degree of the view through the windows, at the horizon
     std::string view_transform = "photo";
     TraceBackend backend = {};
 };

@@ -25,10 +25,11 @@ static float grain(float across, float along, float footprint, uint seed) {
     return unit_clamp(0.42f * rings + 0.34f * streaks + 0.16f * fibres + 0.26f * broad - 0.02f);
 }
 
-// Pores: dark strokes a few tenths of a millimetre wide, dense in early wood; seen from close by.
+// Pores: dark strokes a few tenths of a millimetre wide, dense in early wood; seen from a hand's breadth. Blended out
+// early: strokes are finer than the noise that they are cut from.
 static float pores(float across, float along, float footprint, uint seed) {
     const float kPitch_m = 0.0011f, kLong_m = 0.012f;
-    const float fade = detail_fade(footprint, 2.f * kPitch_m);
+    const float fade = detail_fade(footprint, kPitch_m);
     if (!(fade > 0.f)) return kMeanPores;
     const float n = noise2(vec2(across / kPitch_m, along / kLong_m), seed + 13);
     return mix(kMeanPores, smooth_step(0.66f, 0.8f, n), fade);
