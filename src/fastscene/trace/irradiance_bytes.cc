@@ -3,9 +3,9 @@
 #include <cmath>
 
 #include "fastscene/base/bytes.h"
-#include "fastscene/math/half.h"
 #include "fastscene/trace/irradiance.h"
 #include "fastscene/trace/irradiance_cells.h"
+#include "fastscene/trace/light_bytes.h"
 #include "fastscene/trace/response.h"
 #include "fastscene/trace/texture.h"
 
@@ -30,14 +30,6 @@ Vec3f unit_from(ByteReader& in) {
     const float x = steps_from(in), y = steps_from(in), z = steps_from(in);
     return {x, y, z};  // normalized again it would not be rounded again to the same
 }
-void append_halves(std::string& out, Vec3f v, float scale) {
-    for (std::size_t a = 0; a < 3; ++a) append(out, half_from_float(v[a] * scale));
-}
-Vec3f halves_from(ByteReader& in, float scale) {
-    Vec3f out;
-    for (std::size_t a = 0; a < 3; ++a) out[a] = float_from_half(in.get<std::uint16_t>()) / scale;
-    return out;
-}
 void append_point(std::string& out, Vec3f p) {
     for (std::size_t a = 0; a < 3; ++a) append(out, p[a]);
 }
@@ -60,13 +52,11 @@ void IrradianceCache::know_surfaces(const Room& room) {
 }
 
 std::string IrradianceCache::bytes() const {
-    // The brightest entry becomes half of the largest number, so that the darkest keep their digits.
-    float brightest = 1e-20f;
+    float brightest = 0;
     for (const Cell& cell : cells_)
         for (const Vec3f light : {cell.direct, cell.indirect, cell.sun})
             brightest = std::max({brightest, light.x, light.y, light.z});
-    // A power of two, and kept: rounding twice is rounding once.
-    const float scale = scale_ > 0 ? scale_ : std::exp2(std::floor(std::log2(32768.f / brightest)));
+    const float scale = scale_ > 0 ? scale_ : scale_for_halves(brightest);  // kept: rounding twice is rounding once
     std::string out;
     out.reserve(cells_.size() * kCellBytes + sun_patches_.size() * kPatchBytes + sun_places_.size() * kPlaceBytes + 64);
     append(out, cell_m_);

@@ -7,6 +7,7 @@
 #include "fastscene/base/parallel.h"
 #include "fastscene/base/random.h"
 #include "fastscene/geometry/sphere.h"
+#include "fastscene/trace/light_bytes.h"
 #include "fastscene/trace/noise.h"
 #include "fastscene/trace/outdoors_site.h"
 #include "fastscene/trace/outdoors_tracer.h"
@@ -18,8 +19,8 @@ constexpr EquirectSize kTable{512, 256};
 constexpr float kTop = 0.96f;           // radians: height up to which the band reaches, and depth
 constexpr float kStretch = 0.3f;        // radians: rows lie 1.4 times as far apart at this height as at the horizon
 constexpr float kSteepest = 1.36f;      // radians from a window's normal: its reveal hides the rest
-constexpr int kFewest = 4, kMost = 24;  // samples per pixel of the band
-constexpr float kError = 0.05f;         // standard error of a pixel's mean, relative to it, at which sampling stops
+constexpr int kFewest = 6, kMost = 24;  // samples per pixel of the band
+constexpr float kError = 0.06f;         // standard error of a pixel's mean, relative to it, at which sampling stops
 
 Vec3f outward_of(const Portal& p) { return -normalize(cross(p.edge_u, p.edge_v)); }
 
@@ -123,7 +124,8 @@ Vec3f Outdoors::Band::at(Vec2f p) const {
 
 Outdoors::Outdoors(const Sky& sky, const std::vector<Portal>& portals, Vec3f room_low, Vec3f room_high,
                    float pixels_per_degree)
-    : dome_(sky), ground_(sky.ground) {
+    : Outdoors(sky) {
+    pixels_per_degree_ = pixels_per_degree;
     if (portals.empty()) return;
     const outdoors::Tracer tracer(sky, outdoors::make_world(sky, main_outlook(portals)));
     const float per_radian = pixels_per_degree * 180 / kPi;
@@ -176,6 +178,59 @@ Outdoors::Outdoors(const Sky& sky, const std::vector<Portal>& portals, Vec3f roo
             }
     });
     table_ = std::move(table);
+    const std::string exact = bytes();
+    ByteReader in("outside", exact);
+    *this = from_bytes(in, sky);  // rounded as in the file
+}
+
+std::string Outdoors::bytes() const {
+    float brightest = 0;
+    for (const ImageColor* image : {&band_.pixels, &table_})
+        for (const Vec3f pixel : image->pixels) brightest = std::max({brightest, pixel.x, pixel.y, pixel.z});
+    const float scale = scale_ > 0 ? scale_ : scale_for_halves(brightest);
+    std::string out;
+    append(out, pixels_per_degree_), append(out, scale), append(out, band_.stretch), append(out, band_.top);
+    append(out, static_cast<std::uint64_t>(band_.column.size()));
+    for (const int column : band_.column) append(out, column);
+    for (const ImageColor* image : {&band_.pixels, &table_}) {
+        append(out, image->width);
+        append(out, static_cast<std::uint64_t>(image->size()));
+        for (const Vec3f pixel : image->pixels) append_halves(out, pixel, scale);
+    }
+    return out;
+}
+
+Outdoors Outdoors::from_bytes(ByteReader& in, const Sky& sky) {
+    const auto expect = [&](bool holds) {
+        if (!holds) in.refuse("expected the view through a room's windows, found something else");
+    };
+    Outdoors out(sky);
+    Band& band = out.band_;
+    out.pixels_per_degree_ = in.get<float>(), out.scale_ = in.get<float>();
+    band.stretch = in.get<float>(), band.top = in.get<float>();
+    expect(out.scale_ > 0);
+    band.column.resize(in.count(sizeof(int)));
+    band.width = static_cast<int>(band.column.size());
+    int shown = 0;
+    for (int& column : band.column) {
+        column = in.get<int>();
+        expect(column == -1 || column == shown);
+        shown += column >= 0;
+    }
+    const auto image = [&] {
+        const int width = in.get<int>();
+        const std::size_t pixels = in.count(kHalvesBytes);
+        expect(pixels == 0 ? width >= 0 : width > 0 && pixels % static_cast<std::size_t>(width) == 0);
+        ImageColor read(width, width > 0 ? static_cast<int>(pixels / static_cast<std::size_t>(width)) : 0);
+        for (Vec3f& pixel : read.pixels) pixel = halves_from(in, out.scale_);
+        return read;
+    };
+    band.pixels = image();
+    band.height = band.pixels.height;
+    expect(band.pixels.width == shown);
+    out.table_ = image();
+    expect(out.table_.empty() ? shown == 0 : out.table_.width == kTable.width && out.table_.height == kTable.height);
+    return out;
 }
 
 Vec3f Outdoors::bare(Vec3f direction) const { return direction.y > 0 ? ground_ : dome_.at(direction); }
@@ -215,7 +270,5 @@ Vec3f Outdoors::seen(Vec3f direction) const {
     return lerp(lerp(table_.at(left, y), table_.at(right, y), a),
                 lerp(table_.at(left, y + 1), table_.at(right, y + 1), a), b);
 }
-
-std::size_t Outdoors::bytes() const { return (band_.pixels.pixels.size() + table_.pixels.size()) * sizeof(Vec3f); }
 
 }  // namespace fastscene

@@ -3,8 +3,10 @@
 #pragma once
 
 #include <memory>
+#include <string>
 #include <vector>
 
+#include "fastscene/base/bytes.h"
 #include "fastscene/image/image.h"
 #include "fastscene/scene/room.h"
 #include "fastscene/trace/sky.h"
@@ -27,7 +29,11 @@ class Outdoors {
     Vec3f light(Vec3f direction) const;
     // Geometric mean of the luminance about the horizon, as the windows show it: what a photographer would expose for.
     float brightness() const;
-    std::size_t bytes() const;
+    float pixels_per_degree() const { return pixels_per_degree_; }
+
+    // For a file, as tracing it takes many seconds. What is read back is the same to the bit. `sky`: of the same room.
+    std::string bytes() const;
+    static Outdoors from_bytes(ByteReader& in, const Sky& sky);
 
     // Height is stretched so that pixels are densest at the horizon, where things are far and small.
     struct Band {
@@ -45,10 +51,13 @@ class Outdoors {
     const SkyDome& dome() const { return dome_; }
 
   private:
+    explicit Outdoors(const Sky& sky) : dome_(sky), ground_(sky.ground) {}
     Vec3f bare(Vec3f direction) const;
 
     SkyDome dome_;
     Vec3f ground_;
+    float pixels_per_degree_ = 0;
+    float scale_ = 0;  // pixels times this are half precision numbers; 0: not rounded yet
     Band band_;
     ImageColor table_;
 };

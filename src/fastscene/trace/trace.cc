@@ -24,7 +24,7 @@
 namespace fastscene {
 namespace {
 
-constexpr std::string_view kLightFormat = "fastscene-light 1\n";
+constexpr std::string_view kLightFormat = "fastscene-light 2\n";
 constexpr int kMostMirrors = 4;  // same limit as for mirrors within mirrors in pictures (shade.cc)
 
 // The normal of a mesh that is a flat mirror, i.e. nearly all of its surface is mirror or the back of its pane. Zero if
@@ -214,6 +214,7 @@ std::string TracedRoom::light() const {
                               look.saturation, look.outside_seen, look.sun_seen})
         append(out, value);
     out += impl_->light->bytes();
+    out += impl_->lights().outdoors().bytes();
     return out + Hash().add(out).hex();
 }
 
@@ -238,6 +239,8 @@ bool TracedRoom::take_light(const TraceParams& params, std::string_view bytes, c
                          &look.saturation, &look.outside_seen, &look.sun_seen})
         *value = in.get<float>();
     impl_->light = IrradianceCache::from_bytes(in, impl_->room);
+    auto outdoors = std::make_shared<const Outdoors>(Outdoors::from_bytes(in, impl_->room.sky));
+    if (outdoors->pixels_per_degree() == params.outside_detail) impl_->outdoors = std::move(outdoors);
     impl_->expose(look);
     return true;
 }

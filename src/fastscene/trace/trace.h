@@ -107,7 +107,7 @@ class TracedRoom {
     // positions around which pictures will be taken.
     void gather_light(const TraceParams& params, const Run& run, const std::vector<Vec3f>& viewpoints = {Vec3f{}});
 
-    // The gathered light with its exposure, to be written to a file: 66 bytes a cache cell.
+    // The light, its exposure and the outside, for a file: 66 bytes a cache cell, 6 a pixel.
     std::string light() const;
     // Takes what light() gave for this room and these settings, instead of gathering: the pictures are the same.
     // Returns false if a graphics card renders, which gathers faster. Throws Error naming `name` for anything else.
