@@ -504,6 +504,10 @@ Mesh printed_face(const Cell& c, Vec2f s) {
     return m;
 }
 
+Material picture_material(const char* name, const ImageColor& image, float width_m, float roughness) {
+    return printed(name, texture_image(srgb8_from_linear(image)), width_m, roughness);
+}
+
 void sign(Kit& k, std::string_view words, Vec3f ground, Vec3f ink, Vec3f at, Vec2f size) {
     constexpr float kPixelsPerM = 260.f, kMost = 640.f;
     const float scale = std::min(kPixelsPerM, kMost / std::max(size.x, size.y));
@@ -512,7 +516,7 @@ void sign(Kit& k, std::string_view words, Vec3f ground, Vec3f ink, Vec3f at, Vec
     Patch p(image, 0, 0, image.width, image.height);
     const float high = 0.46f * p.h, fits = std::min(high, 0.86f * p.w * high / letters_width(words, high));
     p.title(words, 0.5f * p.w, 0.5f * (p.h - fits), 0.86f * p.w, high, ink);
-    const int material = k.material(printed("sign", texture_image(srgb8_from_linear(image)), size.x, 0.5f));
+    const int material = k.material(picture_material("sign", image, size.x, 0.5f));
     const float u = 0.5f / p.w, v = 0.5f / p.h;
     k.add(printed_face({{u, v}, {1 - u, 1 - v}}, size), material, at);
 }

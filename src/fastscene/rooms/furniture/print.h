@@ -4,6 +4,7 @@
 
 #include <string_view>
 
+#include "fastscene/image/image.h"
 #include "fastscene/rooms/furniture/kit.h"
 
 namespace fastscene::furniture {
@@ -48,6 +49,9 @@ Mesh printed_box(const Cell& cell, Vec3f size);
 Mesh printed_can(const Cell& cell, float radius, float y0, float y1, int sides = 12);
 // One face looking to +z, lower left corner at the origin.
 Mesh printed_face(const Cell& cell, Vec2f size);
+
+// A material that shows a picture, (0, 0) to (1, 1) of the coordinates; colors are linear.
+Material picture_material(const char* name, const ImageColor& image, float width_m, float roughness);
 
 // A board with words on it, of its own picture: signs above shelves, of shops. The lower left corner at `at`, looking
 // to +z.

@@ -21,7 +21,7 @@ Vec3f dye(Kit& k) {
 // Cloth of one: plain, or striped now and then.
 int garment_cloth(Kit& k) {
     Material m = tinted(k.style.fabric, dye(k));
-    if (k.rng.chance(0.2f)) {
+    if (k.rng.chance(0.12f)) {
         m.pattern = k.rng.chance(0.5f) ? Pattern::stripes : Pattern::plaid;
         m.color_b = lerp(m.color_a, luminance(m.color_a) > 0.2f ? Vec3f{0.06f, 0.07f, 0.1f} : Vec3f{0.6f, 0.57f, 0.5f},
                          0.7f);
@@ -84,14 +84,14 @@ void build_mannequin(Kit& k) {
         const std::array<Vec2f, 7> skirt{Vec2f{0.3f, 0.45f}, {0.27f, 0.6f}, {0.2f, 0.9f},  {0.135f, 1.05f},
                                          {0.15f, 1.3f},      {0.17f, 1.4f}, {0.09f, 1.46f}};
         Mesh m = shapes::lathe(skirt, 22, true);
-        for (Vec3f& p : m.positions) p.z *= 0.75f;
+        for (Vec3f& p : m.positions) p.z *= 0.9f;
         k.add(std::move(m), cloth);
         for (const float sx : {-1.f, 1.f}) k.rod(skin, {sx * 0.08f, 0.05f, 0}, {sx * 0.09f, 0.5f, 0}, 0.04f, 0.055f);
     } else {
         const std::array<Vec2f, 5> coat{
             Vec2f{0.2f, 0.82f}, {0.155f, 1.05f}, {0.17f, 1.3f}, {0.19f, 1.41f}, {0.08f, 1.47f}};
         Mesh m = shapes::lathe(coat, 22, true);
-        for (Vec3f& p : m.positions) p.z *= 0.68f;
+        for (Vec3f& p : m.positions) p.z *= 0.86f;
         k.add(std::move(m), cloth);
         const int trousers = color(k, "trousers", {0.04f, 0.045f, 0.06f}, 0.9f);
         for (const float sx : {-1.f, 1.f})

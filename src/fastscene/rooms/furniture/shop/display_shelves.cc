@@ -1,6 +1,7 @@
 // Shelving of single trades: the back of a café, of a pharmacy, walls of records, a store room's rack.
 #include <algorithm>
 #include <array>
+#include <tuple>
 #include <utility>
 
 #include "fastscene/rooms/furniture/print.h"
@@ -156,6 +157,70 @@ void build_storage_rack(Kit& k) {
     k.rod(roll, {-0.42f * s.x, s.y + 0.06f, -0.1f}, {0.46f * s.x, s.y + 0.06f, -0.1f}, 0.06f, -1, 18);
     k.piece.against_wall = true;
     k.piece.clearance_front_m = 0.6f;
+}
+
+// Niches behind glass, lit from above: busts with chains, rings on cones, watches on cushions; drawers below.
+void build_jewelry_wall(Kit& k) {
+    const Vec3f s = k.wanted({1.3f, 2.1f, 0.36f});
+    const int wood = k.main(k.style.wood), metal = k.material(*material_named("brass")),
+              gold = k.material(*material_named("gold")), silver = k.material(steel()),
+              lining = color(k, "lining", {0.5f, 0.46f, 0.4f}, 0.95f),
+              velvet = color(k, "velvet", {0.022f, 0.022f, 0.03f}, 0.95f), pane = k.material(glass()),
+              strip = k.material(glow("niche light", {10, 8.6f, 6.4f}));
+    static constexpr std::array<Vec3f, 4> kGems{
+        Vec3f{0.02f, 0.05f, 0.3f}, {0.3f, 0.01f, 0.03f}, {0.01f, 0.2f, 0.08f}, {0.72f, 0.73f, 0.75f}};
+    std::array<int, 4> gems{};
+    for (std::size_t i = 0; i < gems.size(); ++i) gems[i] = color(k, "gem", kGems[i], 0.05f);
+    const float back = -0.5f * s.z, low = 0.8f, rows = 3, step = (s.y - low - 0.06f) / rows;
+    k.board(wood, {0, 0, -0.01f}, {s.x, low, s.z - 0.03f}, 0.004f);
+    fronts(k, wood, metal, -0.5f * s.x + 0.02f, 0.5f * s.x - 0.02f, 0.08f, low - 0.02f, 0.5f * s.z - 0.025f, 2, 4);
+    k.board(lining, {0, low, back + 0.01f}, {s.x, s.y - low, 0.02f}, 0.002f);
+    for (const float x : {-1.f, 1.f})
+        k.board(wood, {x * (0.5f * s.x - 0.03f), low, 0}, {0.06f, s.y - low, s.z}, 0.005f);
+    k.board(wood, {0, s.y - 0.06f, 0}, {s.x, 0.06f, s.z}, 0.006f);
+    for (int j = 0; j < 3; ++j) {
+        const float y = low + step * static_cast<float>(j);
+        k.board(wood, {0, y, 0}, {s.x - 0.1f, 0.025f, s.z - 0.01f}, 0.003f);
+        k.board(strip, {0, y + step - 0.012f, 0.5f * s.z - 0.04f}, {s.x - 0.2f, 0.01f, 0.016f}, 0.002f);
+        const int places = std::max(2, static_cast<int>((s.x - 0.16f) / 0.24f));
+        for (int i = 0; i < places; ++i) {
+            const Vec3f at{(s.x - 0.16f) * ((static_cast<float>(i) + 0.5f) / static_cast<float>(places) - 0.5f),
+                           y + 0.025f, -0.03f};
+            const int ore = k.rng.chance(0.65f) ? gold : silver, gem = gems[static_cast<std::size_t>(k.rng.index(4))];
+            if ((i + j) % 2 == 0) {  // a bust: neck and shoulders, two chains and a pendant
+                const std::array<Vec2f, 6> bust{Vec2f{0.06f, 0}, {0.085f, 0.05f}, {0.08f, 0.1f},
+                                                {0.035f, 0.15f}, {0.03f, 0.2f},   {0.034f, 0.215f}};
+                Mesh m = shapes::lathe(bust, 18, true);
+                for (Vec3f& p : m.positions) p.z *= 0.6f;
+                k.add(std::move(m), velvet, at);
+                for (const auto& [r, up, tilt] : {std::tuple{0.046f, 0.14f, 42.f}, {0.066f, 0.115f, 50.f}}) {
+                    Mesh chain = shapes::ring(r, 0.006f, 22);
+                    shapes::turn(chain, {1, 0, 0}, tilt);
+                    k.add(std::move(chain), ore, at + Vec3f{0, up, 0.012f});
+                }
+                k.add(shapes::ball(at + Vec3f{0, 0.066f, 0.058f}, {0.011f, 0.014f, 0.007f}, 8), gem);
+            } else if (k.rng.chance(0.5f)) {  // rings on cones
+                for (int r = -1; r <= 1; ++r) {
+                    const Vec3f foot = at + Vec3f{0.055f * static_cast<float>(r), 0, 0.03f};
+                    k.rod(velvet, foot, foot + Vec3f{0, 0.08f, 0}, 0.016f, 0.005f, 12);
+                    k.add(shapes::ring(0.0125f, 0.005f, 14), ore, foot + Vec3f{0, 0.04f, 0});
+                    k.add(shapes::ball(foot + Vec3f{0, 0.044f, 0.014f}, {0.006f, 0.006f, 0.006f}, 6), gem);
+                }
+            } else {  // watches round cushions
+                for (const float x : {-0.045f, 0.045f}) {
+                    const Vec3f middle = at + Vec3f{x, 0.045f, 0.03f};
+                    k.rod(velvet, middle - Vec3f{0.03f, 0, 0}, middle + Vec3f{0.03f, 0, 0}, 0.032f, -1, 14);
+                    k.rod(ore, middle - Vec3f{0.011f, 0, 0}, middle + Vec3f{0.011f, 0, 0}, 0.0345f, -1, 16);
+                    k.rod(ore, middle + Vec3f{0, 0.01f, 0.026f}, middle + Vec3f{0, 0.014f, 0.041f}, 0.02f, -1, 16);
+                    k.rod(lining, middle + Vec3f{0, 0.0141f, 0.0411f}, middle + Vec3f{0, 0.0144f, 0.0425f}, 0.016f, -1,
+                          16);
+                }
+            }
+        }
+    }
+    k.board(pane, {0, low + 0.02f, 0.5f * s.z - 0.012f}, {s.x - 0.12f, s.y - low - 0.08f, 0.005f}, 0.001f);
+    k.piece.against_wall = true;
+    k.piece.clearance_front_m = 0.7f;
 }
 
 }  // namespace fastscene::furniture
