@@ -581,6 +581,13 @@ void add_book(Mesh& printed_parts, Mesh& pages, const Book& b, Vec3f at, float l
 
 }  // namespace
 
+bool is_old_book(Kit& k) { return k.rng.chance(k.style.mouldings == Mouldings::none ? 0.3f : 0.85f); }
+
+Vec3f cover_color(Kit& k, bool old) {
+    const Colors colors = old ? Colors(kBindings) : Colors(kJackets);
+    return varied(k.rng, one_of(k.rng, colors));
+}
+
 void book_row(Kit& k, Print spines, Vec3f at, float length, float max_height, float depth) {
     constexpr float kSet = 0.1f, kPile = 0.05f, kLean = 0.06f;  // how probable at each place
     const PrintSheet sheet = print_sheet(k, spines);
