@@ -182,8 +182,8 @@ void legs(Kit& k, int mat, float hx, float hz, float y, float t) {
 }
 
 void books(Kit& k, Vec3f at, float length, float max_height, float depth) {
-    book_row(k, is_old_book(k) ? Print::cloth_spines : Print::paper_spines, at + Vec3f{0, 0, depth}, length, max_height,
-             depth);
+    book_row(k, is_old_book(k.style, k.rng) ? Print::cloth_spines : Print::paper_spines, at + Vec3f{0, 0, depth},
+             length, max_height, depth);
 }
 
 void fronts(Kit& k, int mat, int metal, float x0, float x1, float y0, float y1, float z, int columns, int rows) {

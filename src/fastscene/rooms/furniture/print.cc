@@ -581,11 +581,13 @@ void add_book(Mesh& printed_parts, Mesh& pages, const Book& b, Vec3f at, float l
 
 }  // namespace
 
-bool is_old_book(Kit& k) { return k.rng.chance(k.style.mouldings == Mouldings::none ? 0.3f : 0.85f); }
+bool is_old_book(const Style& style, Random& rng) {
+    return rng.chance(style.mouldings == Mouldings::none ? 0.3f : 0.85f);
+}
 
-Vec3f cover_color(Kit& k, bool old) {
+Vec3f cover_color(Random& rng, bool old) {
     const Colors colors = old ? Colors(kBindings) : Colors(kJackets);
-    return varied(k.rng, one_of(k.rng, colors));
+    return varied(rng, one_of(rng, colors));
 }
 
 void book_row(Kit& k, Print spines, Vec3f at, float length, float max_height, float depth) {

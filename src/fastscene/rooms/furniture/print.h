@@ -58,9 +58,9 @@ Material picture_material(const char* name, const ImageColor& image, float width
 void sign(Kit& k, std::string_view words, Vec3f ground, Vec3f ink, Vec3f at, Vec2f size);
 
 // Old bindings where the style has mouldings, else now and then.
-bool is_old_book(Kit& k);
+bool is_old_book(const Style& style, Random& rng);
 // The color of a cover of such a book.
-Vec3f cover_color(Kit& k, bool old);
+Vec3f cover_color(Random& rng, bool old);
 
 // A row of books along +x: the lower left corner of its front (+z) at `at`. Some stand in sets, lean or lie.
 void book_row(Kit& k, Print spines, Vec3f at, float length, float max_height, float depth);

@@ -8,12 +8,13 @@ namespace fastscene::furniture {
 void build_book_stack(Kit& k) {
     const int count = 2 + k.rng.index(3);
     float y = 0.f;
-    const bool old = is_old_book(k);
+    Random looks(k.request.seed, "covers");  // apart from the forms, which keep their draws
+    const bool old = is_old_book(k.style, looks);
     const int paper = k.material(plain("paper", {0.72f, 0.68f, 0.58f}, 0.9f));
     for (int i = 0; i < count; ++i) {
         const float t = k.rng.uniform(0.018f, 0.038f), w = 0.24f - 0.018f * static_cast<float>(i),
                     d = 0.17f - 0.012f * static_cast<float>(i), yaw = k.rng.uniform(-14, 14);
-        Material c = plain("book cover", cover_color(k, old), 0.5f);
+        Material c = plain("book cover", lerp(cover_color(looks, old), 0.5f * k.accent(), 0.3f), 0.5f);
         const int cover = i == 0 ? k.main(c) : k.material(c);
         const auto put = [&](Vec3f size, Vec3f at, int mat) {
             Mesh m = shapes::box(size, 0.001f);
@@ -27,7 +28,7 @@ void build_book_stack(Kit& k) {
         const bool plain_cover = old || k.request.color || !k.request.color_name.empty() || !k.request.material.empty();
         if (i == count - 1 && !plain_cover) {  // the uppermost shows what is printed on it
             const PrintSheet covers = print_sheet(k, Print::book_covers);
-            Mesh face = printed_face(covers[k.rng.index(covers.cells)], {d - 0.002f, w - 0.002f});
+            Mesh face = printed_face(covers[looks.index(covers.cells)], {d - 0.002f, w - 0.002f});
             shapes::move(face, {-0.5f * d + 0.001f, -0.5f * w + 0.001f, 0});
             shapes::turn(face, {1, 0, 0}, -90);
             shapes::turn(face, {0, 1, 0}, 90 + yaw);

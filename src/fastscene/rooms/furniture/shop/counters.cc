@@ -56,14 +56,14 @@ void lump(Kit& k, int material, Vec3f at, Vec3f radii) {
 void croissant(Kit& k, const Colors& c, Vec3f at) {
     for (int i = -2; i <= 2; ++i) {
         const float t = static_cast<float>(i) / 2, r = 0.03f - 0.013f * t * t;
-        Mesh m = shapes::ball({0, 0, 0}, {0.021f, r, r}, 8);
+        Mesh m = shapes::ball({0, 0, 0}, {0.021f, r, r}, 6);
         shapes::turn(m, {0, 1, 0}, -28.f * t);
         k.add(std::move(m), i % 2 == 0 ? c[0] : c[1], at + Vec3f{0.05f * t, r, 0.026f * t * t});
     }
 }
 void muffin(Kit& k, const Colors& c, Vec3f at) {
     const std::array<Vec2f, 2> paper{Vec2f{0.024f, 0}, {0.034f, 0.042f}};
-    k.add(shapes::lathe(paper, 10), c[1], at);
+    k.add(shapes::lathe(paper, 8), c[1], at);
     k.add(shapes::ball(at + Vec3f{0, 0.042f, 0}, {0.041f, 0.028f, 0.041f}, 8), c[0]);
     for (const Vec3f d : {Vec3f{0.014f, 0.066f, 0.012f}, {-0.016f, 0.064f, 0.016f}, {0.002f, 0.069f, -0.014f}})
         k.add(shapes::ball(at + d, {0.007f, 0.005f, 0.007f}, 5), c[2]);
@@ -71,7 +71,7 @@ void muffin(Kit& k, const Colors& c, Vec3f at) {
 void biscuit(Kit& k, const Colors& c, Vec3f at) {
     for (int i = 0; i < 2; ++i)
         k.add(shapes::ball(at + Vec3f{0.004f * static_cast<float>(i), 0.008f + 0.013f * static_cast<float>(i), 0},
-                           {0.04f, 0.009f, 0.04f}, 10),
+                           {0.04f, 0.009f, 0.04f}, 8),
               c[0]);
     for (const Vec3f d : {Vec3f{0.018f, 0.029f, 0.006f}, {-0.014f, 0.029f, 0.014f}, {-0.004f, 0.03f, -0.016f}})
         k.add(shapes::ball(at + d, {0.006f, 0.004f, 0.006f}, 5), c[2]);
@@ -88,12 +88,12 @@ void cake(Kit& k, const Colors& c, Vec3f at) {
 }
 void tart(Kit& k, const Colors& c, Vec3f at) {
     const std::array<Vec2f, 3> shell{Vec2f{0.032f, 0}, {0.042f, 0.022f}, {0.036f, 0.02f}};
-    k.add(shapes::lathe(shell, 12), c[0], at);
+    k.add(shapes::lathe(shell, 9), c[0], at);
     for (int i = 0; i < 5; ++i) {
         const Vec3f d = around(kTau * static_cast<float>(i) / 5) * 0.02f;
-        k.add(shapes::ball(at + d + Vec3f{0, 0.026f, 0}, {0.011f, 0.01f, 0.011f}, 6), c[2]);
+        k.add(shapes::ball(at + d + Vec3f{0, 0.026f, 0}, {0.012f, 0.01f, 0.012f}, 5), c[2]);
     }
-    k.add(shapes::ball(at + Vec3f{0, 0.03f, 0}, {0.011f, 0.01f, 0.011f}, 6), c[2]);
+    k.add(shapes::ball(at + Vec3f{0, 0.03f, 0}, {0.012f, 0.01f, 0.012f}, 5), c[2]);
 }
 void baguette_half(Kit& k, const Colors& c, Vec3f at) {
     lump(k, c[0], at, {0.035f, 0.018f, 0.085f});
@@ -137,14 +137,14 @@ Foods pastries(Kit& k) {
               berry = color(k, "berry", {0.32f, 0.02f, 0.035f}, 0.3f),
               paper = color(k, "baking paper", {0.55f, 0.44f, 0.3f}, 0.9f), tray = k.material(steel()),
               board = k.material(k.style.wood2);
-    return {{{crust, dark, crust}, board, {0.14f, 0.1f}, croissant},
-            {{sponge, paper, berry}, tray, {0.1f, 0.1f}, muffin},
-            {{chocolate, paper, cream}, tray, {0.1f, 0.1f}, muffin},
-            {{crust, dark, chocolate}, board, {0.1f, 0.1f}, biscuit},
-            {{sponge, cream, berry}, tray, {0.1f, 0.15f}, cake},
-            {{chocolate, cream, berry}, tray, {0.1f, 0.15f}, cake},
-            {{crust, dark, berry}, tray, {0.1f, 0.1f}, tart},
-            {{crust, dark, crust}, board, {0.14f, 0.1f}, croissant}};
+    return {{{crust, dark, crust}, board, {0.16f, 0.13f}, croissant},
+            {{sponge, paper, berry}, tray, {0.125f, 0.14f}, muffin},
+            {{chocolate, paper, cream}, tray, {0.125f, 0.14f}, muffin},
+            {{crust, dark, chocolate}, board, {0.115f, 0.14f}, biscuit},
+            {{sponge, cream, berry}, tray, {0.115f, 0.16f}, cake},
+            {{chocolate, cream, berry}, tray, {0.115f, 0.16f}, cake},
+            {{crust, dark, berry}, tray, {0.115f, 0.14f}, tart},
+            {{crust, dark, crust}, board, {0.16f, 0.13f}, croissant}};
 }
 
 Foods deli_foods(Kit& k) {

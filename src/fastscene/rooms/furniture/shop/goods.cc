@@ -103,8 +103,8 @@ void put_preserve(const Shelf& s, Vec3f at) {
     const auto b = static_cast<std::size_t>(s.brand);
     const float r = 0.037f, h = std::min(0.13f, s.room_y - 0.04f);
     const Vec3f foot = at - Vec3f{0, 0, r + 0.008f};
-    filled_jar(k, once(k, "preserve", kFruit[b % 6], 0.12f), once(k, "jar lid", kLids[b % 3], 0.3f), foot, r, h);
-    k.add(printed_can(s.sheet[s.brand], r + 0.0008f, 0.22f * h, 0.62f * h, 12), s.sheet.material, foot);
+    filled_jar(k, once(k, "preserve", kFruit[b % 6], 0.12f), once(k, "jar lid", kLids[b % 3], 0.3f), foot, r, h, 8);
+    k.add(printed_can(s.sheet[s.brand], r + 0.0008f, 0.22f * h, 0.62f * h, 8), s.sheet.material, foot);
 }
 void put_jar(const Shelf& s, Vec3f at) {
     static constexpr std::array<Vec3f, 8> kDry{Vec3f{0.06f, 0.03f, 0.016f}, {0.5f, 0.4f, 0.22f},  {0.32f, 0.15f, 0.05f},
@@ -284,7 +284,7 @@ constexpr std::array<Ware, 18> kWares{{{Goods::packets, Print::groceries, 0.135f
                                        {Goods::shoes, Print::parcels, 0.21f, 0, put_shoes},
                                        {Goods::toys, Print::toys, 0.23f, 1, put_toy},
                                        {Goods::bread, Print::parcels, 0.22f, 2, put_bread},
-                                       {Goods::preserves, Print::preserves, 0.082f, 2, put_preserve},
+                                       {Goods::preserves, Print::preserves, 0.09f, 2, put_preserve},
                                        {Goods::jars, Print::preserves, 0.135f, 0, put_jar},
                                        {Goods::coffee, Print::coffees, 0.115f, 2, put_coffee},
                                        {Goods::cups, Print::coffees, 0.115f, 4, put_cup},
@@ -318,14 +318,14 @@ void bottle(Kit& k, int glass, int cap, Vec3f at, float h, float r) {
 }
 
 // The contents shine as the glass before them does; above them one sees the empty part of the jar.
-void filled_jar(Kit& k, int contents, int lid, Vec3f at, float r, float h) {
+void filled_jar(Kit& k, int contents, int lid, Vec3f at, float r, float h, int sides) {
     const int air = once(k, "empty glass", {0.4f, 0.42f, 0.4f}, 0.08f);
     const std::array<Vec2f, 3> full{Vec2f{0.94f * r, 0}, {r, 0.04f * h}, {r, 0.7f * h}},
         empty{Vec2f{r, 0.7f * h}, {r, 0.78f * h}, {0.8f * r, 0.86f * h}},
         top{Vec2f{0.86f * r, 0.86f * h}, {0.88f * r, 0.88f * h}, {0.86f * r, h}};
-    k.add(shapes::lathe(full, 12, true), contents, at);
-    k.add(shapes::lathe(empty, 12, true), air, at);
-    k.add(shapes::lathe(top, 12), lid, at);
+    k.add(shapes::lathe(full, sides, true), contents, at);
+    k.add(shapes::lathe(empty, sides, true), air, at);
+    k.add(shapes::lathe(top, sides), lid, at);
 }
 
 int jar_contents(Kit& k, Vec3f c) {

@@ -35,7 +35,7 @@ void bottle(Kit& k, int glass, int cap, Vec3f at, float height, float radius);
 // Goods side by side along +x on one shelf, their fronts at z_front, as high as there is room.
 void stock(Kit& k, Goods goods, float x0, float x1, float y, float room_y, float z_front, float depth);
 // A jar of glass, its lid of metal, filled up to near its shoulder; by the middle of its foot.
-void filled_jar(Kit& k, int contents, int lid, Vec3f at, float radius, float height);
+void filled_jar(Kit& k, int contents, int lid, Vec3f at, float radius, float height, int sides = 12);
 // What fills jars: coffee, pasta, spices, sweets.
 int jar_contents(Kit& k, Vec3f color);
 // One that shines at any hour.
