@@ -25,15 +25,6 @@ void build_book_stack(Kit& k) {
         put({w, 0.003f, d}, {0, t - 0.0015f, 0}, cover);
         put({w, t, 0.004f}, {0, 0.5f * t, -0.5f * d}, cover);
         put({w - 0.012f, t - 0.005f, d - 0.01f}, {0, 0.5f * t, -0.002f}, paper);
-        const bool plain_cover = old || k.request.color || !k.request.color_name.empty() || !k.request.material.empty();
-        if (i == count - 1 && !plain_cover) {  // the uppermost shows what is printed on it
-            const PrintSheet covers = print_sheet(k, Print::book_covers);
-            Mesh face = printed_face(covers[looks.index(covers.cells)], {d - 0.002f, w - 0.002f});
-            shapes::move(face, {-0.5f * d + 0.001f, -0.5f * w + 0.001f, 0});
-            shapes::turn(face, {1, 0, 0}, -90);
-            shapes::turn(face, {0, 1, 0}, 90 + yaw);
-            k.add(std::move(face), covers.material, {0, y + t + 0.0002f, 0});
-        }
         y += t + 0.0005f;
     }
     k.piece.mount = Mount::surface;
