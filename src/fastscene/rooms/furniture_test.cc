@@ -7,6 +7,8 @@
 
 #include "fastscene/base/error.h"
 #include "fastscene/base/random.h"
+#include "fastscene/image/color.h"
+#include "fastscene/rooms/furniture/lettering.h"
 #include "fastscene/rooms/shapes.h"
 
 namespace fastscene {
@@ -402,6 +404,62 @@ TEST(Furniture, LampsShineAndUnknownClassesThrow) {
         }
     EXPECT_THROW((void)make("spaceship"), Error);
     EXPECT_THROW((void)style_named("spaceship"), Error);
+}
+
+// What is printed and bound has the dull colors of ink and cloth, many of them, and real albedos.
+TEST(Piece, BooksAndGoodsAreDull) {
+    for (const std::string kind : {"bookshelf", "library_shelf", "book_island", "grocery_shelf", "grocery_island",
+                                   "video_shelf", "record_wall", "medicine_shelf", "toy_shelf", "coffee_shelf"}) {
+        const Piece p = make(kind, "modern", 5);
+        std::size_t pictures = 0;
+        for (const Material& m : p.materials) {
+            if (m.pattern != Pattern::image) continue;
+            ++pictures;
+            ASSERT_NE(m.image, nullptr) << kind;
+            const ImageRgb8& image = m.image->levels[0];
+            ASSERT_EQ(m.image->levels.back().size(), 1u);
+            double gaudy = 0;
+            float brightest = 0;
+            for (const Rgb8 pixel : image.pixels) {
+                const Vec3f c = linear_from_srgb8(pixel);
+                brightest = std::max(brightest, max_component(c));
+                gaudy += max_component(c) - std::min({c.x, c.y, c.z}) > 0.6f;
+            }
+            EXPECT_LE(brightest, 0.85f) << kind << ": " << m.name << " is brighter than paper";
+            EXPECT_LT(gaudy, 0.01 * static_cast<double>(image.size())) << kind << ": " << m.name << " is neon";
+        }
+        EXPECT_GT(pictures, 0u) << kind << " shows nothing printed";
+    }
+}
+
+// One sheet of a trade serves all pieces: a hall of shelves keeps one picture.
+TEST(Piece, ShelvesOfATradeShareTheirPicture) {
+    const auto picture = [](const Piece& p) {
+        for (const Material& m : p.materials)
+            if (m.image) return m.image.get();
+        return static_cast<const TextureImage*>(nullptr);
+    };
+    const Piece first = make("library_shelf", "classic", 1), second = make("library_shelf", "gothic", 2);
+    ASSERT_NE(picture(first), nullptr);
+    EXPECT_EQ(picture(first), picture(second));
+}
+
+TEST(Lettering, EverySignIsDrawn) {
+    for (const char c : std::string("ABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789.-+/'")) {
+        const auto strokes = furniture::letter_strokes(std::string(1, c), 0.6f);
+        ASSERT_FALSE(strokes.empty()) << c;
+        for (const auto& stroke : strokes) {
+            EXPECT_GE(stroke.size(), 2u) << c;
+            for (const Vec2f p : stroke) {
+                EXPECT_GE(p.y, 0.f) << c;
+                EXPECT_LE(p.y, 0.601f) << c;
+                EXPECT_LE(p.x, 0.401f) << c;
+            }
+        }
+    }
+    EXPECT_EQ(furniture::letter_strokes("a", 1.f).size(), furniture::letter_strokes("A", 1.f).size());
+    EXPECT_TRUE(furniture::letter_strokes(" ", 1.f).empty());
+    EXPECT_NEAR(furniture::letters_width("OO", 0.6f), 0.96f, 1e-4f);
 }
 
 TEST(Style, ColorsAreRealAlbedos) {

@@ -7,6 +7,7 @@
 #include "fastscene/io/image_io.h"
 #include "fastscene/io/obj.h"
 #include "fastscene/rooms/pack_parts.h"
+#include "fastscene/rooms/texture_image.h"
 
 namespace fastscene {
 namespace {
@@ -20,29 +21,11 @@ std::string sibling(const std::string& path, std::string name) {
     return slash == std::string::npos ? name : path.substr(0, slash + 1) + name;
 }
 
-ImageRgb8 halved(const ImageRgb8& image) {
-    ImageRgb8 out(std::max(1, image.width / 2), std::max(1, image.height / 2));
-    for (int y = 0; y < out.height; ++y)
-        for (int x = 0; x < out.width; ++x) {
-            Vec3f sum{};
-            for (const int j : {0, 1})
-                for (const int i : {0, 1})
-                    sum += linear_from_srgb8(
-                        image.at(std::min(2 * x + i, image.width - 1), std::min(2 * y + j, image.height - 1)));
-            out.at(x, y) = srgb8_from_linear(sum / 4.f);
-        }
-    return out;
-}
-
 // Nothing in these rooms is seen so close that more than 512 texels across a model's picture would show.
 std::shared_ptr<const TextureImage> texture_from(ImageRgb8 image) {
     constexpr int kLargest = 512;
     while (std::max(image.width, image.height) > kLargest) image = halved(image);
-    TextureImage texture;
-    texture.levels.push_back(std::move(image));
-    while (texture.levels.back().width > 1 || texture.levels.back().height > 1)
-        texture.levels.push_back(halved(texture.levels.back()));
-    return std::make_shared<const TextureImage>(std::move(texture));
+    return texture_image(std::move(image));
 }
 
 // What an old MTL says, as our materials say it: colors are sRGB, Phong's exponent becomes a roughness.

@@ -7,6 +7,7 @@
 #include "fastscene/base/error.h"
 #include "fastscene/base/is_one_of.h"
 #include "fastscene/rooms/furniture/builders.h"
+#include "fastscene/rooms/furniture/print.h"
 #include "fastscene/rooms/pack.h"
 #include "fastscene/rooms/prints.h"
 
@@ -181,38 +182,8 @@ void legs(Kit& k, int mat, float hx, float hz, float y, float t) {
 }
 
 void books(Kit& k, Vec3f at, float length, float max_height, float depth) {
-    const int paper = k.material(plain("paper", {0.72f, 0.68f, 0.58f}, 0.9f));
-    std::array<int, 4> covers{};
-    for (std::size_t i = 0; i < covers.size(); ++i) {
-        Material m = plain("book cover", k.accent() * k.rng.uniform(0.6f, 1.05f), 0.55f);
-        m.pattern = Pattern::book;
-        m.color_b = k.rng.chance(0.5f) ? Vec3f{0.6f, 0.45f, 0.18f} : Vec3f{0.7f, 0.68f, 0.6f};
-        m.scale_m = 0.24f;
-        m.seed = k.seed();
-        covers[i] = k.material(m);
-    }
-    std::array<Mesh, 4> stacks;
-    Mesh pages;
-    float x = 0.f;
-    while (true) {
-        const float t = k.rng.uniform(0.016f, 0.045f);
-        if (x + t > length) break;
-        const float h = std::min(max_height, k.rng.uniform(0.17f, 0.29f)),
-                    d = std::min(depth, k.rng.uniform(0.14f, 0.2f));
-        Mesh cover = shapes::box({t, h, d}, 0.003f);
-        cover.coords = cover.positions;
-        for (Vec3f& c : cover.coords) c.y = (c.y + 0.5f * h) * 0.24f / h;
-        shapes::move(cover, at + Vec3f{x + 0.5f * t, 0.5f * h, depth - 0.5f * d - k.rng.uniform(0.f, 0.02f)});
-        shapes::append(stacks[static_cast<std::size_t>(k.rng.index(4))], cover);
-        Mesh leaf = shapes::box({t * 0.7f, 0.004f, d * 0.9f}, 0.0005f);
-        shapes::move(leaf, at + Vec3f{x + 0.5f * t, h - 0.0005f, depth - 0.5f * d - 0.01f});
-        shapes::append(pages, leaf);
-        x += t + 0.001f;
-        if (k.rng.chance(0.06f)) x += k.rng.uniform(0.03f, 0.08f);
-    }
-    for (std::size_t i = 0; i < stacks.size(); ++i)
-        if (!stacks[i].triangles.empty()) k.add(std::move(stacks[i]), covers[i]);
-    if (!pages.triangles.empty()) k.add(std::move(pages), paper);
+    book_row(k, is_old_book(k.style, k.rng) ? Print::cloth_spines : Print::paper_spines, at + Vec3f{0, 0, depth},
+             length, max_height, depth);
 }
 
 void fronts(Kit& k, int mat, int metal, float x0, float x1, float y0, float y1, float z, int columns, int rows) {

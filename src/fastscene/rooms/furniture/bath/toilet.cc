@@ -1,4 +1,4 @@
-// Toilet.
+// Toilets.
 #include <array>
 #include <utility>
 #include <vector>
@@ -30,6 +30,33 @@ void build_toilet(Kit& k) {
     k.board(white, {0, 0, -0.25f}, {0.2f, 0.38f, 0.2f}, 0.02f);
     k.piece.clearance_front_m = 0.6f;
     k.piece.clearance_side_m = 0.2f;
+    k.piece.against_wall = true;
+}
+
+// Of cells: a bowl and a basin in one body of steel.
+void build_steel_toilet(Kit& k) {
+    const int metal = k.main(steel()), dark = k.material(plain("shadow", {0.05f, 0.05f, 0.052f}, 0.5f)),
+              water = k.material(plain("water", {0.12f, 0.14f, 0.15f}, 0.05f));
+    // The column carries the basin; the bowl grows from its front.
+    k.board(metal, {0, 0, -0.17f}, {0.4f, 0.86f, 0.32f}, 0.02f);
+    const std::array<Vec2f, 6> bowl{Vec2f{0.13f, 0}, {0.14f, 0.2f}, {0.18f, 0.36f},
+                                    {0.2f, 0.4f},    {0.2f, 0.42f}, {0.15f, 0.41f}};
+    Mesh body = shapes::lathe(bowl, 28, true);
+    for (Vec3f& p : body.positions) p.z *= 1.2f;
+    shapes::smooth_normals(body);
+    k.add(std::move(body), metal, {0, 0, 0.16f});
+    Mesh hole = shapes::prism(shapes::circle(0.145f, 28), 0, 0.004f, 0.001f),
+         pool = shapes::prism(shapes::circle(0.08f, 24), 0, 0.003f, 0.001f);
+    k.add(std::move(hole), dark, {0, 0.412f, 0.17f});
+    k.add(std::move(pool), water, {0, 0.416f, 0.17f});
+    // The basin with its raised back, two buttons and a spout.
+    k.board(metal, {0, 0.82f, -0.13f}, {0.46f, 0.06f, 0.4f}, 0.02f);
+    k.add(shapes::prism(shapes::circle(0.14f, 28), 0, 0.004f, 0.001f), dark, {0, 0.88f, -0.09f});
+    k.board(metal, {0, 0.86f, -0.29f}, {0.46f, 0.3f, 0.08f}, 0.015f);
+    for (const float x : {-0.08f, 0.08f}) k.rod(metal, {x, 1.04f, -0.25f}, {x, 1.04f, -0.235f}, 0.02f, -1, 16);
+    const std::array<Vec3f, 3> spout{Vec3f{0, 0.95f, -0.26f}, {0, 0.99f, -0.2f}, {0, 0.93f, -0.15f}};
+    k.add(shapes::tube(spout, 0.011f), metal);
+    k.piece.clearance_front_m = 0.6f, k.piece.clearance_side_m = 0.2f;
     k.piece.against_wall = true;
 }
 

@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "fastscene/rooms/furniture/print.h"
 #include "fastscene/rooms/furniture/shop/goods.h"
 
 namespace fastscene::furniture {
@@ -30,44 +31,71 @@ void hollow_corner(Kit& k, Vec3f s, int material, float rough, std::uint32_t see
     k.board(material, {0, 0, -s.z / 2 + 0.005f}, {s.x, s.y, 0.01f}, 0.001f);
 }
 
-// Stars and, with `planet`, a planet at its rim: within |x| < half.x, y from 0 to 2 half.y, at the depth z.
+// Sums of finer and fainter wobbles, about 0 to 1: clouds, mist, the face of a planet.
+float clouds(Vec3f p, std::uint32_t seed, int octaves = 5) {
+    float sum = 0, weight = 0.5f;
+    for (int i = 0; i < octaves; ++i, p = p * 2.1f, weight *= 0.55f)
+        sum += weight * shapes::wobble(p, seed + static_cast<std::uint32_t>(i));
+    return std::clamp(0.5f + 0.62f * sum, 0.f, 1.f);
+}
+
+// A sky of mist in two colors with dark lanes through it, faint stars, and with `planet` a planet, lit from one side.
+ImageColor space_picture(Kit& k, Vec2f half, bool planet) {
+    constexpr int kHigh = 288;
+    const int wide = std::min(1024, static_cast<int>(static_cast<float>(kHigh) * half.x / half.y));
+    ImageColor out(wide, kHigh);
+    const std::uint32_t seed = k.seed();
+    const float slope = k.rng.uniform(-0.5f, 0.5f), off = k.rng.uniform(-0.25f, 0.25f);
+    const float r = 0.52f, px = 0.42f * half.x / half.y, py = 0.05f;  // in half heights, from the middle
+    for (int y = 0; y < kHigh; ++y)
+        for (int x = 0; x < wide; ++x) {
+            const float v = 1 - 2 * (static_cast<float>(y) + 0.5f) / kHigh,
+                        u = (2 * (static_cast<float>(x) + 0.5f) / static_cast<float>(wide) - 1) * half.x / half.y;
+            const Vec3f at{0.9f * u, 0.9f * v, 0.37f};
+            const float warp = clouds(at * 1.3f + Vec3f{5, 1, 2}, seed + 40, 4),
+                        band = std::exp(-2.2f * std::pow(v - slope * u - off + 0.9f * (warp - 0.5f), 2.f)),
+                        mist = std::pow(clouds(at * 1.6f + Vec3f{warp, 0, 0}, seed), 2.2f) * band,
+                        lanes = std::pow(clouds(at * 2.4f + Vec3f{0, warp, 3}, seed + 20), 2.f),
+                        warm = clouds(at * 0.9f + Vec3f{7, 0, 0}, seed + 60, 3);
+            Vec3f c = Vec3f{0.0025f, 0.0035f, 0.008f} + lerp(Vec3f{0.05f, 0.12f, 0.3f}, Vec3f{0.34f, 0.09f, 0.16f},
+                                                             std::clamp(2.2f * warm - 0.6f, 0.f, 1.f)) *
+                                                            (1.5f * mist) * (1 - 0.75f * lanes);
+            c += Vec3f{0.4f, 0.36f, 0.32f} * (0.55f * mist * mist);
+            if (k.rng.chance(0.012f)) c += Vec3f{0.3f, 0.32f, 0.36f} * std::pow(k.rng.uniform(), 2.f);
+            if (const float dx = (u - px) / r, dy = (v - py) / r, d = std::hypot(dx, dy); planet && d < 1.06f) {
+                const Vec3f n{dx, dy, std::sqrt(std::max(0.f, 1 - d * d))};
+                const float sun = std::max(0.f, dot(n, normalize(Vec3f{0.75f, 0.35f, 0.45f}))),
+                            swirl = clouds(
+                                {1.2f * n.x + 2.f, 4.5f * n.y + 1.2f * clouds(n * 2.f, seed + 80, 3), 1.2f * n.z},
+                                seed + 90);
+                const Vec3f face = lerp(Vec3f{0.12f, 0.2f, 0.34f}, Vec3f{0.62f, 0.54f, 0.42f},
+                                        std::clamp(2.6f * swirl - 0.8f, 0.f, 1.f));
+                const float cover = std::clamp((1 - d) * 0.52f * kHigh * 0.5f + 0.5f, 0.f, 1.f),
+                            halo = d > 1 ? (1.06f - d) / 0.06f : 0.f;
+                const Vec3f air = Vec3f{0.16f, 0.32f, 0.6f} * (std::pow(d, 6.f) * std::sqrt(sun));
+                c = lerp(c, face * (0.9f * sun) + air, cover);
+                if (d > 1) c += Vec3f{0.1f, 0.22f, 0.45f} * (0.5f * halo * halo * std::max(0.f, 0.3f + 0.8f * dx));
+            }
+            out.at(x, y) = c;
+        }
+    return out;
+}
+
+// Stars and, with `planet`, a planet: within |x| < half.x, y from y0 to y0 + 2 half.y, at the depth z.
 void starfield(Kit& k, Vec2f half, float y0, float z, int stars, bool planet) {
-    // Nothing of the room's own light shows on it.
-    const auto lit = [](const char* name, Vec3f radiance) {
-        Material m = furniture::lit(name, radiance);
-        m.color_a = m.color_b = m.color_c = {}, m.specular = 0, m.roughness = 1;
-        return m;
-    };
-    const int sky = k.material(lit("space", {0.006f, 0.009f, 0.024f})),
-              star = k.material(lit("star", {4.5f, 4.8f, 5.5f})),
-              mist = k.material(lit("nebula", {0.05f, 0.03f, 0.11f}));
-    block(k, sky, {0, y0, z - 0.004f}, {2 * half.x, 2 * half.y, 0.008f});
-    for (int i = 0; i < 5; ++i) {
-        const float rx = k.rng.uniform(0.12f, 0.3f) * half.x, ry = k.rng.uniform(0.08f, 0.2f) * half.y;
-        Mesh cloud = shapes::ball({0, 0, 0}, {rx, ry, 0.002f}, 16);
-        k.add(std::move(cloud), mist,
-              {k.rng.uniform(-0.6f, 0.6f) * half.x, y0 + half.y * (1 + k.rng.uniform(-0.5f, 0.5f)), z + 0.001f});
-    }
+    Material star_light = lit("star", {4.5f, 4.8f, 5.5f});
+    star_light.color_a = star_light.color_b = star_light.color_c = {}, star_light.specular = 0,
+    star_light.roughness = 1;
+    const int star = k.material(star_light);
+    Material space = picture_material("space", space_picture(k, half, planet), 2 * half.x, 1);
+    space.specular = 0;  // no lamp of the room is mirrored in it
+    k.add(printed_face({{0, 0}, {1, 1}}, {2 * half.x, 2 * half.y}), k.material(space), {-half.x, y0, z});
+    const float r = 0.54f * half.y;
     for (int i = 0; i < stars; ++i) {
-        const float r = k.rng.chance(0.1f) ? 0.011f : k.rng.uniform(0.003f, 0.006f);
-        block(k, star,
-              {k.rng.uniform(-0.96f, 0.96f) * half.x, y0 + half.y * (1 + k.rng.uniform(-0.95f, 0.95f)), z + 0.002f},
-              {r, r, 0.003f});
-    }
-    if (!planet) return;
-    // Lit from one side: bands from light to dark across the disc.
-    const float r = 0.52f * half.y;
-    const Vec3f center{0.42f * half.x, y0 + 1.05f * half.y, z + 0.004f};
-    constexpr int kBands = 14;
-    for (int i = 0; i < kBands; ++i) {
-        // From the rim to the dark side; not quite to the ends, where the disc has no height.
-        const float x0 = 0.998f - 1.996f * static_cast<float>(i) / kBands, x1 = x0 - 1.996f / kBands;
-        const float bright = std::max(0.02f, 1.f - 1.25f * static_cast<float>(i) / kBands);
-        Mesh slice = shapes::sheet(6, 1, [&](float u, float v) {
-            const float x = std::lerp(x1, x0, u);
-            return Vec3f{r * x, r * std::sqrt(1 - x * x) * (2 * v - 1), 0};
-        });
-        k.add(std::move(slice), k.material(lit("planet", Vec3f{0.25f, 0.62f, 1.3f} * bright)), center);
+        const float wide = k.rng.chance(0.06f) ? 0.008f : k.rng.uniform(0.002f, 0.0045f);
+        const Vec2f at{k.rng.uniform(-0.96f, 0.96f) * half.x, half.y * k.rng.uniform(-0.95f, 0.95f)};
+        if (planet && std::hypot(at.x - 0.42f * half.x, at.y - 0.05f * half.y) < r) continue;
+        block(k, star, {at.x, y0 + half.y + at.y, z + 0.001f}, {wide, wide, 0.002f});
     }
 }
 

@@ -9,6 +9,28 @@
 namespace fastscene::furniture {
 namespace {
 
+// What clothes are dyed: few colors are loud.
+Vec3f dye(Kit& k) {
+    static constexpr std::array<Vec3f, 14> kDyes{
+        Vec3f{0.03f, 0.032f, 0.036f}, {0.04f, 0.06f, 0.11f}, {0.1f, 0.15f, 0.24f},   {0.62f, 0.58f, 0.5f},
+        {0.36f, 0.24f, 0.13f},        {0.12f, 0.13f, 0.07f}, {0.24f, 0.24f, 0.235f}, {0.46f, 0.3f, 0.27f},
+        {0.15f, 0.03f, 0.035f},       {0.68f, 0.67f, 0.64f}, {0.2f, 0.27f, 0.26f},   {0.42f, 0.32f, 0.14f},
+        {0.09f, 0.06f, 0.045f},       {0.32f, 0.13f, 0.07f}};
+    return kDyes[static_cast<std::size_t>(k.rng.index(static_cast<int>(kDyes.size())))];
+}
+// Cloth of one: plain, or striped now and then.
+int garment_cloth(Kit& k) {
+    Material m = tinted(k.style.fabric, dye(k));
+    if (k.rng.chance(0.12f)) {
+        m.pattern = k.rng.chance(0.5f) ? Pattern::stripes : Pattern::plaid;
+        m.color_b = lerp(m.color_a, luminance(m.color_a) > 0.2f ? Vec3f{0.06f, 0.07f, 0.1f} : Vec3f{0.6f, 0.57f, 0.5f},
+                         0.7f);
+        m.color_c = m.color_a;
+        m.scale_m = 0.05f;
+    }
+    return k.material(std::move(m));
+}
+
 // A garment on a hanger, seen from its side: shoulders at the top, hanging cloth.
 void garment(Kit& k, int cloth, int metal, Vec3f at, float length) {
     Mesh m = shapes::slab(4, 8, 0.03f, [&](float u, float v) {
@@ -32,12 +54,7 @@ void build_clothes_rack(Kit& k) {
     }
     k.rod(metal, {-x, s.y - 0.02f, 0}, {x, s.y - 0.02f, 0}, 0.014f, -1, 10);
     std::array<int, 6> cloths{};
-    for (std::size_t i = 0; i < cloths.size(); ++i) {
-        Material m = tinted(k.style.fabric, i == 0   ? Vec3f{0.05f, 0.055f, 0.07f}
-                                            : i == 1 ? Vec3f{0.68f, 0.66f, 0.6f}
-                                                     : k.accent());
-        cloths[i] = k.material(std::move(m));
-    }
+    for (int& c : cloths) c = garment_cloth(k);
     int same = 0, cloth = cloths[0];
     float length = 0.8f;
     for (float at = -x + 0.08f; at < x - 0.05f; at += 0.06f) {
@@ -53,7 +70,7 @@ void build_clothes_rack(Kit& k) {
 // A figure in a dress or a suit on a round stand.
 void build_mannequin(Kit& k) {
     const int skin = color(k, "mannequin", {0.66f, 0.63f, 0.58f}, 0.4f), metal = k.material(k.style.metal),
-              cloth = k.main(tinted(k.style.fabric, k.accent()));
+              cloth = k.main(tinted(k.style.fabric, dye(k)));
     k.add(shapes::prism(shapes::circle(0.2f, 24), 0, 0.02f), metal);
     k.rod(metal, {0, 0.02f, 0}, {0, 0.6f, 0}, 0.012f);
     const bool dress = k.rng.chance(0.5f);
@@ -67,14 +84,14 @@ void build_mannequin(Kit& k) {
         const std::array<Vec2f, 7> skirt{Vec2f{0.3f, 0.45f}, {0.27f, 0.6f}, {0.2f, 0.9f},  {0.135f, 1.05f},
                                          {0.15f, 1.3f},      {0.17f, 1.4f}, {0.09f, 1.46f}};
         Mesh m = shapes::lathe(skirt, 22, true);
-        for (Vec3f& p : m.positions) p.z *= 0.75f;
+        for (Vec3f& p : m.positions) p.z *= 0.9f;
         k.add(std::move(m), cloth);
         for (const float sx : {-1.f, 1.f}) k.rod(skin, {sx * 0.08f, 0.05f, 0}, {sx * 0.09f, 0.5f, 0}, 0.04f, 0.055f);
     } else {
         const std::array<Vec2f, 5> coat{
             Vec2f{0.2f, 0.82f}, {0.155f, 1.05f}, {0.17f, 1.3f}, {0.19f, 1.41f}, {0.08f, 1.47f}};
         Mesh m = shapes::lathe(coat, 22, true);
-        for (Vec3f& p : m.positions) p.z *= 0.68f;
+        for (Vec3f& p : m.positions) p.z *= 0.86f;
         k.add(std::move(m), cloth);
         const int trousers = color(k, "trousers", {0.04f, 0.045f, 0.06f}, 0.9f);
         for (const float sx : {-1.f, 1.f})
@@ -90,7 +107,7 @@ void build_clothes_table(Kit& k) {
     legs(k, wood, 0.5f * s.x - 0.06f, 0.5f * s.z - 0.06f, s.y - 0.03f, 0.06f);
     k.board(wood, {0, s.y - 0.035f, 0}, {s.x, 0.035f, s.z}, 0.006f);
     std::array<int, 4> cloths{};
-    for (int& c : cloths) c = k.material(tinted(k.style.fabric, k.accent()));
+    for (int& c : cloths) c = garment_cloth(k);
     for (int j = 0; j < 2; ++j)
         for (int i = 0; i < 4; ++i) {
             const int pile = 3 + k.rng.index(4), cloth = cloths[static_cast<std::size_t>(k.rng.index(4))];
@@ -162,7 +179,8 @@ void build_flower_stand(Kit& k) {
 void build_display_case(Kit& k) {
     const Vec3f s = k.wanted({1.3f, 1.0f, 0.6f});
     const int wood = k.main(k.style.wood), pane = k.material(glass()), metal = k.material(*material_named("brass")),
-              velvet = color(k, "velvet", {0.03f, 0.03f, 0.05f}, 0.95f), gold = k.material(*material_named("gold"));
+              velvet = color(k, "velvet", {0.44f, 0.41f, 0.37f}, 0.95f),
+              bust = color(k, "bust", {0.025f, 0.025f, 0.03f}, 0.9f), gold = k.material(*material_named("gold"));
     k.board(wood, {0, 0, 0}, {s.x - 0.04f, 0.72f, s.z - 0.04f}, 0.008f);
     k.board(velvet, {0, 0.72f, 0}, {s.x - 0.02f, 0.02f, s.z - 0.02f}, 0.002f);
     const float h = s.y - 0.74f;
@@ -177,10 +195,12 @@ void build_display_case(Kit& k) {
     k.board(pane, {0, s.y - 0.008f, 0}, {s.x - 0.03f, 0.005f, s.z - 0.03f}, 0.001f);
     for (const float sz : {-1.f, 1.f})
         k.board(pane, {0, 0.74f, sz * (0.5f * s.z - 0.006f)}, {s.x - 0.03f, h - 0.02f, 0.004f}, 0.001f);
+    const int strip = k.material(glow("case light", {9, 8, 6.2f}));
+    k.board(strip, {0, s.y - 0.022f, 0.5f * s.z - 0.024f}, {s.x - 0.08f, 0.006f, 0.012f}, 0.001f);
     for (int i = 0; i < 5; ++i) {
         const Vec3f at{-0.5f * s.x + s.x * (static_cast<float>(i) + 0.5f) / 5, 0.74f, k.rng.uniform(-0.08f, 0.08f)};
         if (i % 2 == 0) {
-            k.add(shapes::ball({0, 0, 0}, {0.06f, 0.1f, 0.05f}, 12), velvet, at + Vec3f{0, 0.08f, 0});
+            k.add(shapes::ball({0, 0, 0}, {0.06f, 0.1f, 0.05f}, 12), bust, at + Vec3f{0, 0.08f, 0});
             Mesh chain = shapes::ring(0.05f, 0.008f, 18);
             shapes::turn(chain, {1, 0, 0}, 65);
             k.add(std::move(chain), gold, at + Vec3f{0, 0.11f, 0.035f});

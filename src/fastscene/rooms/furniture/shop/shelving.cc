@@ -1,8 +1,11 @@
 // Shelving of shops, stores and bars, with what is sold.
 #include <algorithm>
 #include <array>
+#include <optional>
+#include <string_view>
 #include <utility>
 
+#include "fastscene/rooms/furniture/print.h"
 #include "fastscene/rooms/furniture/shop/goods.h"
 
 namespace fastscene::furniture {
@@ -15,6 +18,24 @@ struct Shelving {
     bool lettered;        // a colored board above says what is sold
     float first = 0.12f;  // height of the lowest shelf
 };
+
+// What the board above a shelf says, by what stands there.
+std::string_view word_above(Kit& k, Goods goods) {
+    static constexpr std::array<std::pair<Goods, std::array<std::string_view, 4>>, 8> kWords{
+        {{Goods::packets, {"CEREALS", "PASTA + RICE", "BAKING", "TEA"}},
+         {Goods::cans, {"TINNED FOOD", "SOUPS", "VEGETABLES", "FISH"}},
+         {Goods::preserves, {"PRESERVES", "JAM + HONEY", "SAUCES", "PICKLES"}},
+         {Goods::cartons, {"MILK", "JUICE", "DAIRY", "DRINKS"}},
+         {Goods::bottles, {"WINES", "OILS", "DRINKS", "SPIRITS"}},
+         {Goods::films, {"COMEDY", "DRAMA", "NEW RELEASES", "CLASSICS"}},
+         {Goods::toys, {"TOYS", "GAMES", "PUZZLES", "PLAY"}},
+         {Goods::hardware, {"SCREWS", "TOOLS", "PAINT", "FITTINGS"}}}};
+    for (const auto& [of, words] : kWords)
+        if (of == goods) return words[static_cast<std::size_t>(k.rng.index(4))];
+    return {};
+}
+// Signs are dull: the style's accent, darkened.
+Vec3f sign_ground(Kit& k) { return k.accent() * 0.5f + Vec3f{0.01f, 0.01f, 0.01f}; }
 
 // At a wall: a back, sides and shelves that step back upwards a little.
 void wall_shelving(Kit& k, const Shelving& like, Goods goods) {
@@ -32,13 +53,19 @@ void wall_shelving(Kit& k, const Shelving& like, Goods goods) {
         stock(k, goods, -0.5f * s.x + 0.035f, 0.5f * s.x - 0.035f, y + 0.022f, step - 0.04f, front, s.z - 0.05f);
     }
     k.board(body, {0, top, 0}, {s.x, 0.022f, s.z}, 0.003f);
-    if (like.lettered) k.board(color(k, "sign", k.accent(), 0.5f), {0, top + 0.022f, 0}, {s.x, 0.178f, 0.05f}, 0.004f);
+    if (like.lettered) {
+        const Vec3f ground = sign_ground(k),
+                    ink = luminance(ground) > 0.25f ? Vec3f{0.03f, 0.03f, 0.03f} : Vec3f{0.7f, 0.68f, 0.62f};
+        k.board(color(k, "sign", ground, 0.5f), {0, top + 0.022f, 0}, {s.x, 0.178f, 0.05f}, 0.004f);
+        if (const std::string_view word = word_above(k, goods); !word.empty())
+            sign(k, word, ground, ink, {-0.48f * s.x, top + 0.032f, 0.0256f}, {0.96f * s.x, 0.158f});
+    }
     k.piece.against_wall = true;
     k.piece.clearance_front_m = 0.8f;
 }
 
 // In the middle of the floor: goods on both sides.
-void island(Kit& k, Vec3f usual, int rows, bool wood, Goods goods) {
+void island(Kit& k, Vec3f usual, int rows, bool wood, Goods goods, std::optional<Goods> on_top = {}) {
     const Vec3f s = k.wanted(usual);
     const int body = k.main(wood ? k.style.wood : plain("shelf steel", {0.62f, 0.62f, 0.6f}, 0.45f));
     const float first = 0.12f, step = (s.y - first) / static_cast<float>(rows), deep = 0.5f * s.z - 0.02f;
@@ -50,7 +77,8 @@ void island(Kit& k, Vec3f usual, int rows, bool wood, Goods goods) {
     for (int i = 0; i < rows; ++i) {
         const float y = first + step * static_cast<float>(i);
         if (i > 0) k.board(body, {0, y - 0.02f, 0}, {s.x - 0.05f, 0.02f, s.z - 0.04f}, 0.002f);
-        stock(k, goods, -0.5f * s.x + 0.03f, 0.5f * s.x - 0.03f, y, step - 0.05f, 0.5f * s.z - 0.02f, deep);
+        stock(k, i == rows - 1 ? on_top.value_or(goods) : goods, -0.5f * s.x + 0.03f, 0.5f * s.x - 0.03f, y,
+              step - 0.05f, 0.5f * s.z - 0.02f, deep);
     }
     // The other side is the same, turned about.
     const std::size_t after = k.piece.meshes.size();
@@ -67,14 +95,16 @@ void island(Kit& k, Vec3f usual, int rows, bool wood, Goods goods) {
 }  // namespace
 
 void build_grocery_shelf(Kit& k) {
-    const Goods goods = std::array{Goods::packets, Goods::cans, Goods::jars, Goods::cartons,
+    const Goods goods = std::array{Goods::packets, Goods::cans, Goods::preserves, Goods::cartons,
                                    Goods::bottles}[static_cast<std::size_t>(k.rng.index(5))];
     wall_shelving(k, {{1.25f, 2.1f, 0.45f}, 5, false, true}, goods);
 }
 void build_grocery_island(Kit& k) {
-    island(k, {1.8f, 1.45f, 0.8f}, 4, false, k.rng.chance(0.6f) ? Goods::packets : Goods::jars);
+    island(k, {1.8f, 1.45f, 0.8f}, 4, false, k.rng.chance(0.6f) ? Goods::packets : Goods::preserves);
 }
-void build_book_island(Kit& k) { island(k, {1.5f, 1.2f, 0.6f}, 3, true, Goods::books); }
+// New books: covers to the front above, spines below.
+void build_book_island(Kit& k) { island(k, {1.5f, 1.2f, 0.6f}, 3, true, Goods::paperbacks, Goods::covers); }
+void build_cosmetics_island(Kit& k) { island(k, {1.5f, 1.35f, 0.7f}, 4, false, Goods::cosmetics, Goods::medicines); }
 void build_library_shelf(Kit& k) { island(k, {2.0f, 1.95f, 0.56f}, 5, true, Goods::books); }
 void build_shoe_wall(Kit& k) { wall_shelving(k, {{1.3f, 2.0f, 0.36f}, 6, true, false}, Goods::shoes); }
 void build_toy_shelf(Kit& k) { wall_shelving(k, {{1.3f, 1.9f, 0.4f}, 5, true, true}, Goods::toys); }
@@ -183,7 +213,10 @@ void build_drinks_fridge(Kit& k) {
     k.board(body, {0, 0, -0.5f * s.z + 0.02f}, {s.x, s.y, 0.04f});
     for (const float sx : {-1.f, 1.f}) k.board(body, {sx * (0.5f * s.x - 0.025f), 0, 0}, {0.05f, s.y, s.z});
     k.board(body, {0, 0, 0}, {s.x - 0.1f, 0.22f, s.z - 0.02f});
-    k.board(color(k, "sign", k.accent(), 0.4f), {0, s.y - 0.26f, 0.01f}, {s.x - 0.1f, 0.24f, s.z - 0.02f}, 0.006f);
+    const Vec3f ground = sign_ground(k);
+    k.board(color(k, "sign", ground, 0.4f), {0, s.y - 0.26f, 0.01f}, {s.x - 0.1f, 0.24f, s.z - 0.02f}, 0.006f);
+    sign(k, "COLD DRINKS", ground, {0.72f, 0.71f, 0.68f}, {-0.5f * s.x + 0.06f, s.y - 0.25f, 0.5f * s.z + 0.0006f},
+         {s.x - 0.12f, 0.22f});
     k.board(body, {0, s.y - 0.02f, 0}, {s.x, 0.02f, s.z});
     k.board(inner, {0, 0.22f, -0.5f * s.z + 0.045f}, {s.x - 0.1f, s.y - 0.48f, 0.01f});
     for (int i = 0; i < 4; ++i) {

@@ -1,0 +1,14 @@
+// A picture with its mip levels, for Pattern::image.
+#pragma once
+
+#include <memory>
+
+#include "fastscene/scene/room.h"
+
+namespace fastscene {
+
+// Half as wide and high; means of linear colors.
+ImageRgb8 halved(const ImageRgb8& image);
+std::shared_ptr<const TextureImage> texture_image(ImageRgb8 image);
+
+}  // namespace fastscene
