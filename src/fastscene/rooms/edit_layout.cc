@@ -254,7 +254,11 @@ std::vector<Placed> Editor::laid_out(const Standing& standing, const EditStep& s
                                return p.wish.kind != wish.kind || is_where_asked(plan(), layout.placed(), p, wish);
                            });
     }
-    if (!done) return {};
+    if (!done) {
+        layout.undo(before);
+        if (step.wall < 0 && !search_finely(layout, step)) return {};
+    }
+    if (layout.mark() == before) return {};
     std::vector<Placed> out = layout.placed();
     for (std::size_t i = 0; i < before; ++i) out[i].wish = standing.placed[i].wish;
     for (std::size_t i = before; i < out.size(); ++i) {
@@ -335,7 +339,7 @@ std::vector<Placed> Editor::with_added(const EditStep& step) const {
             EditStep one = step;
             one.wish.count = count;
             if (scale < 1) {
-                if (step.wish.size_m != Vec3f{} || step.wish.kind == "rug") break;
+                if (step.wish.size_m != Vec3f{}) break;
                 PromptSpec spec = room_.spec;
                 Random rng(room_.seed, "size");
                 Layout layout(plan(), spec, rng);

@@ -1,0 +1,123 @@
+// Free places where the layout's own search finds none: a fine grid about what the place is said by, and small shifts.
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "fastscene/rooms/edit_parts.h"
+#include "fastscene/rooms/layout_relations.h"
+
+namespace fastscene::editing {
+namespace {
+
+struct Candidate {
+    Vec2f at;
+    float yaw = 0;
+    float cost = 0;
+};
+
+// The boxes of what a place is said by: things, or openings as thin boxes.
+std::vector<Footprint> anchors_of(const Plan& plan, const std::vector<Placed>& placed, const std::string& kind) {
+    std::vector<Footprint> out;
+    for (const Placed& p : placed)
+        if (p.piece.kind == kind || p.wish.kind == kind) out.push_back(footprint_of(p));
+    for (const Opening& o : plan.openings) {
+        if (!is_opening_of(o, kind)) continue;
+        const WallFace face = plan.wall(o.wall);
+        out.push_back({flat(face.point((o.u0 + o.u1) / 2, 0)),
+                       {(o.u1 - o.u0) / 2, 0.01f},
+                       std::atan2(face.inward.x, face.inward.z),
+                       o.y0,
+                       o.y1});
+    }
+    return out;
+}
+
+// Backs at walls, every few centimetres along them.
+void add_at_walls(const Plan& plan, Vec3f size, std::vector<Candidate>& out) {
+    constexpr float kStep = 0.06f, kOffWall = 0.01f;  // metres
+    for (const WallFace& face : plan.faces()) {
+        const Vec2f inward = flat(face.inward);
+        for (float u = size.x / 2; u <= face.length - size.x / 2; u += kStep)
+            out.push_back({flat(face.point(u, 0)) + inward * (size.z / 2 + kOffWall), std::atan2(inward.x, inward.y)});
+    }
+}
+
+// Everywhere on the floor, square to the room; what is as deep as wide needs but one yaw.
+void add_on_floor(const Plan& plan, Vec3f size, std::vector<Candidate>& out) {
+    constexpr float kStep = 0.12f;  // metres
+    const bool square = std::abs(size.x - size.z) < 0.1f * size.x;
+    for (float x = -plan.width / 2; x <= plan.width / 2; x += kStep)
+        for (float z = -plan.depth / 2; z <= plan.depth / 2; z += kStep) {
+            // Its back to the nearer wall, its front to the room.
+            const bool side = plan.width / 2 - std::abs(x) < plan.depth / 2 - std::abs(z);
+            const float along_x = x > 0 ? -kPi / 2 : kPi / 2, along_z = z > 0 ? kPi : 0.f;
+            out.push_back({{x, z}, side ? along_x : along_z});
+            if (!square) out.push_back({{x, z}, side ? along_z : along_x});
+        }
+}
+
+bool looks_at(const std::string& relation) {
+    return relation == "facing" || relation == "opposite" || relation == "in front of";
+}
+
+}  // namespace
+
+// For one thing that stands on the floor; the nearest place first.
+bool Editor::search_finely(Layout& layout, const EditStep& step) const {
+    const PromptObject& wish = layout.spec().objects[0];
+    static constexpr std::array<std::string_view, 11> kBySearch{
+        "next to", "in front of", "behind", "left of", "right of", "between",
+        "opposite", "facing", "against", "in the corner", "in the middle"};
+    const bool known = std::find(kBySearch.begin(), kBySearch.end(), wish.relation) != kBySearch.end();
+    if (!known || wish.count > 1 || step.elsewhere || !layout.why_not(wish.kind).empty()) return false;
+    const Piece piece = make_piece(layout.request(wish.kind, &wish));
+    if (piece.mount != Mount::floor || piece.size_m.y < 0.03f) return false;
+    std::vector<Candidate> all;
+    if (piece.against_wall) add_at_walls(plan(), piece.size_m, all);
+    else add_on_floor(plan(), piece.size_m, all);
+    const std::vector<Footprint> anchors = anchors_of(plan(), layout.placed(), wish.relation_to);
+    Placed p;
+    p.piece = piece;
+    std::erase_if(all, [&](Candidate& c) {
+        float nearest = 1e9f;
+        Vec2f middle{};
+        for (const Footprint& a : anchors)
+            if (const float far = distance_to(a, c.at); far < nearest) nearest = far, middle = a.center;
+        if (!anchors.empty()) {
+            if (looks_at(wish.relation)) c.yaw = std::atan2(middle.x - c.at.x, middle.y - c.at.y);
+            c.cost = nearest;
+        } else if (step.position) c.cost = length(c.at - *step.position);
+        if (looks_at(wish.relation) && piece.against_wall)
+            for (const WallFace& face : plan().faces())
+                if (dot(flat(face.inward), middle - c.at) > 0.7f * length(middle - c.at))
+                    c.yaw = std::atan2(face.inward.x, face.inward.z);
+        p.position = {c.at.x, 0, c.at.y}, p.yaw = c.yaw;
+        return !stands_as_asked(plan(), layout.placed(), p, wish).value_or(false) ||
+               !plan().holds(footprint_of(p));
+    });
+    std::stable_sort(all.begin(), all.end(), [](const Candidate& a, const Candidate& b) { return a.cost < b.cost; });
+    for (const bool with_clearance : {true, false})
+        for (const Candidate& c : all)
+            if (layout.stand_at(piece, c.at, c.yaw, wish, {}, with_clearance)) return true;
+    return false;
+}
+
+// Whether a thing with this box would reach into nothing that it does not reach into now; a first look, before all
+// is checked.
+bool Editor::stands_clear(int index, const Footprint& box, const std::vector<int>& along) const {
+    constexpr float kTouch = 0.01f;  // metres
+    if (!plan().holds(shrunk(box, kTouch))) return false;
+    std::vector<int> moving{index};
+    moving.insert(moving.end(), along.begin(), along.end());
+    const std::vector<int> all = with_riders(moving);
+    const Footprint now = footprint_of(placed(index));
+    for (int i = 0; i < static_cast<int>(room_.furnished.placed.size()); ++i) {
+        if (placed(i).flat || std::find(all.begin(), all.end(), i) != all.end() || i == placed(index).on) continue;
+        const Footprint other = footprint_of(placed(i));
+        if (overlap(shrunk(box, kTouch), shrunk(other, kTouch)) && !overlap(shrunk(now, kTouch), shrunk(other, kTouch)))
+            return false;
+    }
+    return true;
+}
+
+}  // namespace fastscene::editing
