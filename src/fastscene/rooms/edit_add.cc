@@ -125,6 +125,7 @@ void add_wish(Talk& talk, const PromptObject& wish, const std::optional<Place>& 
 
 // "a floor lamp beside the bed and two plants in the corner"; a place holds for those before it that name none.
 void add(Talk& talk, const Words& words) {
+    if (brightness_said(talk, words) || paint_wanted(talk, words)) return;
     std::vector<Addition> all;
     for (const Words& part : parts_of(words)) all.push_back(addition_of(talk.editor, part));
     if (all.empty()) throw UsageError("expected a thing to add, found the end of the sentence");

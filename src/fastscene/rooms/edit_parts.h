@@ -94,6 +94,7 @@ class Editor {
 
     // ---- edit_exchange.cc
     void swap(const EditStep& step);
+    void swap_two(int a, int b, const std::vector<int>& with_a, const std::vector<int>& with_b);
     void replace(const EditStep& step);
     std::vector<Placed> in_place_of(const std::vector<Placed>& all, const Standing& standing, const EditStep& step,
                                     const Placed& old, int nth, int here) const;
@@ -135,6 +136,8 @@ enum class Verb : unsigned char {
     smaller,
     brighter,
     darker,
+    tidy,
+    center,
     copy,
     refuse,  // understood, and nothing that a sentence does
 };
@@ -176,6 +179,9 @@ std::vector<std::string> named(const Editor& editor, const std::string& words);
 
 // Of what words of several nouns mean, those that stand where the first of them says: the lamps on the desk.
 void at_support(const Editor& editor, const Words& words, std::vector<int>& found);
+// Of those found, the ones that stand as `relation` says at those very things.
+void at_anchors(const Editor& editor, const std::string& relation, const std::vector<int>& anchors,
+                std::vector<int>& found);
 // What "the coffee table books" are, where the lexicon has no such word: books on a coffee table.
 std::vector<int> compound_named(const Editor& editor, const Words& words);
 // Of several of different kinds, the one that "the table" means in such a room; none: nobody could tell.
@@ -274,6 +280,8 @@ void swap(Talk& talk, Words words);
 void make(Talk& talk, const Words& words);
 // ---- edit_want.cc: "I want a plant", "the sofa should be green", "it is too dark"
 void want(Talk& talk, const Words& words);
+// "a wooden floor", "blue walls": how surfaces are to look; false: the words are about none.
+bool paint_wanted(Talk& talk, const Words& words);
 // ---- edit_light.cc
 // "the lamps on": what is to become of the lamps; empty: the words are not about that.
 std::string lamps_said(const Words& words);

@@ -187,13 +187,15 @@ namespace {
 struct Turned {
     float off, aside;  // metres, radians
 };
-constexpr float kNearly = 12 * kPi / 180, kAlmost = 24 * kPi / 180;
-constexpr std::array<Turned, 24> kTurns{{{0, 0},           {0.06f, 0},        {0.12f, 0},         {0.2f, 0},
-                                         {0.3f, 0},        {0.4f, 0},         {0.1f, kNearly},    {0.1f, -kNearly},
-                                         {0.2f, kNearly},  {0.2f, -kNearly},  {0.3f, kNearly},    {0.3f, -kNearly},
-                                         {0.f, kAlmost},   {0.f, -kAlmost},   {0.15f, kAlmost},   {0.15f, -kAlmost},
-                                         {0.3f, kAlmost},  {0.3f, -kAlmost},  {0.5f, 0},          {0.6f, 0},
-                                         {0.7f, 0},        {0.8f, 0},         {0.5f, kAlmost},    {0.5f, -kAlmost}}};
+std::vector<Turned> turns() {
+    constexpr float kNearly = 12 * kPi / 180;
+    std::vector<Turned> out{{0, 0}};
+    for (const float off : {0.06f, 0.12f, 0.2f, 0.3f}) out.push_back({off, 0});
+    for (const float off : {0.f, 0.06f, 0.12f, 0.2f, 0.3f, 0.4f, 0.5f, 0.6f, 0.7f, 0.8f})
+        for (const float part : {0.f, 1.f, -1.f, 2.f, -2.f})
+            if (off > 0.3f || part != 0) out.push_back({off, part * kNearly});
+    return out;
+}
 constexpr int kWays = 16;
 
 }  // namespace
@@ -208,7 +210,7 @@ void Editor::face(const EditStep& step) {
         const Placed& p = placed(i);
         std::string fault;
         bool done = false;
-        for (const auto& [off, aside] : kTurns) {
+        for (const auto& [off, aside] : turns()) {
             const int ways = off > 0 ? kWays : 1;
             for (int way = 0; way < ways && !done; ++way) {
                 const float angle = 2 * kPi * static_cast<float>(way) / kWays;

@@ -194,6 +194,20 @@ Words lowered(const Clause& clause) {
     return out;
 }
 
+// What lies about on the floor; a sentence does not guess what else is too much.
+void tidy(Talk& talk, const Clause& clause) {
+    Words bare = clause.words;
+    std::erase_if(bare, [](const std::string& w) { return is_definite(w) || is_one_of(w, {"up", "a", "bit", "room"}); });
+    std::vector<std::string> litter;
+    for (const DocumentThing& t : talk.editor.document().things)
+        if (has_role(t.kind, Role::litter) && t.on.empty()) litter.push_back(t.id);
+    if (litter.empty() || !(bare.empty() || bare == Words{"floor"}))
+        throw UsageError("\"{}\" takes away what lies about on the floor{}; \"clear the desk\" takes away what stands "
+                         "on it, \"remove the books\" what it names",
+                         clause.said, litter.empty() ? ", where nothing lies about" : "");
+    remove_all(talk, litter);
+}
+
 // "Enlarge the rug by 20 percent": larger by that.
 Words with_word(Words words, const std::string& word) {
     const std::size_t by = find_word(words, {"by"}, 1);
@@ -212,6 +226,7 @@ bool says_value(const Words& words) {
 void Talk::act(const Clause& clause) {
     const Words& words = clause.words;
     if (clause.verb == Verb::refuse) refuse(clause);
+    if (clause.verb == Verb::tidy) return tidy(*this, clause);
     there = clause.there;
     if (words.empty())
         throw UsageError("expected what to change after \"{}\", found the end of the sentence", clause.said);
@@ -253,7 +268,13 @@ void Talk::act(const Clause& clause) {
         case Verb::smaller: return make(*this, with_word(words, "smaller"));
         case Verb::brighter: return make(*this, with_word(words, "brighter"));
         case Verb::darker: return make(*this, with_word(words, clause.said == "dim" ? "dimmer" : "darker"));
+        case Verb::center: {
+            Words all = words;
+            if (next_place(all) == all.size()) all.insert(all.end(), {"in", "the", "middle"});
+            return put(*this, all);
+        }
         case Verb::copy: return copy(*this, words);
+        case Verb::tidy:
         case Verb::refuse:
         case Verb::none: break;
     }

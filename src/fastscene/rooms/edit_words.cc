@@ -239,6 +239,26 @@ void with_place(const Editor& editor, const PromptSpec& spec, std::vector<int>& 
     else if (where.relation == "next to" && !several) nearest_to(editor, where.relation_to, found);
 }
 
+// The very things of a place: "at the second table", "on the left nightstand". Nothing: it is at any such thing, at a
+// part of the room, or nowhere.
+struct Anchors {
+    std::string relation;
+    std::vector<int> things;
+};
+std::optional<Anchors> anchors_said(const Editor& editor, const Words& place, const std::vector<int>& found) {
+    const auto relation = place.empty() || found.size() < 2 ? std::nullopt : relation_at(place, 0);
+    if (!relation) return {};
+    const Words there = part_of(place, relation->next);
+    if (there.empty() || room_part(there, 0)) return {};
+    const bool told = has_word(there, {"first", "second", "third", "fourth", "fifth", "last", "left", "right", "larger",
+                                       "smaller", "bigger", "other"}) ||
+                      there.back().find_first_of("0123456789") != std::string::npos;
+    if (!told) return {};
+    Anchors out{relation->name, all_named(editor, text_of(there))};
+    if (out.things.empty() || (out.things.size() > 1 && !says_several(there, {}))) return {};
+    return out;
+}
+
 // Of "the coffee table books" the books.
 void of_the_last(const Editor& editor, const Words& head, const std::vector<int>& compound, PromptObject& said,
                  std::vector<int>& found) {
@@ -270,8 +290,10 @@ Meaning meaning_of(const Editor& editor, const std::string& words) {
         if (!compound.empty()) of_the_last(editor, part_of(tokens, 0, place), compound, out.said, out.found);
         else at_support(editor, tokens, out.found);
         with_looks(out.said, editor, out.found);
-        if (compound.empty() || place < tokens.size()) with_place(editor, spec, out.found);
-        pick(tokens, out.said, editor, out.found);
+        const auto anchors = anchors_said(editor, part_of(tokens, place), out.found);
+        if (anchors) at_anchors(editor, anchors->relation, anchors->things, out.found);
+        else if (compound.empty() || place < tokens.size()) with_place(editor, spec, out.found);
+        pick(anchors ? part_of(tokens, 0, place) : tokens, out.said, editor, out.found);
         if (!out.found.empty()) return out;
     }
     out.unknown = out.said.kind.empty();

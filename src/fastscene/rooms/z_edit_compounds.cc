@@ -141,6 +141,24 @@ void at_support(const Editor& editor, const Words& words, std::vector<int>& foun
         }
 }
 
+void at_anchors(const Editor& editor, const std::string& relation, const std::vector<int>& anchors,
+                std::vector<int>& found) {
+    std::vector<Placed> all = editor.room().furnished.placed;
+    for (const int i : anchors) all[static_cast<std::size_t>(i)].wish.kind = "@at";
+    PromptObject wish;
+    wish.id = -2;  // none of those that stand there
+    wish.relation_to = "@at";
+    wish.relation = is_one_of(relation, {"at", "to", "in", "along", "from"}) ? "next to" : relation;
+    std::vector<int> there;
+    for (const int i : found) {
+        const Placed& p = all[static_cast<std::size_t>(i)];
+        const bool has_it = std::any_of(anchors.begin(), anchors.end(),
+                                        [&](int k) { return p.on == k || (p.with == k && relation != "on"); });
+        if (has_it || stands_as_asked(editor.plan(), all, p, wish).value_or(false)) there.push_back(i);
+    }
+    found = there;
+}
+
 std::vector<int> compound_named(const Editor& editor, const Words& words) {
     const Words content = content_of(words);
     for (std::size_t from = 0; from + 1 < content.size(); ++from) {

@@ -86,11 +86,12 @@ std::vector<PieceRequest> requests_for(PieceRequest r, const std::string& shape,
 }
 
 // The same shape in about the same size.
-std::optional<PieceRequest> request_of_shape(const Placed& p, const std::string& shape) {
+std::optional<PieceRequest> request_of_shape(const Placed& p, const std::string& shape, const Style& style) {
     const auto floor = [](const Piece& piece) {
         return piece.size_m.x * (piece.mount == Mount::wall ? piece.size_m.y : piece.size_m.z);
     };
     for (PieceRequest& r : requests_for(*p.piece.made_from, shape, p.piece.size_m)) {
+        if (!r.style) r.style = &style;
         const Piece piece = make_piece(r);
         if (shape_of(piece) != shape) continue;
         if (r.size_m == Vec3f{}) r.size_factor = std::clamp(std::sqrt(floor(p.piece) / floor(piece)), 0.6f, 1.6f);
@@ -166,7 +167,7 @@ void Editor::gather_about(int index, const Placed& before, const std::vector<int
 void Editor::reshape_one(int index, const std::string& shape) {
     const Placed before = placed(index);
     const std::string id = thing(index).id;
-    const auto request = request_of_shape(before, shape);
+    const auto request = request_of_shape(before, shape, plan().style);
     if (!request) throw Error("{}: there is no {} {}", id, shape, in_words(before.piece.kind));
     const std::vector<int> seats = seats_at(index);
     std::string fault;

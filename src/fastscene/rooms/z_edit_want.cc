@@ -9,19 +9,6 @@
 namespace fastscene::editing {
 namespace {
 
-// "a wooden floor", "blue walls": how surfaces are to look; false: the words are about none.
-bool paint_wanted(Talk& talk, const Words& words) {
-    const PromptSpec spec = read_in_room(talk.editor, text_of(words));
-    if (spec.objects.empty() || !is_one_of(spec.objects.front().kind, {"wall", "floor", "ceiling"})) return false;
-    EditStep step;
-    step.kind = EditStep::Kind::recolor;
-    step.wish = spec.objects.front();
-    step.surface = step.wish.kind;
-    if (step.wish.color.empty() && step.wish.material.empty() && step.wish.pattern.empty()) return false;
-    talk.editor.apply(step);
-    return true;
-}
-
 // What is to be done about what is too much so.
 struct Complaint {
     std::string_view is, make, not_enough;  // "too big": smaller; "not big enough": larger
@@ -92,14 +79,26 @@ bool complained(Talk& talk, const Words& words) {
 
 }  // namespace
 
+bool paint_wanted(Talk& talk, const Words& words) {
+    const PromptSpec spec = read_in_room(talk.editor, text_of(words));
+    if (spec.objects.empty() || !is_one_of(spec.objects.front().kind, {"wall", "floor", "ceiling"})) return false;
+    EditStep step;
+    step.kind = EditStep::Kind::recolor;
+    step.wish = spec.objects.front();
+    step.surface = step.wish.kind;
+    if (step.wish.color.empty() && step.wish.material.empty() && step.wish.pattern.empty()) return false;
+    talk.editor.apply(step);
+    return true;
+}
+
 void want(Talk& talk, const Words& words) {
     if (words.empty()) throw UsageError("expected what to change, found the end of the sentence");
     if (complained(talk, words)) return;
     const bool of_those = is_definite(words.front()) || is_one_of(words.front(), {"all", "both", "every", "each"});
-    if (!of_those && brightness_said(talk, words)) return;
-    if (!of_those) return paint_wanted(talk, words) ? void() : add(talk, words);
+    if (is_one_of(words.front(), {"can", "could", "may"})) return want(talk, part_of(words, 1));
+    if (!of_those) return add(talk, words);
     if (find_word(words, {"style", "room", "time", "weather"}) < words.size()) return make(talk, words);
-    std::size_t mark = find_word(words, {"should", "must", "shall", "needs", "need", "has", "have", "ought"}, 1);
+    std::size_t mark = find_word(words, {"should", "must", "shall", "needs", "need", "has", "have", "ought", "be"}, 1);
     if (mark == words.size()) mark = std::min(find_word(words, {"to"}, 1), mark);
     std::size_t next = mark;
     while (next < words.size() &&
