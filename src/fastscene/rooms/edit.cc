@@ -103,6 +103,11 @@ Vec3f color_of(const Piece& piece) {
 
 }  // namespace
 
+std::string Editor::color_seen(const std::string& id) const {
+    const DocumentThing& t = result_.document.things[static_cast<std::size_t>(index_of(id))];
+    return t.color.empty() ? as_hex(color_of(placed(id).piece)) : t.color;
+}
+
 void Editor::recolor(const EditStep& step) {
     const PromptObject& looks = step.wish;
     std::string said;

@@ -234,10 +234,30 @@ Words as_made(Words words) {
 
 }  // namespace
 
+namespace {
+
+// "the sofa the same color as the rug", "the curtains match the sofa"; false: no such words.
+bool like_another(Talk& talk, const Words& words) {
+    std::size_t same = find_word(words, {"same"}, 1), as = find_word(words, {"as"}, same);
+    if (const std::size_t match = find_word(words, {"match", "matching"}, 1); match < words.size()) same = as = match;
+    else if (find_word(words, {"color", "shade"}, same) > as) return false;
+    if (as + 1 >= words.size()) return false;
+    Words subject = part_of(words, 0, same);
+    while (subject.size() > 1 && is_one_of(subject.back(), {"the", "in", "to", "have", "be"})) subject.pop_back();
+    const std::vector<std::string> model = talk.things(part_of(words, as + 1));
+    Value value;
+    value.looks.color = talk.editor.color_seen(model.front());
+    talk.last = make_one(talk, bare_subject(subject), value);
+    return true;
+}
+
+}  // namespace
+
 void make(Talk& talk, const Words& words) {
     if (const std::string lamps = lamps_said(words); !lamps.empty()) return light(talk, lamps);
     if (says_any(words, {"face", "facing"})) return face(talk, words);
     if (brightness_said(talk, words)) return;
+    if (like_another(talk, words)) return;
     if (of_the_room(talk, words)) return;
     for (const Group& group : groups_of(as_made(words))) apply(talk, group);
 }

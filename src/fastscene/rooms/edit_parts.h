@@ -31,6 +31,7 @@ class Editor {
     const EditResult& result() const { return result_; }
     int index_of(const std::string& id) const;
     const Placed& placed(const std::string& id) const;
+    std::string color_seen(const std::string& id) const;  // by name, else "#rrggbb"
     // With all that stands on them.
     std::vector<int> with_riders(const std::vector<int>& roots) const;
 
@@ -70,7 +71,8 @@ class Editor {
 
     // ---- edit_layout.cc
     Standing without(const std::vector<int>& gone) const;
-    std::vector<Placed> laid_out(const Standing& standing, const EditStep& step, const Placed* moving) const;
+    std::vector<Placed> laid_out(const Standing& standing, const EditStep& step, const Placed* moving,
+                                 bool finely = false) const;
     Layout begin_layout(PromptSpec& spec, Random& rng, const std::vector<Placed>& standing, const Placed* moving) const;
     bool at_a_wall(Layout& layout, const EditStep& step, const Placed* moving) const;
     bool near_a_point(Layout& layout, const EditStep& step) const;
@@ -90,7 +92,7 @@ class Editor {
     // ---- edit_shapes.cc
     void reshape(const EditStep& step);
     void reshape_one(int index, const std::string& shape);
-    void gather_about(int index, const Placed& before, const std::vector<int>& seats);
+    void gather_about(int index, const Placed& before, const std::vector<int>& seats, float further);
 
     // ---- edit_exchange.cc
     void swap(const EditStep& step);

@@ -292,15 +292,20 @@ std::string Editor::resize_to(int index, Vec3f factor) {
     const Placed before = placed(index);
     Vec3f size = before.piece.size_m;
     for (std::size_t a = 0; a < 3; ++a) size[a] *= factor[a];
+    // Some builders keep an extent: a sofa is as deep as sofas are.
+    PieceRequest request = *before.piece.made_from;
+    if (!request.style) request.style = &plan().style;
+    request.size_m = size, request.size_factor = 1;
+    const Vec3f made = make_piece(request).size_m;
     std::string fault;
     for (const float aside : {0.f, 0.1f, -0.1f, 0.2f, -0.2f, 0.35f, -0.35f, 0.5f, -0.5f})
         for (const float ahead : {0.f, 0.1f, -0.1f, 0.2f, -0.2f, 0.3f, -0.3f}) {
             const bool here = aside == 0 && ahead == 0;
             if (!here && before.flat) return fault;
             if (ahead != 0 && (before.piece.mount != Mount::floor || before.piece.against_wall)) continue;
-            const Vec3f at = after_resize(before, size) + right_of(before.yaw) * aside + front_of(before.yaw) * ahead;
+            const Vec3f at = after_resize(before, made) + right_of(before.yaw) * aside + front_of(before.yaw) * ahead;
             Placed larger = before;
-            larger.position = at, larger.piece.size_m = size;
+            larger.position = at, larger.piece.size_m = made;
             if (!here && before.piece.mount == Mount::floor && !stands_clear(index, footprint_of(larger), seats_at(index)))
                 continue;
             try {

@@ -153,7 +153,10 @@ std::vector<std::string> Talk::things(const Words& words) {
 std::vector<std::string> Talk::all_but(const Words& words, Words others) {
     std::vector<std::string> ids = things(words);
     if (!others.empty() && is_one_of(others.front(), {"for", "not"})) others.erase(others.begin());
-    if (!others.empty() && is_one_of(others.back(), {"one", "ones"})) others.back() = words.back();
+    // "the largest one", "the one above the bed"
+    if (const std::size_t one = find_word(others, {"one", "ones"}, others.size() > 1 ? 1 : 0);
+        one < others.size() && !(one + 1 < others.size() && others[one + 1] == "of"))
+        others[one] = words.back();
     const std::vector<std::string> kept = things_of_parts(others);
     std::erase_if(ids, [&](const std::string& id) { return std::find(kept.begin(), kept.end(), id) != kept.end(); });
     if (ids.empty()) throw UsageError("nothing but {} is meant by \"{}\"", kept.front(), text_of(words));

@@ -91,6 +91,10 @@ void every_second(const std::vector<std::string>& words, std::vector<int>& found
 void pick(const std::vector<std::string>& words, const PromptObject& said, const Editor& editor,
           std::vector<int>& found) {
     static constexpr std::array<std::string_view, 5> kOrdinals{"first", "second", "third", "fourth", "fifth"};
+    // "the first two chairs", "the last two chairs": the last ones are taken anyhow
+    const auto several = static_cast<std::size_t>(said.counted ? std::max(1, said.count) : 1);
+    if (several > 1 && several < found.size() && has_word(words, {"first"})) found.resize(several);
+    if (several > 1 && has_word(words, {"first", "last"})) return;
     for (std::size_t k = 0; k < kOrdinals.size() && found.size() > 1 && !has_word(words, {"every", "each"}); ++k)
         if (has_word(words, {kOrdinals[k]}) && k < found.size()) found = {found[k]};
     every_second(words, found);
@@ -345,10 +349,13 @@ std::vector<std::string> named(const Editor& editor, const std::string& words) {
     const auto number = number_said(tokens.front());
     const bool all = has_word(tokens, {"all", "both", "every", "each"}) || says_several(tokens, said);
     // "Two chairs" of four, "a chair", "one of the chairs": the last ones.
-    const std::size_t count = number && *number >= 1                       ? static_cast<std::size_t>(*number)
+    const std::size_t count = tokens.front() == "half"                     ? found.size() / 2
+                              : number && *number >= 1                       ? static_cast<std::size_t>(*number)
                               : said.counted && said.count > 1             ? static_cast<std::size_t>(said.count)
                               : is_one_of(tokens.front(), {"some", "any"}) ? 1
                                                                            : 0;
+    if (tokens.front() == "half" && found.size() % 2 != 0)
+        throw UsageError("half of {} things is no number of them, in \"{}\"", found.size(), words);
     if (count > found.size())
         throw UsageError("there {} only {} of \"{}\" in the room", found.size() == 1 ? "is" : "are", found.size(),
                          words);

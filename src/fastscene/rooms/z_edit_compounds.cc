@@ -43,6 +43,7 @@ bool is_close(const Editor& editor, int i, const std::string& relation, const st
 struct Support {
     std::string part;         // wall, floor, ceiling, window, door, corner
     std::vector<int> things;  // that may carry it, or that it stands by
+    bool beside = false;      // … and it does not stand on them: "bedside"
     bool is_known() const { return !part.empty() || !things.empty(); }
 };
 
@@ -50,17 +51,9 @@ Support support_of(const Editor& editor, const Words& words) {
     Support out;
     const std::string text = text_of(words);
     if (text == "bedside") {
+        out.beside = true;
         for (int i = 0; i < static_cast<int>(editor.document().things.size()); ++i)
             if (has_role(placed_at(editor, i).piece.kind, Role::bed)) out.things.push_back(i);
-        // What stands beside a bed carries its lamps.
-        const std::vector<int> beds = out.things;
-        for (int i = 0; i < static_cast<int>(editor.document().things.size()); ++i)
-            for (const int bed : beds)
-                if (placed_at(editor, i).on < 0 && i != bed &&
-                    is_close(editor, i, "next to", placed_at(editor, bed).piece.kind)) {
-                    out.things.push_back(i);
-                    break;
-                }
         return out;
     }
     if (words.size() == 1) out.part = noun_of(words.front());
@@ -71,8 +64,22 @@ Support support_of(const Editor& editor, const Words& words) {
     return out;
 }
 
+// Those within reach of who lies there.
+std::vector<int> beside(const Editor& editor, const std::vector<int>& beds, const std::vector<int>& found) {
+    constexpr float kReach = 0.7f;  // metres from a bed's edge
+    std::vector<int> out;
+    for (const int i : found)
+        if (std::any_of(beds.begin(), beds.end(), [&](int bed) {
+                return distance_to(footprint_of(placed_at(editor, bed)), footprint_of(placed_at(editor, i)).center) <
+                       kReach;
+            }))
+            out.push_back(i);
+    return out;
+}
+
 // On the things or before the part of the room; if there is none such, beside them.
-std::vector<int> at(const Editor& editor, const Support& support, const std::vector<int>& found) {
+std::vector<int> those_at(const Editor& editor, const Support& support, const std::vector<int>& found) {
+    if (support.beside) return beside(editor, support.things, found);
     std::vector<int> on, by;
     for (const int i : found) {
         const Placed& p = placed_at(editor, i);
@@ -123,9 +130,9 @@ void at_support(const Editor& editor, const Words& words, std::vector<int>& foun
             // A desk itself is not what is at the desk.
             if (std::any_of(found.begin(), found.end(), [&](int i) {
                     return std::find(support.things.begin(), support.things.end(), i) != support.things.end();
-                }) && text_of(content, from, mid) != "bedside")
+                }))
                 continue;
-            const std::vector<int> there = at(editor, support, found);
+            const std::vector<int> there = those_at(editor, support, found);
             if (!there.empty()) {
                 found = there;
                 return;
@@ -169,7 +176,7 @@ std::vector<int> compound_named(const Editor& editor, const Words& words) {
             if (!first || !second || second->kind != WordKind::object) continue;
             const Support support = support_of(editor, part_of(content, from, mid));
             if (!support.is_known()) continue;
-            return at(editor, support, all_named(editor, text_of(content, mid)));
+            return those_at(editor, support, all_named(editor, "all " + text_of(content, mid)));
         }
     }
     return {};

@@ -3,11 +3,22 @@
 #include <array>
 #include <cmath>
 
+#include "fastscene/rooms/catalogue.h"
 #include "fastscene/rooms/edit_parts.h"
 #include "fastscene/rooms/layout_relations.h"
+#include "fastscene/rooms/validate.h"
 
 namespace fastscene::editing {
 namespace {
+
+constexpr float kFlat = 0.03f;     // metres: no higher, it is a rug
+constexpr int kMostChecks = 200;  // of the whole room: a fraction of a second
+
+std::set<std::string> texts_of(const std::vector<Fault>& faults) {
+    std::set<std::string> out;
+    for (const Fault& f : faults) out.insert(f.text);
+    return out;
+}
 
 struct Candidate {
     Vec2f at;
@@ -46,8 +57,9 @@ void add_at_walls(const Plan& plan, Vec3f size, std::vector<Candidate>& out) {
 void add_on_floor(const Plan& plan, Vec3f size, std::vector<Candidate>& out) {
     constexpr float kStep = 0.12f;  // metres
     const bool square = std::abs(size.x - size.z) < 0.1f * size.x;
-    for (float x = -plan.width / 2; x <= plan.width / 2; x += kStep)
-        for (float z = -plan.depth / 2; z <= plan.depth / 2; z += kStep) {
+    const float far_x = std::floor(plan.width / 2 / kStep) * kStep, far_z = std::floor(plan.depth / 2 / kStep) * kStep;
+    for (float x = -far_x; x <= far_x + 1e-3f; x += kStep)
+        for (float z = -far_z; z <= far_z + 1e-3f; z += kStep) {
             // Its back to the nearer wall, its front to the room.
             const bool side = plan.width / 2 - std::abs(x) < plan.depth / 2 - std::abs(z);
             const float along_x = x > 0 ? -kPi / 2 : kPi / 2, along_z = z > 0 ? kPi : 0.f;
@@ -71,13 +83,17 @@ bool Editor::search_finely(Layout& layout, const EditStep& step) const {
     const bool known = std::find(kBySearch.begin(), kBySearch.end(), wish.relation) != kBySearch.end();
     if (!known || wish.count > 1 || step.elsewhere || !layout.why_not(wish.kind).empty()) return false;
     const Piece piece = make_piece(layout.request(wish.kind, &wish));
-    if (piece.mount != Mount::floor || piece.size_m.y < 0.03f) return false;
+    if (piece.mount != Mount::floor) return false;
+    // A chair before a table is drawn up to it, or it is not at the table.
+    if (wish.relation == "in front of" && has_role(wish.kind, Role::work_seat)) return false;
+    const bool flat_one = piece.size_m.y < kFlat;
     std::vector<Candidate> all;
     if (piece.against_wall) add_at_walls(plan(), piece.size_m, all);
     else add_on_floor(plan(), piece.size_m, all);
     const std::vector<Footprint> anchors = anchors_of(plan(), layout.placed(), wish.relation_to);
     Placed p;
     p.piece = piece;
+    p.flat = flat_one;
     std::erase_if(all, [&](Candidate& c) {
         float nearest = 1e9f;
         Vec2f middle{};
@@ -86,7 +102,8 @@ bool Editor::search_finely(Layout& layout, const EditStep& step) const {
         if (!anchors.empty()) {
             if (looks_at(wish.relation)) c.yaw = std::atan2(middle.x - c.at.x, middle.y - c.at.y);
             c.cost = nearest;
-        } else if (step.position) c.cost = length(c.at - *step.position);
+        } else if (wish.relation == "in the middle") c.cost = length(c.at);
+        else if (step.position) c.cost = length(c.at - *step.position);
         if (looks_at(wish.relation) && piece.against_wall)
             for (const WallFace& face : plan().faces())
                 if (dot(flat(face.inward), middle - c.at) > 0.7f * length(middle - c.at))
@@ -96,9 +113,23 @@ bool Editor::search_finely(Layout& layout, const EditStep& step) const {
                !plan().holds(footprint_of(p));
     });
     std::stable_sort(all.begin(), all.end(), [](const Candidate& a, const Candidate& b) { return a.cost < b.cost; });
+    if (flat_one) {
+        const PieceRequest request = layout.request(wish.kind, &wish);
+        return std::any_of(all.begin(), all.end(), [&](const Candidate& c) {
+            return layout.lay(c.at, c.yaw, request, wish).has_value();
+        });
+    }
+    const std::set<std::string> before = texts_of(room_faults(plan(), layout.placed(), room_.furnished.camera));
+    int checks = 0;
     for (const bool with_clearance : {true, false})
-        for (const Candidate& c : all)
-            if (layout.stand_at(piece, c.at, c.yaw, wish, {}, with_clearance)) return true;
+        for (const Candidate& c : all) {
+            const std::size_t mark = layout.mark();
+            if (!layout.stand_at(piece, c.at, c.yaw, wish, {}, with_clearance)) continue;
+            const auto now = texts_of(room_faults(plan(), layout.placed(), room_.furnished.camera));
+            if (std::includes(before.begin(), before.end(), now.begin(), now.end())) return true;
+            layout.undo(mark);
+            if (++checks == kMostChecks) return false;
+        }
     return false;
 }
 

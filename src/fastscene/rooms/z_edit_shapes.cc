@@ -103,25 +103,36 @@ std::optional<PieceRequest> request_of_shape(const Placed& p, const std::string&
 // Which way from the middle of a table of these half extents something lies, as if the table were round.
 float way_from(Vec2f at, Vec2f half) { return std::atan2(at.x / half.x, at.y / half.y); }
 
-// Evenly around, in the order that they have, as near as may be to where they are.
+// Around, in the order that they have, as near as may be to where they are: up to four at the sides, more of them
+// evenly.
 std::vector<float> evenly(const std::vector<float>& ways) {
+    constexpr std::size_t kSides = 4;
     std::vector<std::size_t> order(ways.size());
     for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
     std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return ways[a] < ways[b]; });
-    const float step = 2 * kPi / static_cast<float>(ways.size());
-    float off = 0;
-    for (std::size_t k = 0; k < order.size(); ++k)
-        off += std::remainder(ways[order[k]] - ways[order[0]] - step * static_cast<float>(k), 2 * kPi);
-    off = off / static_cast<float>(ways.size()) + ways[order[0]];
-    std::vector<float> out(ways.size());
-    for (std::size_t k = 0; k < order.size(); ++k) out[order[k]] = off + step * static_cast<float>(k);
-    return out;
+    const std::size_t places = std::max(kSides, ways.size());
+    const float step = 2 * kPi / static_cast<float>(places);
+    // The first of them stands at a side.
+    std::vector<float> out(ways.size()), best;
+    float least = 1e9f;
+    for (std::size_t side = 0; side < kSides; ++side)
+        for (std::size_t skip = 0; skip <= places - ways.size(); ++skip) {
+            float far = 0;
+            for (std::size_t k = 0; k < order.size(); ++k) {
+                // With places to spare, those after the first half lie further on.
+                const std::size_t place = k + (2 * k >= order.size() ? skip : 0);
+                out[order[k]] = static_cast<float>(side) * kPi / 2 + step * static_cast<float>(place);
+                far += std::abs(std::remainder(out[order[k]] - ways[order[k]], 2 * kPi));
+            }
+            if (far < least) least = far, best = out;
+        }
+    return best;
 }
 
 }  // namespace
 
 // Chairs and what stands before them go around a round table; the rest keeps its way from the middle.
-void Editor::gather_about(int index, const Placed& before, const std::vector<int>& seats) {
+void Editor::gather_about(int index, const Placed& before, const std::vector<int>& seats, float further) {
     const Placed& after = placed(index);
     const Vec2f half{before.piece.size_m.x / 2, before.piece.size_m.z / 2};
     const Vec3f right = right_of(before.yaw), front = front_of(before.yaw);
@@ -139,27 +150,57 @@ void Editor::gather_about(int index, const Placed& before, const std::vector<int
         // As far from the edge as it was.
         const float gap = std::max(std::abs(at.x) - half.x, std::abs(at.y) - half.y);
         DocumentThing& t = thing(seats[k]);
-        const Vec3f to = after.position + outwards(now[k]) * (radius + gap);
+        const Vec3f to = after.position + outwards(now[k]) * (radius + gap + further);
         t.position.x = to.x, t.position.z = to.z;
         const Vec3f in = outwards(now[k]) * -1.f;
         t.yaw = std::atan2(in.x, in.z);
         tell(t.id, "moved with " + thing(index).id);
     }
+    // What stands before the chairs first: the rest has the place that is left.
+    struct Rider {
+        int index;
+        float reach, way, to_way;
+    };
+    std::vector<Rider> riders;
     for (const int i : with_riders({index})) {
         if (placed(i).on != index) continue;
         const Vec2f at = local(i);
-        const float reach = std::max(std::abs(at.x) / half.x, std::abs(at.y) / half.y), way = way_from(at, half);
-        float to_way = way;
+        Rider r{i, std::max(std::abs(at.x) / half.x, std::abs(at.y) / half.y), way_from(at, half), 0};
+        r.to_way = r.way;
         constexpr float kSame = 0.45f, kAtEdge = 0.45f;  // radians; of the way to the edge
         for (std::size_t k = 0; k < seats.size(); ++k)
-            if (reach > kAtEdge && std::abs(std::remainder(way - ways[k], 2 * kPi)) < kSame) to_way = now[k];
-        const Footprint box = footprint_of(placed(i));
-        const float most = std::max(0.f, radius - std::max(box.half.x, box.half.y) - 0.01f);
-        Vec3f to = after.position + outwards(to_way) * std::min(reach * radius, most);
+            if (r.reach > kAtEdge && std::abs(std::remainder(r.way - ways[k], 2 * kPi)) < kSame) r.to_way = now[k];
+        riders.push_back(r);
+    }
+    std::stable_sort(riders.begin(), riders.end(), [](const Rider& a, const Rider& b) { return a.reach > b.reach; });
+    std::vector<Footprint> taken;
+    for (const Rider& r : riders) {
+        Footprint box = footprint_of(placed(r.index));
+        const float turn = r.to_way - r.way, most = std::max(0.f, radius - std::max(box.half.x, box.half.y) - 0.01f);
+        box.yaw = std::remainder(box.yaw + turn, 2 * kPi);
+        const auto at = [&](float out, float way) { return after.position + outwards(way) * out; };
+        const float out = std::min(r.reach * radius, most);
+        Vec3f to = at(out, r.to_way);
+        // The nearest free place, round and round.
+        constexpr int kRings = 12, kWays = 24;
+        float nearest = 1e9f;
+        for (int ring = 0; ring <= kRings; ++ring)
+            for (int k = 0; k < kWays; ++k) {
+                const Vec3f there = ring == 0 ? to : at(most * static_cast<float>(ring) / kRings,
+                                                        r.to_way + 2 * kPi * static_cast<float>(k) / kWays);
+                const float far = length(there - at(out, r.to_way));
+                box.center = flat(there);
+                if (far < nearest && std::none_of(taken.begin(), taken.end(), [&](const Footprint& t) {
+                        return overlap(t, Footprint{box.center, box.half, box.yaw, t.y0, t.y1});
+                    }))
+                    nearest = far, to = there;
+            }
+        box.center = flat(to);
+        taken.push_back(box);
         to.y = after.position.y + after.piece.surfaces.front().center.y;
-        const Vec3f step = to - placed(i).position;
-        for (const int k : with_riders({i})) thing(k).position += step;
-        thing(i).yaw = std::remainder(thing(i).yaw + to_way - way, 2 * kPi);
+        const Vec3f step = to - placed(r.index).position;
+        for (const int k : with_riders({r.index})) thing(k).position += step;
+        thing(r.index).yaw = std::remainder(thing(r.index).yaw + turn, 2 * kPi);
     }
 }
 
@@ -171,7 +212,18 @@ void Editor::reshape_one(int index, const std::string& shape) {
     if (!request) throw Error("{}: there is no {} {}", id, shape, in_words(before.piece.kind));
     const std::vector<int> seats = seats_at(index);
     std::string fault;
-    for (const float scale : {1.f, 0.9f, 1.1f, 0.8f, 1.2f, 0.7f}) {
+    constexpr std::array<std::pair<float, float>, 10> kTries{{{1.f, 0.f},
+                                                              {0.9f, 0.f},
+                                                              {1.1f, 0.f},
+                                                              {1.f, 0.12f},
+                                                              {0.8f, 0.f},
+                                                              {0.9f, 0.12f},
+                                                              {1.1f, 0.12f},
+                                                              {0.8f, 0.12f},
+                                                              {1.2f, 0.f},
+                                                              {0.7f, 0.f}}};  // size; metres that its chairs move off
+    for (const auto& [scale, further] : kTries) {
+        if (further > 0 && seats.empty()) continue;
         PieceRequest r = *request;
         r.size_factor *= scale, r.size_m = r.size_m * scale;
         const Piece piece = make_piece(r);
@@ -185,7 +237,7 @@ void Editor::reshape_one(int index, const std::string& shape) {
                 if (piece.mount == Mount::wall) t.position.y -= more.y / 2;
                 else if (piece.against_wall) t.position += front_of(before.yaw) * (more.z / 2);
                 build();
-                if (is_curved(shape) && !placed(index).piece.surfaces.empty()) gather_about(index, before, seats);
+                if (is_curved(shape) && !placed(index).piece.surfaces.empty()) gather_about(index, before, seats, further);
                 else if (!before.piece.surfaces.empty()) {
                     carry_riders(index, before, {piece.size_m.x / before.piece.size_m.x, 1,
                                                  piece.size_m.z / before.piece.size_m.z});
