@@ -16,7 +16,7 @@ namespace {
 // "another chair", "two more plants", "a few books"
 Words counted_anew(Words words) {
     if (!words.empty() && words.front() == "another") words.front() = "a";
-    if (words.size() > 1 && words[0] == "a" && is_one_of(words[1], {"second", "third", "new", "extra", "further"}))
+    if (words.size() > 1 && words[0] == "a" && is_one_of(words[1], {"second", "third", "fourth", "fifth", "sixth", "new", "extra", "further"}))
         words.erase(words.begin() + 1);
     if (words.size() > 2 && words[0] == "a" && words[1] == "few") words.erase(words.begin() + 1), words[0] = "three";
     if (words.size() > 3 && words[0] == "a" && words[1] == "couple" && words[2] == "of")

@@ -272,6 +272,23 @@ void of_the_last(const Editor& editor, const Words& head, const std::vector<int>
     said.words = text_of(head, head.empty() ? 0 : head.size() - 1);
 }
 
+// "the panels by the piano": what only the name of a kind in the room says.
+std::vector<int> ending_so(const Editor& editor, const Words& head, const Words& place, PromptObject& said) {
+    std::vector<int> out;
+    const std::string last = head.empty() ? "" : head.back();
+    const std::string one = last.ends_with("s") ? last.substr(0, last.size() - 1) : last;
+    constexpr std::size_t kWord = 3;  // letters
+    if (one.size() < kWord) return out;
+    for (std::size_t i = 0; i < editor.document().things.size(); ++i)
+        if (editor.document().things[i].kind.ends_with("_" + one)) out.push_back(static_cast<int>(i));
+    if (out.empty()) return out;
+    said = {};
+    said.words = last, said.kind = editor.document().things[static_cast<std::size_t>(out.front())].kind;
+    if (const auto relation = place.empty() ? std::nullopt : relation_at(place, 0))
+        at_anchors(editor, relation->name, all_named(editor, text_of(place, relation->next)), out);
+    return out;
+}
+
 Meaning meaning_of(const Editor& editor, const std::string& words) {
     const std::vector<std::string> tokens = tokens_of(words);
     const std::string plain = without_number(tokens);
@@ -302,6 +319,8 @@ Meaning meaning_of(const Editor& editor, const std::string& words) {
     }
     out.unknown = out.said.kind.empty();
     out.found = with_part(editor, tokens);
+    if (out.found.empty()) out.found = ending_so(editor, part_of(tokens, 0, place), part_of(tokens, place), out.said);
+    if (!out.found.empty()) pick(part_of(tokens, 0, place), out.said, editor, out.found);
     return out;
 }
 

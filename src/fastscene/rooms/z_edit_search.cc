@@ -29,6 +29,7 @@ struct Candidate {
 // The boxes of what a place is said by: things, or openings as thin boxes.
 std::vector<Footprint> anchors_of(const Plan& plan, const std::vector<Placed>& placed, const std::string& kind) {
     std::vector<Footprint> out;
+    if (kind.empty()) return out;
     for (const Placed& p : placed)
         if (p.piece.kind == kind || p.wish.kind == kind) out.push_back(footprint_of(p));
     for (const Opening& o : plan.openings) {

@@ -70,7 +70,7 @@ std::vector<PieceRequest> requests_for(PieceRequest r, const std::string& shape,
     }
     const std::string plain = r.kind.ends_with(ending) ? r.kind.substr(0, r.kind.size() - ending.size()) : r.kind;
     std::vector<std::string> kinds{r.kind, is_curved(shape) ? plain + ending : plain};
-    if (r.kind.ends_with(ending) && !is_curved(shape)) std::swap(kinds[0], kinds[1]);
+    std::swap(kinds[0], kinds[1]);
     for (const std::string& kind : kinds) {
         if (!std::binary_search(classes.begin(), classes.end(), kind)) continue;
         PieceRequest one = r;
@@ -94,7 +94,13 @@ std::optional<PieceRequest> request_of_shape(const Placed& p, const std::string&
         if (!r.style) r.style = &style;
         const Piece piece = make_piece(r);
         if (shape_of(piece) != shape) continue;
-        if (r.size_m == Vec3f{}) r.size_factor = std::clamp(std::sqrt(floor(p.piece) / floor(piece)), 0.6f, 1.6f);
+        if (r.size_m != Vec3f{}) return r;
+        const float factor = std::clamp(std::sqrt(floor(p.piece) / floor(piece)), 0.6f, 1.6f);
+        // As high as it was, where its builder knows that.
+        PieceRequest sized = r;
+        sized.size_m = {piece.size_m.x * factor, 0, piece.size_m.z * factor};
+        if (p.piece.mount == Mount::floor && shape_of(make_piece(sized)) == shape) return sized;
+        r.size_factor = factor;
         return r;
     }
     return {};
@@ -212,20 +218,15 @@ void Editor::reshape_one(int index, const std::string& shape) {
     if (!request) throw Error("{}: there is no {} {}", id, shape, in_words(before.piece.kind));
     const std::vector<int> seats = seats_at(index);
     std::string fault;
-    constexpr std::array<std::pair<float, float>, 10> kTries{{{1.f, 0.f},
-                                                              {0.9f, 0.f},
-                                                              {1.1f, 0.f},
-                                                              {1.f, 0.12f},
-                                                              {0.8f, 0.f},
-                                                              {0.9f, 0.12f},
-                                                              {1.1f, 0.12f},
-                                                              {0.8f, 0.12f},
-                                                              {1.2f, 0.f},
-                                                              {0.7f, 0.f}}};  // size; metres that its chairs move off
-    for (const auto& [scale, further] : kTries) {
+    // Its size, and how far its chairs move off.
+    std::vector<std::pair<float, float>> tries;
+    for (const float further : {0.f, 0.12f, 0.22f, 0.3f})
+        for (const float scale : {1.f, 0.9f, 1.1f, 0.8f, 1.2f, 0.7f}) tries.emplace_back(scale, further);
+    for (const auto& [scale, further] : tries) {
         if (further > 0 && seats.empty()) continue;
         PieceRequest r = *request;
-        r.size_factor *= scale, r.size_m = r.size_m * scale;
+        if (r.size_m == Vec3f{}) r.size_factor *= scale;
+        r.size_m = r.size_m * scale;
         const Piece piece = make_piece(r);
         try {
             checked([&] {
