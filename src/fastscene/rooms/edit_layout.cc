@@ -298,7 +298,7 @@ void Editor::place_one(int index, const std::vector<int>& along, EditStep step) 
     wish.kind = was.wish.kind.empty() ? was.piece.kind : was.wish.kind;
     wish.words = in_words(wish.kind);
     wish.count = 1;
-    wish.size_m = was.piece.size_m;
+    wish.size_m = was.piece.size_m, step.yaw = was.yaw;
     if (std::find(step.at.begin(), step.at.end(), id) != step.at.end())
         throw UsageError("{}: it cannot stand{}", id, place_in_words(step));
     const std::vector<Placed> all = laid_out(standing, step, &was);

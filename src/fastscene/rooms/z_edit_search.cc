@@ -55,12 +55,13 @@ void add_at_walls(const Plan& plan, Vec3f size, std::vector<Candidate>& out) {
 }
 
 // Everywhere on the floor, square to the room; what is as deep as wide needs but one yaw.
-void add_on_floor(const Plan& plan, Vec3f size, std::vector<Candidate>& out) {
+void add_on_floor(const Plan& plan, Vec3f size, std::optional<float> own, std::vector<Candidate>& out) {
     constexpr float kStep = 0.12f;  // metres
     const bool square = std::abs(size.x - size.z) < 0.1f * size.x;
     const float far_x = std::floor(plan.width / 2 / kStep) * kStep, far_z = std::floor(plan.depth / 2 / kStep) * kStep;
     for (float x = -far_x; x <= far_x + 1e-3f; x += kStep)
         for (float z = -far_z; z <= far_z + 1e-3f; z += kStep) {
+            if (own) out.push_back({{x, z}, *own});
             // Its back to the nearer wall, its front to the room.
             const bool side = plan.width / 2 - std::abs(x) < plan.depth / 2 - std::abs(z);
             const float along_x = x > 0 ? -kPi / 2 : kPi / 2, along_z = z > 0 ? kPi : 0.f;
@@ -83,14 +84,15 @@ bool Editor::search_finely(Layout& layout, const EditStep& step) const {
         "opposite", "facing", "against", "in the corner", "in the middle"};
     const bool known = std::find(kBySearch.begin(), kBySearch.end(), wish.relation) != kBySearch.end();
     if (!known || wish.count > 1 || step.elsewhere || !layout.why_not(wish.kind).empty()) return false;
-    const Piece piece = make_piece(layout.request(wish.kind, &wish));
+    const PieceRequest request = layout.request(wish.kind, &wish);
+    const Piece piece = make_piece(request);
     if (piece.mount != Mount::floor) return false;
     // A chair before a table is drawn up to it, or it is not at the table.
     if (wish.relation == "in front of" && has_role(wish.kind, Role::work_seat)) return false;
     const bool flat_one = piece.size_m.y < kFlat;
     std::vector<Candidate> all;
     if (piece.against_wall) add_at_walls(plan(), piece.size_m, all);
-    else add_on_floor(plan(), piece.size_m, all);
+    else add_on_floor(plan(), piece.size_m, flat_one ? step.yaw : std::nullopt, all);
     const std::vector<Footprint> anchors = anchors_of(plan(), layout.placed(), wish.relation_to);
     Placed p;
     p.piece = piece;
@@ -114,12 +116,15 @@ bool Editor::search_finely(Layout& layout, const EditStep& step) const {
                !plan().holds(footprint_of(p));
     });
     std::stable_sort(all.begin(), all.end(), [](const Candidate& a, const Candidate& b) { return a.cost < b.cost; });
-    if (flat_one) {
-        const PieceRequest request = layout.request(wish.kind, &wish);
+    if (flat_one)
         return std::any_of(all.begin(), all.end(), [&](const Candidate& c) {
-            return layout.lay(c.at, c.yaw, request, wish).has_value();
+            const std::size_t mark = layout.mark();
+            if (!layout.lay(c.at, c.yaw, request, wish)) return false;
+            // It may have been pushed off a wall.
+            if (stands_as_asked(plan(), layout.placed(), layout.placed().back(), wish).value_or(false)) return true;
+            layout.undo(mark);
+            return false;
         });
-    }
     const std::set<std::string> before = texts_of(room_faults(plan(), layout.placed(), room_.furnished.camera));
     int checks = 0;
     for (const bool with_clearance : {true, false})

@@ -165,25 +165,26 @@ void Editor::gather_about(int index, const Placed& before, const std::vector<int
     // What stands before the chairs first: the rest has the place that is left.
     struct Rider {
         int index;
-        float reach, way, to_way;
+        float reach, way, to_way, turn;
     };
     std::vector<Rider> riders;
     for (const int i : with_riders({index})) {
         if (placed(i).on != index) continue;
         const Vec2f at = local(i);
-        Rider r{i, std::max(std::abs(at.x) / half.x, std::abs(at.y) / half.y), way_from(at, half), 0};
+        Rider r{i, std::max(std::abs(at.x) / half.x, std::abs(at.y) / half.y), way_from(at, half), 0, 0};
         r.to_way = r.way;
         constexpr float kSame = 0.45f, kAtEdge = 0.45f;  // radians; of the way to the edge
         for (std::size_t k = 0; k < seats.size(); ++k)
-            if (r.reach > kAtEdge && std::abs(std::remainder(r.way - ways[k], 2 * kPi)) < kSame) r.to_way = now[k];
+            if (r.reach > kAtEdge && std::abs(std::remainder(r.way - ways[k], 2 * kPi)) < kSame)
+                r.to_way = now[k], r.turn = thing(seats[k]).yaw - placed(seats[k]).yaw;
         riders.push_back(r);
     }
     std::stable_sort(riders.begin(), riders.end(), [](const Rider& a, const Rider& b) { return a.reach > b.reach; });
     std::vector<Footprint> taken;
     for (const Rider& r : riders) {
         Footprint box = footprint_of(placed(r.index));
-        const float turn = r.to_way - r.way, most = std::max(0.f, radius - std::max(box.half.x, box.half.y) - 0.01f);
-        box.yaw = std::remainder(box.yaw + turn, 2 * kPi);
+        const float most = std::max(0.f, radius - std::max(box.half.x, box.half.y) - 0.01f);
+        box.yaw = std::remainder(box.yaw + r.turn, 2 * kPi);
         const auto at = [&](float out, float way) { return after.position + outwards(way) * out; };
         const float out = std::min(r.reach * radius, most);
         Vec3f to = at(out, r.to_way);
@@ -206,7 +207,7 @@ void Editor::gather_about(int index, const Placed& before, const std::vector<int
         to.y = after.position.y + after.piece.surfaces.front().center.y;
         const Vec3f step = to - placed(r.index).position;
         for (const int k : with_riders({r.index})) thing(k).position += step;
-        thing(r.index).yaw = std::remainder(thing(r.index).yaw + turn, 2 * kPi);
+        thing(r.index).yaw = std::remainder(thing(r.index).yaw + r.turn, 2 * kPi);
     }
 }
 
