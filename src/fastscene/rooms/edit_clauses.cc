@@ -27,8 +27,7 @@ constexpr std::array<Row, 20> kBeginnings{{
     {Verb::move, "move|shift|bring|push|pull|slide|drag|relocate|lower|raise|lift|carry"},
     {Verb::put, "put|place|set|stand|hang|lay|position|mount|lean"},
     {Verb::make, "make|change|switch|give"},
-    {Verb::refuse,
-     "open|close|shut|rearrange|reorganize|arrange|redecorate|improve|fix|undo|redo|keep|leave"},
+    {Verb::refuse, "open|close|shut|rearrange|reorganize|arrange|redecorate|improve|fix|undo|redo|keep|leave"},
     {Verb::tidy, "tidy|tidy up|clean|clean up|declutter|straighten up"},
     {Verb::center, "center|centre"},
     {Verb::brighter, "brighten|brighten up|lighten|lighten up|light up|turn up|illuminate"},
@@ -172,7 +171,8 @@ void trim(Words& words, const Words& all_rooms) {
         again = true;
         const std::size_t n = words.size();
         if (n > 2 && stands_at(words, n - 2, "in here")) words.resize(n - 2);
-        else if (is_joint(words.back()) || is_one_of(words.back(), {"too", "instead", "now", "thanks", "there", "here"}))
+        else if (is_joint(words.back()) ||
+                 is_one_of(words.back(), {"too", "instead", "now", "thanks", "there", "here"}))
             words.pop_back();
         else if (n > 2 && (stands_at(words, n - 2, "as well") || stands_at(words, n - 2, "for me") ||
                            stands_at(words, n - 2, "thank you")))

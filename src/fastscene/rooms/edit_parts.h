@@ -61,6 +61,7 @@ class Editor {
     std::vector<int> seats_at(int table) const;
     std::optional<Vec2f> target_of(const EditStep& step, int from) const;
     void move(const EditStep& step);
+    bool turned_aside(int index, float turn);
     void shift(const EditStep& step);
     void face(const EditStep& step);
     void resize(const EditStep& step);
@@ -186,6 +187,8 @@ void at_anchors(const Editor& editor, const std::string& relation, const std::ve
                 std::vector<int>& found);
 // What "the coffee table books" are, where the lexicon has no such word: books on a coffee table.
 std::vector<int> compound_named(const Editor& editor, const Words& words);
+// Where "a desk lamp", "a bedside lamp" comes to stand; nothing: the words name no such thing.
+std::optional<EditStep> on_support(const Editor& editor, const Words& words);
 // Of several of different kinds, the one that "the table" means in such a room; none: nobody could tell.
 std::vector<int> main_of(const Editor& editor, const std::vector<int>& found);
 
@@ -240,7 +243,7 @@ struct Value {
     float brighter = 1;
     bool exactly = false;  // "twice as large", "20 percent", "10 cm": that or nothing
     std::string shape;     // round oval square rectangular
-    bool shines = false;  // "brighter", "dimmer": of lamps that is their light
+    bool shines = false;   // "brighter", "dimmer": of lamps that is their light
     bool resizes() const { return !(factor == Vec3f{1, 1, 1}) || !(by == Vec3f{}) || !shape.empty(); }
 };
 // Nothing unless all the words are looks or sizes.
@@ -254,7 +257,7 @@ std::optional<PromptObject> looks_of(const std::string& words);
 struct Talk {
     Editor& editor;
     std::vector<std::string> last{};   // the things last spoken of: "it"
-    std::string noun{};               // what they are called: "one"
+    std::string noun{};                // what they are called: "one"
     EditStep last_place{};             // where they were put
     bool there = false;                // the clause ends with "there"
     std::optional<Vec2f> last_gone{};  // where what was removed last stood: "there"

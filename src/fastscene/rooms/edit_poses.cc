@@ -110,6 +110,26 @@ void Editor::checked(const std::function<void()>& change) {
     }
 }
 
+// Turned by an angle; what then reaches into something stands a little off it. False: it has room where it stands, or
+// nowhere.
+bool Editor::turned_aside(int i, float turn) {
+    constexpr int kAround = 16;
+    const Placed p = placed(i);
+    const float yaw = std::remainder(p.yaw + turn, 2 * kPi);
+    if (p.piece.mount != Mount::floor || new_fault(with_pose(i, {p.position, yaw}, {})).empty()) return false;
+    for (const float off : {0.06f, 0.12f, 0.2f, 0.3f, 0.4f, 0.5f})
+        for (int way = 0; way < kAround; ++way) {
+            const float angle = 2 * kPi * static_cast<float>(way) / kAround;
+            Placed turned = p;
+            turned.position = p.position + Vec3f{std::sin(angle), 0, std::cos(angle)} * off, turned.yaw = yaw;
+            if (!stands_clear(i, footprint_of(turned), {})) continue;
+            if (!new_fault(with_pose(i, {turned.position, yaw}, {})).empty()) continue;
+            checked([&] { set_pose(i, {turned.position, yaw}, {}); });
+            return true;
+        }
+    return false;
+}
+
 void Editor::move(const EditStep& step) {
     for (const std::string& id : step.ids) {
         const int i = index_of(id);
@@ -119,6 +139,7 @@ void Editor::move(const EditStep& step) {
                 continue;
             } catch (const Error&) {  // there is no room for them: it turns alone
             }
+        if (step.kind == EditStep::Kind::turn && turned_aside(i, step.yaw.value_or(kPi))) continue;
         checked([&] {
             const Placed& p = placed(i);
             Vec3f to = p.position;
@@ -306,7 +327,8 @@ std::string Editor::resize_to(int index, Vec3f factor) {
             const Vec3f at = after_resize(before, made) + right_of(before.yaw) * aside + front_of(before.yaw) * ahead;
             Placed larger = before;
             larger.position = at, larger.piece.size_m = made;
-            if (!here && before.piece.mount == Mount::floor && !stands_clear(index, footprint_of(larger), seats_at(index)))
+            if (!here && before.piece.mount == Mount::floor &&
+                !stands_clear(index, footprint_of(larger), seats_at(index)))
                 continue;
             try {
                 checked([&] {

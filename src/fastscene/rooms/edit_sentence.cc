@@ -200,14 +200,17 @@ Words lowered(const Clause& clause) {
 // What lies about on the floor; a sentence does not guess what else is too much.
 void tidy(Talk& talk, const Clause& clause) {
     Words bare = clause.words;
-    std::erase_if(bare, [](const std::string& w) { return is_definite(w) || is_one_of(w, {"up", "a", "bit", "room"}); });
+    std::erase_if(bare, [](const std::string& w) {
+        return is_definite(w) || is_one_of(w, {"up", "a", "bit", "room"});
+    });
     std::vector<std::string> litter;
     for (const DocumentThing& t : talk.editor.document().things)
         if (has_role(t.kind, Role::litter) && t.on.empty()) litter.push_back(t.id);
     if (litter.empty() || !(bare.empty() || bare == Words{"floor"}))
-        throw UsageError("\"{}\" takes away what lies about on the floor{}; \"clear the desk\" takes away what stands "
-                         "on it, \"remove the books\" what it names",
-                         clause.said, litter.empty() ? ", where nothing lies about" : "");
+        throw UsageError(
+            "\"{}\" takes away what lies about on the floor{}; \"clear the desk\" takes away what stands "
+            "on it, \"remove the books\" what it names",
+            clause.said, litter.empty() ? ", where nothing lies about" : "");
     remove_all(talk, litter);
 }
 

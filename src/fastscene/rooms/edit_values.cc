@@ -119,12 +119,13 @@ std::optional<float> brighter(const Words& words, bool& shines) {
 std::string shape_said(const Words& words) {
     std::string out;
     for (const std::string& w : words) {
-        const std::string shape = is_one_of(w, {"round", "circular", "rounder"})                      ? "round"
-                                  : is_one_of(w, {"oval", "elliptical"})                              ? "oval"
-                                  : w == "square"                                                     ? "square"
+        const std::string shape = is_one_of(w, {"round", "circular", "rounder"})                       ? "round"
+                                  : is_one_of(w, {"oval", "elliptical"})                               ? "oval"
+                                  : w == "square"                                                      ? "square"
                                   : is_one_of(w, {"rectangular", "oblong", "rectangle", "rectangles"}) ? "rectangular"
                                                                                                        : "";
-        if (shape.empty() ? !is_one_of(w, {"a", "an", "in", "shape", "shaped", "form", "one"}) : !out.empty()) return {};
+        if (shape.empty() ? !is_one_of(w, {"a", "an", "in", "shape", "shaped", "form", "one"}) : !out.empty())
+            return {};
         if (!shape.empty()) out = shape;
     }
     return out;

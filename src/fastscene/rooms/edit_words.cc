@@ -369,7 +369,7 @@ std::vector<std::string> named(const Editor& editor, const std::string& words) {
     const bool all = has_word(tokens, {"all", "both", "every", "each"}) || says_several(tokens, said);
     // "Two chairs" of four, "a chair", "one of the chairs": the last ones.
     const std::size_t count = tokens.front() == "half"                     ? found.size() / 2
-                              : number && *number >= 1                       ? static_cast<std::size_t>(*number)
+                              : number && *number >= 1                     ? static_cast<std::size_t>(*number)
                               : said.counted && said.count > 1             ? static_cast<std::size_t>(said.count)
                               : is_one_of(tokens.front(), {"some", "any"}) ? 1
                                                                            : 0;

@@ -54,7 +54,9 @@ void Editor::brighten(bool more, bool lamps_alone) {
     else if (is_one_of(hour, {"morning", "day"})) return this->light("evening");
     else if (hour == "evening") return this->light("dusk");
     else throw Error("it is {} and the lamps are off already", hour);
-    tell("room", *light.lamps >= kFull ? "light: lamps on" : *light.lamps > 0 ? "light: lamps dimmed" : "light: lamps off");
+    tell("room", *light.lamps >= kFull ? "light: lamps on"
+                 : *light.lamps > 0    ? "light: lamps dimmed"
+                                       : "light: lamps off");
     build();
 }
 
@@ -88,9 +90,9 @@ bool brightness_said(Talk& talk, const Words& words) {
         else if (is_one_of(w, {"it", "room", "everything", "space", "place", "here", "bedroom", "kitchen", "office",
                                "bathroom"}))
             room = true;
-        else if (!is_definite(w) && !is_one_of(w, {"a", "bit", "little", "much", "lot", "all", "in", "whole", "more",
-                                                   "slightly", "up", "down", "brighter", "darker", "lighter", "dimmer",
-                                                   "bright", "entire"}))
+        else if (!is_definite(w) &&
+                 !is_one_of(w, {"a", "bit", "little", "much", "lot", "all", "in", "whole", "more", "slightly", "up",
+                                "down", "brighter", "darker", "lighter", "dimmer", "bright", "entire"}))
             return false;
     }
     if (value.empty() && words.front() == "it" && !talk.last.empty()) return false;

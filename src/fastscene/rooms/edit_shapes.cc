@@ -193,8 +193,9 @@ void Editor::gather_about(int index, const Placed& before, const std::vector<int
         float nearest = 1e9f;
         for (int ring = 0; ring <= kRings; ++ring)
             for (int k = 0; k < kWays; ++k) {
-                const Vec3f there = ring == 0 ? to : at(most * static_cast<float>(ring) / kRings,
-                                                        r.to_way + 2 * kPi * static_cast<float>(k) / kWays);
+                const Vec3f there = ring == 0 ? to
+                                              : at(most * static_cast<float>(ring) / kRings,
+                                                   r.to_way + 2 * kPi * static_cast<float>(k) / kWays);
                 const float far = length(there - at(out, r.to_way));
                 box.center = flat(there);
                 if (far < nearest && std::none_of(taken.begin(), taken.end(), [&](const Footprint& t) {
@@ -239,10 +240,11 @@ void Editor::reshape_one(int index, const std::string& shape) {
                 if (piece.mount == Mount::wall) t.position.y -= more.y / 2;
                 else if (piece.against_wall) t.position += front_of(before.yaw) * (more.z / 2);
                 build();
-                if (is_curved(shape) && !placed(index).piece.surfaces.empty()) gather_about(index, before, seats, further);
+                if (is_curved(shape) && !placed(index).piece.surfaces.empty())
+                    gather_about(index, before, seats, further);
                 else if (!before.piece.surfaces.empty()) {
-                    carry_riders(index, before, {piece.size_m.x / before.piece.size_m.x, 1,
-                                                 piece.size_m.z / before.piece.size_m.z});
+                    carry_riders(index, before,
+                                 {piece.size_m.x / before.piece.size_m.x, 1, piece.size_m.z / before.piece.size_m.z});
                     keep_seats(index, before);
                 }
                 tell(id, fmt::format("shape: {}, {:.2f} x {:.2f} m", shape, piece.size_m.x,

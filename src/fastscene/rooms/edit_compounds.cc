@@ -84,7 +84,7 @@ std::vector<int> those_at(const Editor& editor, const Support& support, const st
     for (const int i : found) {
         const Placed& p = placed_at(editor, i);
         const Mount mount = p.piece.mount;
-        if (support.part == "wall" ? mount == Mount::wall
+        if (support.part == "wall"      ? mount == Mount::wall
             : support.part == "ceiling" ? mount == Mount::ceiling
             : support.part == "floor"   ? mount == Mount::floor && p.on < 0 && p.sill < 0
             : support.part == "window"  ? p.sill >= 0
@@ -140,9 +140,8 @@ void at_support(const Editor& editor, const Words& words, std::vector<int>& foun
             // The lamp of a nightstand is not the lamp of the desk.
             const bool others = std::all_of(found.begin(), found.end(),
                                             [&](int i) { return placed_at(editor, i).on >= 0; }) &&
-                                std::any_of(support.things.begin(), support.things.end(), [&](int i) {
-                                    return !placed_at(editor, i).piece.surfaces.empty();
-                                });
+                                std::any_of(support.things.begin(), support.things.end(),
+                                            [&](int i) { return !placed_at(editor, i).piece.surfaces.empty(); });
             if (others) found.clear();
             return;
         }
@@ -182,6 +181,38 @@ std::vector<int> compound_named(const Editor& editor, const Words& words) {
     return {};
 }
 
+std::optional<EditStep> on_support(const Editor& editor, const Words& words) {
+    const Words content = content_of(words);
+    for (std::size_t from = 0; from + 1 < content.size(); ++from)
+        for (std::size_t mid = content.size() - 1; mid > from; --mid) {
+            Support support = support_of(editor, part_of(content, from, mid));
+            if (support.beside) {
+                std::vector<int> all;
+                for (int i = 0; i < static_cast<int>(editor.document().things.size()); ++i)
+                    if (placed_at(editor, i).on < 0 && placed_at(editor, i).sill < 0) all.push_back(i);
+                std::erase_if(all, [&](int i) { return has_role(placed_at(editor, i).piece.kind, Role::bed); });
+                support.things = beside(editor, support.things, all);
+            }
+            // What one may reach, as high as tables are.
+            constexpr float kHigh = 1.3f;  // metres
+            std::erase_if(support.things, [&](int i) {
+                const Placed& p = placed_at(editor, i);
+                return p.piece.surfaces.empty() || p.piece.size_m.y > kHigh || p.on >= 0;
+            });
+            if (support.things.empty()) continue;
+            // The smallest beside a bed: a nightstand before a dresser.
+            const int at = *std::min_element(support.things.begin(), support.things.end(), [&](int a, int b) {
+                const Vec3f one = placed_at(editor, a).piece.size_m, other = placed_at(editor, b).piece.size_m;
+                return one.x * one.z < other.x * other.z;
+            });
+            EditStep step;
+            step.wish.relation = "on", step.wish.relation_to = thing_at(editor, at).kind;
+            step.at = {thing_at(editor, at).id};
+            return step;
+        }
+    return {};
+}
+
 std::vector<int> main_of(const Editor& editor, const std::vector<int>& found) {
     std::vector<int> out;
     const std::string& table = room_type(editor.document().type).table;
@@ -197,7 +228,8 @@ std::vector<int> main_of(const Editor& editor, const std::vector<int>& found) {
     };
     const auto is_largest = [&](int i) {
         return std::all_of(found.begin(), found.end(), [&](int k) {
-            return k == i || (floor_of(i) > kByFar * floor_of(k) && thing_at(editor, i).kind != thing_at(editor, k).kind);
+            return k == i ||
+                   (floor_of(i) > kByFar * floor_of(k) && thing_at(editor, i).kind != thing_at(editor, k).kind);
         });
     };
     const bool all_stand = std::all_of(found.begin(), found.end(), [&](int i) {

@@ -11,7 +11,7 @@
 namespace fastscene::editing {
 namespace {
 
-constexpr float kFlat = 0.03f;     // metres: no higher, it is a rug
+constexpr float kFlat = 0.03f;    // metres: no higher, it is a rug
 constexpr int kMostChecks = 200;  // of the whole room: a fraction of a second
 
 std::set<std::string> texts_of(const std::vector<Fault>& faults) {
@@ -79,9 +79,9 @@ bool looks_at(const std::string& relation) {
 // For one thing that stands on the floor; the nearest place first.
 bool Editor::search_finely(Layout& layout, const EditStep& step) const {
     const PromptObject& wish = layout.spec().objects[0];
-    static constexpr std::array<std::string_view, 11> kBySearch{
-        "next to", "in front of", "behind", "left of", "right of", "between",
-        "opposite", "facing", "against", "in the corner", "in the middle"};
+    static constexpr std::array<std::string_view, 11> kBySearch{"next to",  "in front of",   "behind",       "left of",
+                                                                "right of", "between",       "opposite",     "facing",
+                                                                "against",  "in the corner", "in the middle"};
     const bool known = std::find(kBySearch.begin(), kBySearch.end(), wish.relation) != kBySearch.end();
     if (!known || wish.count > 1 || step.elsewhere || !layout.why_not(wish.kind).empty()) return false;
     const PieceRequest request = layout.request(wish.kind, &wish);
@@ -112,8 +112,7 @@ bool Editor::search_finely(Layout& layout, const EditStep& step) const {
                 if (dot(flat(face.inward), middle - c.at) > 0.7f * length(middle - c.at))
                     c.yaw = std::atan2(face.inward.x, face.inward.z);
         p.position = {c.at.x, 0, c.at.y}, p.yaw = c.yaw;
-        return !stands_as_asked(plan(), layout.placed(), p, wish).value_or(false) ||
-               !plan().holds(footprint_of(p));
+        return !stands_as_asked(plan(), layout.placed(), p, wish).value_or(false) || !plan().holds(footprint_of(p));
     });
     std::stable_sort(all.begin(), all.end(), [](const Candidate& a, const Candidate& b) { return a.cost < b.cost; });
     if (flat_one)

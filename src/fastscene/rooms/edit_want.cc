@@ -14,13 +14,13 @@ struct Complaint {
     std::string_view is, make, not_enough;  // "too big": smaller; "not big enough": larger
 };
 constexpr std::array<Complaint, 22> kComplaints{{
-    {"big", "smaller", "larger"},       {"large", "smaller", "larger"},    {"huge", "smaller", "larger"},
-    {"small", "larger", "smaller"},     {"tiny", "larger", "smaller"},     {"little", "larger", "smaller"},
-    {"long", "shorter", "longer"},      {"short", "longer", "shorter"},    {"tall", "lower", "taller"},
-    {"high", "lower", "higher"},        {"low", "higher", "lower"},        {"wide", "narrower", "wider"},
-    {"narrow", "wider", "narrower"},    {"deep", "shallower", "deeper"},   {"shallow", "deeper", "shallower"},
-    {"thick", "thinner", "thicker"},    {"thin", "thicker", "thinner"},    {"dark", "brighter", "darker"},
-    {"bright", "darker", "brighter"},   {"light", "darker", "lighter"},    {"pale", "darker", "lighter"},
+    {"big", "smaller", "larger"},     {"large", "smaller", "larger"},  {"huge", "smaller", "larger"},
+    {"small", "larger", "smaller"},   {"tiny", "larger", "smaller"},   {"little", "larger", "smaller"},
+    {"long", "shorter", "longer"},    {"short", "longer", "shorter"},  {"tall", "lower", "taller"},
+    {"high", "lower", "higher"},      {"low", "higher", "lower"},      {"wide", "narrower", "wider"},
+    {"narrow", "wider", "narrower"},  {"deep", "shallower", "deeper"}, {"shallow", "deeper", "shallower"},
+    {"thick", "thinner", "thicker"},  {"thin", "thicker", "thinner"},  {"dark", "brighter", "darker"},
+    {"bright", "darker", "brighter"}, {"light", "darker", "lighter"},  {"pale", "darker", "lighter"},
     {"gloomy", "brighter", "darker"},
 }};
 
