@@ -86,23 +86,27 @@ Addition addition_of(const Editor& editor, const Words& words) {
     return {wishes, {}};
 }
 
-// What lies on a table as others do: there, if it has room for one more.
+// What lies on a table as others do: there, if it has room for one more. Where all of them lie on tables, nowhere else.
 bool with_its_like(Talk& talk, EditStep step) {
     if (!furnishing::is_small(step.wish.kind) || !step.wish.relation.empty() || step.position) return false;
     const std::vector<Placed>& all = talk.editor.room().furnished.placed;
+    bool elsewhere = false;
+    std::string top;
     for (const Placed& p : all) {
-        if (asked_kind(p) != step.wish.kind || p.on < 0) continue;
-        const Placed& top = all[static_cast<std::size_t>(p.on)];
-        if (!has_role(top.piece.kind, Role::laid)) continue;
-        step.wish.relation = "on", step.wish.relation_to = asked_kind(top), step.at = {top.id};
-        try {
-            talk.editor.apply(step);
-            return true;
-        } catch (const Error&) {
-            return false;
-        }
+        if (asked_kind(p) != step.wish.kind) continue;
+        const Placed* under = p.on < 0 ? nullptr : &all[static_cast<std::size_t>(p.on)];
+        if (!under || !has_role(under->piece.kind, Role::laid)) elsewhere = true;
+        else if (top.empty()) top = under->id, step.wish.relation_to = asked_kind(*under);
     }
-    return false;
+    if (top.empty()) return false;
+    step.wish.relation = "on", step.at = {top};
+    try {
+        talk.editor.apply(step);
+        return true;
+    } catch (const Error&) {
+        if (!elsewhere) throw;
+        return false;
+    }
 }
 
 // A chair where others stand at a table: at that table, if it has room for one more.

@@ -39,7 +39,7 @@ std::string whereabouts(const RoomDocument& document, const DocumentRoom& room, 
     return fmt::format("at x {:.1f}, z {:.1f}", t.position.x, t.position.z);
 }
 
-float volume_of(const Placed& p) { return p.piece.size_m.x * p.piece.size_m.y * p.piece.size_m.z; }
+float bulk_of(const Placed& p) { return p.piece.size_m.x * p.piece.size_m.y * p.piece.size_m.z; }
 
 }  // namespace
 
@@ -68,7 +68,7 @@ void refuse_none(const std::string& words, const Editor& editor, const std::stri
     const int label = kind.empty() ? -1 : nyu40_label(kind);
     const auto rank = [&](int i) {
         const DocumentThing& t = things[static_cast<std::size_t>(i)];
-        return (nyu40_label(t.kind) == label ? 1e3f : 0.f) + volume_of(editor.placed(t.id));
+        return (nyu40_label(t.kind) == label ? 1e3f : 0.f) + bulk_of(editor.placed(t.id));
     };
     std::stable_sort(order.begin(), order.end(), [&](int a, int b) { return rank(a) > rank(b); });
     constexpr std::size_t kMost = 5;
