@@ -103,6 +103,11 @@ Vec3f color_of(const Piece& piece) {
 
 }  // namespace
 
+std::string Editor::color_seen(const std::string& id) const {
+    const DocumentThing& t = result_.document.things[static_cast<std::size_t>(index_of(id))];
+    return t.color.empty() ? as_hex(color_of(placed(id).piece)) : t.color;
+}
+
 void Editor::recolor(const EditStep& step) {
     const PromptObject& looks = step.wish;
     std::string said;
@@ -182,31 +187,6 @@ void Editor::restyle(const std::string& name) {
     build();
 }
 
-void Editor::light(const std::string& value) {
-    DocumentLight& light = result_.document.light;
-    if (is_one_of(value, {"morning", "day", "evening", "dusk", "night"})) {
-        light.hour = value;
-        light.lamps.reset(), light.towards_sun.reset();
-        if (light.light == "neon" || light.light == "lamps on") light.light.clear();
-        // A low sun is behind clouds.
-        if (value == "evening" && is_one_of(light.weather, {"overcast", "rainy", "snowy"})) light.weather.clear();
-    } else if (is_one_of(value, {"sunny", "overcast", "rainy", "snowy"})) {
-        light.weather = value;
-        light.towards_sun.reset();
-    } else if (value == "lamps on" || value == "lamps off") {
-        light.lamps = value == "lamps on" ? 1.f : 0.f;
-    } else if (is_one_of(value, {"garden", "city", "sea", "mountains", "forest"})) {
-        light.outlook = value;
-    } else {
-        throw UsageError(
-            "expected an hour (morning, day, evening, dusk, night) or a weather (sunny, overcast, rainy, snowy), found "
-            "\"{}\"",
-            value);
-    }
-    tell("room", "light: " + value);
-    build();
-}
-
 void Editor::apply(const EditStep& step) {
     switch (step.kind) {
         case EditStep::Kind::remove: return take(step.ids);
@@ -218,6 +198,7 @@ void Editor::apply(const EditStep& step) {
         case EditStep::Kind::swap: return swap(step);
         case EditStep::Kind::recolor: return recolor(step);
         case EditStep::Kind::resize: return resize(step);
+        case EditStep::Kind::reshape: return reshape(step);
         case EditStep::Kind::add: return add(step);
         case EditStep::Kind::replace: return replace(step);
         case EditStep::Kind::restyle: return restyle(step.value);

@@ -20,7 +20,8 @@ struct EditStep {
         face,     // turns it towards what `wish` says: relation_to
         swap,     // the first of `ids` and the second change places
         recolor,  // color, material, pattern; on a surface (wall, floor, ceiling, trim) as `surface`
-        resize,   // by `factor`
+        resize,   // by `factor`: as much of it as there is room for, or `exactly`
+        reshape,  // into the shape `value`: round, oval, square, rectangular
         add,      // `wish`, where it says, near `position`, or where such things stand
         replace,  // by `wish`, as many as it says, each where one of `ids` stood
         restyle,  // the room, by `value`

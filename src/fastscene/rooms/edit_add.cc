@@ -16,7 +16,8 @@ namespace {
 // "another chair", "two more plants", "a few books"
 Words counted_anew(Words words) {
     if (!words.empty() && words.front() == "another") words.front() = "a";
-    if (words.size() > 1 && words[0] == "a" && is_one_of(words[1], {"second", "third", "new", "extra", "further"}))
+    if (words.size() > 1 && words[0] == "a" &&
+        is_one_of(words[1], {"second", "third", "fourth", "fifth", "sixth", "new", "extra", "further"}))
         words.erase(words.begin() + 1);
     if (words.size() > 2 && words[0] == "a" && words[1] == "few") words.erase(words.begin() + 1), words[0] = "three";
     if (words.size() > 3 && words[0] == "a" && words[1] == "couple" && words[2] == "of")
@@ -79,7 +80,33 @@ Addition addition_of(const Editor& editor, const Words& words) {
         const auto wishes = wishes_of(editor, part_of(words, 0, end));
         if (auto place = place_of(editor, there, wishes.front().kind, "")) return {wishes, place};
     }
-    return {wishes_of(editor, words), {}};
+    const auto wishes = wishes_of(editor, words);
+    if (furnishing::is_small(wishes.front().kind))
+        if (const auto step = on_support(editor, words)) return {wishes, Place{*step, {}}};
+    return {wishes, {}};
+}
+
+// What lies on a table as others do: there, if it has room for one more. Where all of them lie on tables, nowhere else.
+bool with_its_like(Talk& talk, EditStep step) {
+    if (!furnishing::is_small(step.wish.kind) || !step.wish.relation.empty() || step.position) return false;
+    const std::vector<Placed>& all = talk.editor.room().furnished.placed;
+    bool elsewhere = false;
+    std::string top;
+    for (const Placed& p : all) {
+        if (asked_kind(p) != step.wish.kind) continue;
+        const Placed* under = p.on < 0 ? nullptr : &all[static_cast<std::size_t>(p.on)];
+        if (!under || !has_role(under->piece.kind, Role::laid)) elsewhere = true;
+        else if (top.empty()) top = under->id, step.wish.relation_to = asked_kind(*under);
+    }
+    if (top.empty()) return false;
+    step.wish.relation = "on", step.at = {top};
+    try {
+        talk.editor.apply(step);
+        return true;
+    } catch (const Error&) {
+        if (!elsewhere) throw;
+        return false;
+    }
 }
 
 // A chair where others stand at a table: at that table, if it has room for one more.
@@ -112,7 +139,7 @@ void add_wish(Talk& talk, const PromptObject& wish, const std::optional<Place>& 
         step.wish.relation_and = where.relation_and;
     if (step.each) step.wish.count = std::max(4, wish.count), step.wish.counted = false;
     if (!place && talk.there) step.position = talk.last_gone;
-    if (!place && drawn_up(talk, step)) {
+    if (!place && (drawn_up(talk, step) || with_its_like(talk, step))) {
         // with its like, at their table
     } else if (place && !place->each_at.empty())
         for (const auto& at : place->each_at) step.at = at, talk.editor.apply(step);
@@ -125,6 +152,7 @@ void add_wish(Talk& talk, const PromptObject& wish, const std::optional<Place>& 
 
 // "a floor lamp beside the bed and two plants in the corner"; a place holds for those before it that name none.
 void add(Talk& talk, const Words& words) {
+    if (brightness_said(talk, words) || paint_wanted(talk, words)) return;
     std::vector<Addition> all;
     for (const Words& part : parts_of(words)) all.push_back(addition_of(talk.editor, part));
     if (all.empty()) throw UsageError("expected a thing to add, found the end of the sentence");

@@ -18,7 +18,7 @@ struct Row {
     Verb verb;
     std::string_view beginnings;  // with "|" between them
 };
-constexpr std::array<Row, 16> kBeginnings{{
+constexpr std::array<Row, 20> kBeginnings{{
     {Verb::remove,
      "remove|delete|erase|take away|take out|take|drop|get rid of|throw out|throw away|throw|"
      "lose|discard|ditch|hide|clear away|clear out|without|no more|no|i dont like|"
@@ -27,13 +27,15 @@ constexpr std::array<Row, 16> kBeginnings{{
     {Verb::move, "move|shift|bring|push|pull|slide|drag|relocate|lower|raise|lift|carry"},
     {Verb::put, "put|place|set|stand|hang|lay|position|mount|lean"},
     {Verb::make, "make|change|switch|give"},
-    {Verb::refuse,
-     "turn up|turn down|dim|open|close|shut|rearrange|reorganize|arrange|redecorate|tidy|"
-     "tidy up|clean|clean up|improve|fix|undo|redo|keep|leave"},
+    {Verb::refuse, "open|close|shut|rearrange|reorganize|arrange|redecorate|improve|fix|undo|redo|keep|leave"},
+    {Verb::tidy, "tidy|tidy up|clean|clean up|declutter|straighten up"},
+    {Verb::center, "center|centre"},
+    {Verb::brighter, "brighten|brighten up|lighten|lighten up|light up|turn up|illuminate"},
+    {Verb::darker, "darken|dim|turn down"},
     {Verb::add,
      "add|insert|include|get|create|bring in|have|give me|give us|can i have|can we have|"
      "could i have|could we have|can i get|there should be|there must be|there needs to be|"
-     "let there be|it needs|the room needs"},
+     "let there be|it needs|the room needs|install"},
     {Verb::want,
      "i need|we need|i want|we want|i wish|i would like|we would like|id like|id love|"
      "i would love|i prefer|id prefer|let"},
@@ -142,10 +144,20 @@ const Beginning* beginning_at(const Words& words, std::size_t at) {
 
 // "the sofa should be green", "the lamp needs to go to the corner"
 bool is_statement(const Words& words, std::size_t at) {
+    // "can the walls be white"
+    if (is_one_of(words[at], {"can", "could", "may"}) && at + 1 < words.size() && is_definite(words[at + 1]))
+        return find_word(words, {"be"}, at + 1) < words.size();
+    // "it's too dark", "too dark"
+    if (is_one_of(words[at], {"it's", "its"}) && at + 1 < words.size() && words[at + 1] == "too") return true;
+    if (words[at] == "too" || is_one_of(words[at], {"brighter", "darker"})) return true;
     if (!is_definite(words[at]) && !is_one_of(words[at], {"all", "both", "every", "each"})) return false;
     for (std::size_t i = at + 1; i + 1 < words.size() && words[i] != ","; ++i)
         if (is_one_of(words[i], {"should", "must", "shall", "needs", "need", "has", "have", "ought"}) &&
             is_one_of(words[i + 1], {"be", "go", "stand", "face", "to", "hang", "move", "look", "become"}))
+            return true;
+        // "it is too dark", "the sofa looks too big"
+        else if (is_one_of(words[i], {"is", "are", "looks", "look", "feels", "seems", "stands", "stand", "hangs"}) &&
+                 is_one_of(words[i + 1], {"too", "not"}))
             return true;
     return false;
 }
@@ -158,10 +170,12 @@ void trim(Words& words, const Words& all_rooms) {
     for (bool again = true; again && !words.empty();) {
         again = true;
         const std::size_t n = words.size();
-        if (is_joint(words.back()) || is_one_of(words.back(), {"too", "instead", "now", "thanks", "there", "here"}))
+        if (n > 2 && stands_at(words, n - 2, "in here")) words.resize(n - 2);
+        else if (is_joint(words.back()) ||
+                 is_one_of(words.back(), {"too", "instead", "now", "thanks", "there", "here"}))
             words.pop_back();
         else if (n > 2 && (stands_at(words, n - 2, "as well") || stands_at(words, n - 2, "for me") ||
-                           stands_at(words, n - 2, "thank you") || stands_at(words, n - 2, "in here")))
+                           stands_at(words, n - 2, "thank you")))
             words.resize(n - 2);
         else if (n > 3 && is_room(words[n - 1]) && is_one_of(words[n - 2], {"the", "my", "this", "our"}) &&
                  is_one_of(words[n - 3], {"from", "in", "into", "to", "of", "inside"}) &&

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "fastscene/base/error.h"
+#include "fastscene/rooms/catalogue.h"
 #include "fastscene/rooms/document_parts.h"
 #include "fastscene/rooms/edit_parts.h"
 
@@ -87,9 +88,24 @@ void Editor::swap(const EditStep& step) {
     if (step.ids.size() != 2 || step.ids[0] == step.ids[1])
         throw UsageError("expected two things to change places, found {}", step.ids.size());
     const int a = index_of(step.ids[0]), b = index_of(step.ids[1]);
+    if (placed(a).on == b || placed(b).on == a)
+        throw UsageError("{} and {}: one stands on the other", step.ids[0], step.ids[1]);
+    const std::vector<int> seats_a = seats_at(a), seats_b = seats_at(b);
+    const bool apart = std::none_of(seats_a.begin(), seats_a.end(), [&](int i) { return i == b; }) &&
+                       std::none_of(seats_b.begin(), seats_b.end(), [&](int i) { return i == a; });
+    if (apart && !(seats_a.empty() && seats_b.empty())) try {
+            return swap_two(a, b, seats_a, seats_b);
+        } catch (const Error&) {  // there is no room for the chairs: they stay
+        }
+    swap_two(a, b, {}, {});
+}
+
+void Editor::swap_two(int a, int b, const std::vector<int>& with_a, const std::vector<int>& with_b) {
     const Placed one = placed(a), other = placed(b);
-    if (one.on == b || other.on == a) throw UsageError("{} and {}: one stands on the other", step.ids[0], step.ids[1]);
-    const Standing standing = without(with_riders({a, b}));
+    std::vector<int> moving{a, b};
+    moving.insert(moving.end(), with_a.begin(), with_a.end());
+    moving.insert(moving.end(), with_b.begin(), with_b.end());
+    const Standing standing = without(with_riders(moving));
     PromptSpec spec = room_.spec;
     spec.objects = {};
     Random rng(room_.seed, "swap");
@@ -108,8 +124,8 @@ void Editor::swap(const EditStep& step) {
     checked([&] {
         std::swap(thing(a).on, thing(b).on);
         std::swap(thing(a).window, thing(b).window);
-        set_pose(a, {first.position, first.yaw}, {});
-        set_pose(b, {second.position, second.yaw}, {});
+        set_pose(a, {first.position, first.yaw}, with_a);
+        set_pose(b, {second.position, second.yaw}, with_b);
     });
 }
 
@@ -173,6 +189,10 @@ std::vector<Placed> Editor::in_place_of(const std::vector<Placed>& all, const St
         Layout layout = begin_layout(spec, rng, all, nullptr);
         if (const std::string why = layout.why_not(wish.kind); !why.empty()) throw Error("{}: {}", wish.words, why);
         PieceRequest request = layout.request(wish.kind, &wish);
+        // On a table or a sill a plant is a small one.
+        if (const Thing* thing = find_thing(request.kind);
+            (old.on >= 0 || old.sill >= 0) && thing && !request.model && !thing->small_form.empty())
+            request.kind = thing->small_form;
         request.size_factor *= scale;
         const float wide = std::max(make_piece(request).size_m.x + 0.06f,
                                     old.piece.size_m.x / static_cast<float>(here));
@@ -194,7 +214,9 @@ std::vector<Placed> Editor::in_place_of(const std::vector<Placed>& all, const St
     among.placed = all;
     among.was.resize(all.size(), 0);
     const std::vector<Placed> out = laid_out(among, anywhere, nullptr);
-    return out.empty() ? all : out;
+    constexpr float kStillThere = 3;  // metres: further off, it is in nobody's place
+    const bool far = !out.empty() && length(flat(out.back().position) - flat(old.position)) > kStillThere;
+    return out.empty() || far ? all : out;
 }
 
 // What stood on what was replaced stands on what came, where that has room for it.

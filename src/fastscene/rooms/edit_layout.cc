@@ -227,7 +227,8 @@ bool Editor::near_a_point(Layout& layout, const EditStep& step) const {
 }
 
 // Lays out what is wished for among what stands; `moving` is made as it was. Nothing: there is no place for all of it.
-std::vector<Placed> Editor::laid_out(const Standing& standing, const EditStep& step, const Placed* moving) const {
+std::vector<Placed> Editor::laid_out(const Standing& standing, const EditStep& step, const Placed* moving,
+                                     bool finely) const {
     PromptSpec spec = room_.spec;
     spec.objects = wish_alone(step.wish);
     PromptObject& wish = spec.objects[0];
@@ -238,7 +239,9 @@ std::vector<Placed> Editor::laid_out(const Standing& standing, const EditStep& s
     Layout layout = begin_layout(spec, rng, among, moving);
     const std::size_t before = layout.mark();
     bool done = false;
-    if (step.wall >= 0 || step.elsewhere || (step.position && wish.relation == "in the corner"))
+    if (finely) {
+        // the layout's own place was no good
+    } else if (step.wall >= 0 || step.elsewhere || (step.position && wish.relation == "in the corner"))
         done = at_a_wall(layout, step, moving);
     else {
         if (step.position) done = near_a_point(layout, step);
@@ -254,7 +257,13 @@ std::vector<Placed> Editor::laid_out(const Standing& standing, const EditStep& s
                                return p.wish.kind != wish.kind || is_where_asked(plan(), layout.placed(), p, wish);
                            });
     }
-    if (!done) return {};
+    constexpr float kSame = 2e-3f;  // metres
+    if (done && moving && length(layout.placed().back().piece.size_m - moving->piece.size_m) > kSame) done = false;
+    if (!done) {
+        layout.undo(before);
+        if (step.wall < 0 && !search_finely(layout, step)) return {};
+    }
+    if (layout.mark() == before) return {};
     std::vector<Placed> out = layout.placed();
     for (std::size_t i = 0; i < before; ++i) out[i].wish = standing.placed[i].wish;
     for (std::size_t i = before; i < out.size(); ++i) {
@@ -289,12 +298,12 @@ void Editor::place_one(int index, const std::vector<int>& along, EditStep step) 
     wish.kind = was.wish.kind.empty() ? was.piece.kind : was.wish.kind;
     wish.words = in_words(wish.kind);
     wish.count = 1;
-    wish.size_m = was.piece.size_m;
+    wish.size_m = was.piece.size_m, step.yaw = was.yaw;
     if (std::find(step.at.begin(), step.at.end(), id) != step.at.end())
         throw UsageError("{}: it cannot stand{}", id, place_in_words(step));
     const std::vector<Placed> all = laid_out(standing, step, &was);
-    constexpr float kSame = 2e-3f, kThere = 0.02f, kNudge = 0.25f;  // metres
-    if (all.size() != standing.placed.size() + 1 || length(all.back().piece.size_m - was.piece.size_m) > kSame)
+    constexpr float kThere = 0.02f, kNudge = 0.25f;  // metres
+    if (all.size() != standing.placed.size() + 1)
         throw Error("{}: there is no free place for it{}", id, place_in_words(step));
     const Placed& found = all.back();
     PromptObject now = wish;
@@ -306,7 +315,10 @@ void Editor::place_one(int index, const std::vector<int>& along, EditStep step) 
     try {
         checked([&] { stand_at_found(index, found, standing, step, along); });
     } catch (const Error& e) {
-        throw Error("{}: there is no place for it{}: {}", id, place_in_words(step), e.what());
+        const std::vector<Placed> other = laid_out(standing, step, &was, true);
+        if (other.size() != standing.placed.size() + 1)
+            throw Error("{}: there is no place for it{}: {}", id, place_in_words(step), e.what());
+        checked([&] { stand_at_found(index, other.back(), standing, step, along); });
     }
 }
 
@@ -335,7 +347,7 @@ std::vector<Placed> Editor::with_added(const EditStep& step) const {
             EditStep one = step;
             one.wish.count = count;
             if (scale < 1) {
-                if (step.wish.size_m != Vec3f{} || step.wish.kind == "rug") break;
+                if (step.wish.size_m != Vec3f{}) break;
                 PromptSpec spec = room_.spec;
                 Random rng(room_.seed, "size");
                 Layout layout(plan(), spec, rng);

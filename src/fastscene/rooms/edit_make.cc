@@ -5,6 +5,7 @@
 
 #include "fastscene/base/error.h"
 #include "fastscene/base/is_one_of.h"
+#include "fastscene/rooms/catalogue.h"
 #include "fastscene/rooms/edit_parts.h"
 #include "fastscene/rooms/lexicon.h"
 
@@ -134,16 +135,33 @@ void of_the_top(PromptObject& looks) {
     looks.holder_material = std::exchange(looks.material, "");
 }
 
+// What is hard and transparent is glass.
+void suit_cloth(const Talk& talk, EditStep& step) {
+    const bool soft = std::any_of(step.ids.begin(), step.ids.end(), [&](const std::string& id) {
+        return has_role(talk.editor.placed(id).piece.kind, Role::soft);
+    });
+    if (step.wish.material == "voile" && !soft) step.wish.material = "glass";
+}
+
 // The things that it is of; none: a surface.
 std::vector<std::string> make_one(Talk& talk, const Words& subject, const Value& value) {
     EditStep step;
-    step.kind = value.resizes() ? EditStep::Kind::resize : EditStep::Kind::recolor;
-    step.factor = value.factor;
+    step.kind = !value.shape.empty() ? EditStep::Kind::reshape
+                : value.resizes()    ? EditStep::Kind::resize
+                                     : EditStep::Kind::recolor;
+    step.value = value.shape;
+    step.factor = value.factor, step.exactly = value.exactly;
     step.wish = value.looks;
     step.brighter = value.brighter;
     if (value.resizes() && speaks_of_shell(subject)) refuse_shell();
     if (!value.resizes()) step.surface = surface_said(subject);
     if (step.surface.empty()) step.ids = talk.things(subject);
+    const bool lamps = !step.ids.empty() && std::all_of(step.ids.begin(), step.ids.end(), [&](const std::string& id) {
+        return has_role(talk.editor.placed(id).piece.kind, Role::light);
+    });
+    if (lamps && value.shines)
+        throw UsageError("the lamps of a room shine alike: \"turn the lamps on\", \"dim the lamps\", \"more light\"");
+    suit_cloth(talk, step);
     if (says_any(subject, {"worktop", "worktops", "countertop", "countertops"})) of_the_top(step.wish);
     if (value.by == Vec3f{}) {
         talk.editor.apply(step);
@@ -216,20 +234,30 @@ Words as_made(Words words) {
 
 }  // namespace
 
-std::string lamps_said(const Words& words) {
-    const bool lamps = std::any_of(words.begin(), words.end(), [](const std::string& w) {
-        return w.find("lamp") != std::string::npos || is_one_of(w, {"light", "lights"});
-    });
-    if (!lamps || words.size() > 5) return {};
-    const std::size_t last = words.size() - 1;
-    for (const auto& [word, value] : {std::pair{"on", "lamps on"}, {"off", "lamps off"}, {"out", "lamps off"}})
-        if (words.front() == word || words[last] == word) return value;
-    return {};
+namespace {
+
+// "the sofa the same color as the rug", "the curtains match the sofa"; false: no such words.
+bool like_another(Talk& talk, const Words& words) {
+    std::size_t same = find_word(words, {"same"}, 1), as = find_word(words, {"as"}, same);
+    if (const std::size_t match = find_word(words, {"match", "matching"}, 1); match < words.size()) same = as = match;
+    else if (find_word(words, {"color", "shade"}, same) > as) return false;
+    if (as + 1 >= words.size()) return false;
+    Words subject = part_of(words, 0, same);
+    while (subject.size() > 1 && is_one_of(subject.back(), {"the", "in", "to", "have", "be"})) subject.pop_back();
+    const std::vector<std::string> model = talk.things(part_of(words, as + 1));
+    Value value;
+    value.looks.color = talk.editor.color_seen(model.front());
+    talk.last = make_one(talk, bare_subject(subject), value);
+    return true;
 }
+
+}  // namespace
 
 void make(Talk& talk, const Words& words) {
     if (const std::string lamps = lamps_said(words); !lamps.empty()) return light(talk, lamps);
     if (says_any(words, {"face", "facing"})) return face(talk, words);
+    if (brightness_said(talk, words)) return;
+    if (like_another(talk, words)) return;
     if (of_the_room(talk, words)) return;
     for (const Group& group : groups_of(as_made(words))) apply(talk, group);
 }

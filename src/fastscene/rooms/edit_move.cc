@@ -52,6 +52,8 @@ bool put_at(Talk& talk, const std::vector<std::string>& ids, const Words& words)
     } catch (const UsageError&) {
         throw;
     } catch (const Error& e) {  // "closer to the window", with no free way there: a place at the window
+        const std::size_t to = find_word(words, {"to", "window", "door"});
+        if (!room_part(words, words[std::min(to, words.size() - 1)] == "to" ? to + 1 : to)) throw;
         why_not = e.what();
     }
     std::optional<Place> place;
@@ -146,6 +148,16 @@ void move(Talk& talk, const Words& words) {
         }
         if (next_place(part) == part.size()) {
             before.push_back(part);
+            continue;
+        }
+        // "in the middle of the room facing the door"
+        if (const std::size_t facing = find_word(part, {"facing"}, 2);
+            facing + 1 < part.size() && next_place(part) < facing) {
+            move_one(talk, before, part_of(part, 0, facing));
+            before.clear();
+            Words all{"them"};
+            all.insert(all.end(), part.begin() + static_cast<std::ptrdiff_t>(facing), part.end());
+            face(talk, all);
             continue;
         }
         move_one(talk, before, part);

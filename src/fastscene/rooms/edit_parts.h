@@ -31,6 +31,7 @@ class Editor {
     const EditResult& result() const { return result_; }
     int index_of(const std::string& id) const;
     const Placed& placed(const std::string& id) const;
+    std::string color_seen(const std::string& id) const;  // by name, else "#rrggbb"
     // With all that stands on them.
     std::vector<int> with_riders(const std::vector<int>& roots) const;
 
@@ -60,16 +61,19 @@ class Editor {
     std::vector<int> seats_at(int table) const;
     std::optional<Vec2f> target_of(const EditStep& step, int from) const;
     void move(const EditStep& step);
+    bool turned_aside(int index, float turn);
     void shift(const EditStep& step);
     void face(const EditStep& step);
     void resize(const EditStep& step);
-    void resize_one(int index, Vec3f factor);
+    void resize_one(int index, Vec3f factor, bool exactly);
+    std::string resize_to(int index, Vec3f factor);
     void keep_seats(int index, const Placed& before);
     void carry_riders(int index, const Placed& before, Vec3f factor);
 
     // ---- edit_layout.cc
     Standing without(const std::vector<int>& gone) const;
-    std::vector<Placed> laid_out(const Standing& standing, const EditStep& step, const Placed* moving) const;
+    std::vector<Placed> laid_out(const Standing& standing, const EditStep& step, const Placed* moving,
+                                 bool finely = false) const;
     Layout begin_layout(PromptSpec& spec, Random& rng, const std::vector<Placed>& standing, const Placed* moving) const;
     bool at_a_wall(Layout& layout, const EditStep& step, const Placed* moving) const;
     bool near_a_point(Layout& layout, const EditStep& step) const;
@@ -82,8 +86,18 @@ class Editor {
     void add(const EditStep& step);
     std::vector<std::string> admit(const std::vector<Placed>& all, const Standing& standing, const std::string& how);
 
+    // ---- edit_search.cc
+    bool search_finely(Layout& layout, const EditStep& step) const;
+    bool stands_clear(int index, const Footprint& box, const std::vector<int>& along) const;
+
+    // ---- edit_shapes.cc
+    void reshape(const EditStep& step);
+    void reshape_one(int index, const std::string& shape);
+    void gather_about(int index, const Placed& before, const std::vector<int>& seats, float further);
+
     // ---- edit_exchange.cc
     void swap(const EditStep& step);
+    void swap_two(int a, int b, const std::vector<int>& with_a, const std::vector<int>& with_b);
     void replace(const EditStep& step);
     std::vector<Placed> in_place_of(const std::vector<Placed>& all, const Standing& standing, const EditStep& step,
                                     const Placed& old, int nth, int here) const;
@@ -94,7 +108,8 @@ class Editor {
     void recolor(const EditStep& step);
     void recolor_surface(const EditStep& step, const std::string& said);
     void restyle(const std::string& name);
-    void light(const std::string& value);
+    void light(const std::string& value);  // edit_light.cc
+    void brighten(bool more, bool lamps_alone);
 
     std::shared_ptr<const FurniturePack> pack_;
     Run run_;
@@ -122,6 +137,10 @@ enum class Verb : unsigned char {
     color,
     larger,
     smaller,
+    brighter,
+    darker,
+    tidy,
+    center,
     copy,
     refuse,  // understood, and nothing that a sentence does
 };
@@ -151,6 +170,27 @@ std::vector<int> all_named(const Editor& editor, const std::string& words);
 // Throws UsageError for none, or for several where one is meant.
 std::vector<std::string> named(const Editor& editor, const std::string& words);
 [[noreturn]] void refuse_shell();
+
+// ---- edit_which.cc: none, or several
+
+// "which chair? chair-1 by desk-1, chair-2 at the door"
+[[noreturn]] void refuse_many(const std::string& words, const Editor& editor, const std::vector<int>& found);
+// With the few that are most like it: of its class, or the largest.
+[[noreturn]] void refuse_none(const std::string& words, const Editor& editor, const std::string& kind);
+
+// ---- edit_compounds.cc: "the desk lamp", "the table"
+
+// Of what words of several nouns mean, those that stand where the first of them says: the lamps on the desk.
+void at_support(const Editor& editor, const Words& words, std::vector<int>& found);
+// Of those found, the ones that stand as `relation` says at those very things.
+void at_anchors(const Editor& editor, const std::string& relation, const std::vector<int>& anchors,
+                std::vector<int>& found);
+// What "the coffee table books" are, where the lexicon has no such word: books on a coffee table.
+std::vector<int> compound_named(const Editor& editor, const Words& words);
+// Where "a desk lamp", "a bedside lamp" comes to stand; nothing: the words name no such thing.
+std::optional<EditStep> on_support(const Editor& editor, const Words& words);
+// Of several of different kinds, the one that "the table" means in such a room; none: nobody could tell.
+std::vector<int> main_of(const Editor& editor, const std::vector<int>& found);
 
 // ---- edit_place_words.cc: the words of places
 
@@ -201,7 +241,10 @@ struct Value {
     Vec3f factor{1, 1, 1};
     Vec3f by{};  // metres
     float brighter = 1;
-    bool resizes() const { return !(factor == Vec3f{1, 1, 1}) || !(by == Vec3f{}); }
+    bool exactly = false;  // "twice as large", "20 percent", "10 cm": that or nothing
+    std::string shape;     // round oval square rectangular
+    bool shines = false;   // "brighter", "dimmer": of lamps that is their light
+    bool resizes() const { return !(factor == Vec3f{1, 1, 1}) || !(by == Vec3f{}) || !shape.empty(); }
 };
 // Nothing unless all the words are looks or sizes.
 std::optional<Value> value_of(const Words& words);
@@ -214,7 +257,7 @@ std::optional<PromptObject> looks_of(const std::string& words);
 struct Talk {
     Editor& editor;
     std::vector<std::string> last{};   // the things last spoken of: "it"
-    std::string noun{};               // what they are called: "one"
+    std::string noun{};                // what they are called: "one"
     EditStep last_place{};             // where they were put
     bool there = false;                // the clause ends with "there"
     std::optional<Vec2f> last_gone{};  // where what was removed last stood: "there"
@@ -227,6 +270,7 @@ struct Talk {
 std::string asked_kind(const Placed& p);  // as it was asked for
 std::size_t find_word(const Words& words, std::initializer_list<std::string_view> any, std::size_t from = 0);
 void add_new(std::vector<std::string>& to, const std::vector<std::string>& more);
+void remove(Talk& talk, Words words);
 // ---- edit_move.cc
 void move(Talk& talk, const Words& words);
 void turn(Talk& talk, const Words& words);
@@ -239,7 +283,14 @@ void swap(Talk& talk, Words words);
 // ---- edit_make.cc
 // "the sofa green", "it night", "the walls sage", "the rug larger", "the style to japandi"
 void make(Talk& talk, const Words& words);
+// ---- edit_want.cc: "I want a plant", "the sofa should be green", "it is too dark"
+void want(Talk& talk, const Words& words);
+// "a wooden floor", "blue walls": how surfaces are to look; false: the words are about none.
+bool paint_wanted(Talk& talk, const Words& words);
+// ---- edit_light.cc
 // "the lamps on": what is to become of the lamps; empty: the words are not about that.
 std::string lamps_said(const Words& words);
+// "more light", "it brighter", "the lamps dimmer": done; false: the words are not about that.
+bool brightness_said(Talk& talk, const Words& words);
 
 }  // namespace fastscene::editing

@@ -11,7 +11,7 @@ namespace {
 
 // Beginnings of places that the lexicon does not have, or that an edit means in its own way. "to", "at" and "in" mean
 // what suits the thing and the place.
-constexpr std::array<std::pair<std::string_view, std::string_view>, 24> kRelations{{
+constexpr std::array<std::pair<std::string_view, std::string_view>, 27> kRelations{{
     {"to", "to"},
     {"into", "to"},
     {"over to", "to"},
@@ -36,6 +36,9 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 24> kRelatio
     {"round", "around"},
     {"from", "from"},
     {"along", "along"},
+    {"to the foot of", "at the foot of"},
+    {"to the side of", "next to"},
+    {"by the side of", "next to"},
 }};
 
 }  // namespace

@@ -73,6 +73,7 @@ std::string suited(const std::string& relation, const std::string& kind, const P
     if (relation == "in") return "on";
     if (relation == "to" && small && !there.piece.surfaces.empty()) return "on";
     if (has_role(kind, Role::seat) && !has_role(kind, Role::sofa) && !has_role(kind, Role::easy_chair)) {
+        if (has_role(there.piece.kind, Role::laid)) return "around";
         if (has_role(there.piece.kind, Role::work_place)) return "in front of";
         if (has_role(there.piece.kind, Role::lamp_above)) return "around";
     }

@@ -110,6 +110,26 @@ void Editor::checked(const std::function<void()>& change) {
     }
 }
 
+// Turned by an angle; what then reaches into something stands a little off it. False: it has room where it stands, or
+// nowhere.
+bool Editor::turned_aside(int i, float turn) {
+    constexpr int kAround = 16;
+    const Placed p = placed(i);
+    const float yaw = std::remainder(p.yaw + turn, 2 * kPi);
+    if (p.piece.mount != Mount::floor || new_fault(with_pose(i, {p.position, yaw}, {})).empty()) return false;
+    for (const float off : {0.06f, 0.12f, 0.2f, 0.3f, 0.4f, 0.5f})
+        for (int way = 0; way < kAround; ++way) {
+            const float angle = 2 * kPi * static_cast<float>(way) / kAround;
+            Placed turned = p;
+            turned.position = p.position + Vec3f{std::sin(angle), 0, std::cos(angle)} * off, turned.yaw = yaw;
+            if (!stands_clear(i, footprint_of(turned), {})) continue;
+            if (!new_fault(with_pose(i, {turned.position, yaw}, {})).empty()) continue;
+            checked([&] { set_pose(i, {turned.position, yaw}, {}); });
+            return true;
+        }
+    return false;
+}
+
 void Editor::move(const EditStep& step) {
     for (const std::string& id : step.ids) {
         const int i = index_of(id);
@@ -119,6 +139,7 @@ void Editor::move(const EditStep& step) {
                 continue;
             } catch (const Error&) {  // there is no room for them: it turns alone
             }
+        if (step.kind == EditStep::Kind::turn && turned_aside(i, step.yaw.value_or(kPi))) continue;
         checked([&] {
             const Placed& p = placed(i);
             Vec3f to = p.position;
@@ -180,6 +201,26 @@ std::optional<Vec2f> Editor::target_of(const EditStep& step, int from) const {
     return best;
 }
 
+namespace {
+
+// How far off its place a thing may come to stand when it is turned, and by how much past its target it may look:
+// first exactly, then nearly.
+struct Turned {
+    float off, aside;  // metres, radians
+};
+std::vector<Turned> turns() {
+    constexpr float kNearly = 12 * kPi / 180;
+    std::vector<Turned> out{{0, 0}};
+    for (const float off : {0.06f, 0.12f, 0.2f, 0.3f}) out.push_back({off, 0});
+    for (const float off : {0.f, 0.06f, 0.12f, 0.2f, 0.3f, 0.4f, 0.5f, 0.6f, 0.7f, 0.8f})
+        for (const float part : {0.f, 1.f, -1.f, 2.f, -2.f})
+            if (off > 0.3f || part != 0) out.push_back({off, part * kNearly});
+    return out;
+}
+constexpr int kWays = 16;
+
+}  // namespace
+
 // Turned where it stands; what then reaches into something stands a little off it.
 void Editor::face(const EditStep& step) {
     constexpr float kFaces = 3 * kPi / 180;
@@ -190,23 +231,26 @@ void Editor::face(const EditStep& step) {
         const Placed& p = placed(i);
         std::string fault;
         bool done = false;
-        for (const float off : {0.f, 0.1f, 0.2f, 0.3f, 0.45f, 0.6f, 0.8f}) {
-            constexpr int kWays = 8;
-            for (int way = 0; way < (off > 0 ? kWays : 1) && !done; ++way) {
+        for (const auto& [off, aside] : turns()) {
+            const int ways = off > 0 ? kWays : 1;
+            for (int way = 0; way < ways && !done; ++way) {
                 const float angle = 2 * kPi * static_cast<float>(way) / kWays;
                 const Vec3f to = p.position + Vec3f{std::sin(angle), 0, std::cos(angle)} * off;
                 const Vec2f ahead = *target - flat(to);
-                const float yaw = std::atan2(ahead.x, ahead.y);
-                if (off == 0 && std::abs(std::remainder(yaw - p.yaw, 2 * kPi)) < kFaces) {
+                const float yaw = std::remainder(std::atan2(ahead.x, ahead.y) + aside, 2 * kPi);
+                if (off == 0 && aside == 0 && std::abs(std::remainder(yaw - p.yaw, 2 * kPi)) < kFaces) {
                     // By this very sentence: "before the fire, facing it".
                     done = std::any_of(result_.changes.begin(), result_.changes.end(),
                                        [&](const EditChange& c) { return c.id == id; });
                     if (!done) throw Error("{}: it faces the {} already", id, in_words(step.wish.relation_to));
                     break;
                 }
+                Placed turned = p;
+                turned.position = to, turned.yaw = yaw;
                 for (const std::vector<int>& along : {seats_at(i), std::vector<int>{}}) {
+                    if (off > 0 && !stands_clear(i, footprint_of(turned), along)) continue;
                     const std::string wrong = new_fault(with_pose(i, {to, yaw}, along));
-                    if (off == 0) fault = wrong;
+                    if (off == 0 && aside == 0) fault = wrong;
                     done = wrong.empty();
                     if (done) checked([&] { set_pose(i, {to, yaw}, along); });
                     if (done) break;
@@ -264,32 +308,62 @@ void Editor::keep_seats(int index, const Placed& before) {
     }
 }
 
-void Editor::resize_one(int index, Vec3f factor) {
+// Where it stands, else shifted a little. What is wrong with it in that size; empty: done.
+std::string Editor::resize_to(int index, Vec3f factor) {
     const Placed before = placed(index);
     Vec3f size = before.piece.size_m;
     for (std::size_t a = 0; a < 3; ++a) size[a] *= factor[a];
+    // Some builders keep an extent: a sofa is as deep as sofas are.
+    PieceRequest request = *before.piece.made_from;
+    if (!request.style) request.style = &plan().style;
+    request.size_m = size, request.size_factor = 1;
+    const Vec3f made = make_piece(request).size_m;
     std::string fault;
-    for (const float aside : {0.f, 0.1f, -0.1f, 0.2f, -0.2f, 0.35f, -0.35f, 0.5f, -0.5f}) {
-        try {
-            return checked([&] {
-                thing(index).size_m = size;
-                thing(index).position = after_resize(before, size) + right_of(before.yaw) * aside;
-                build();
-                carry_riders(index, before, factor);
-                keep_seats(index, before);
-                const Vec3f is = placed(index).piece.size_m;
-                tell(thing(index).id, fmt::format("size: {:.2f} x {:.2f} x {:.2f} m", is.x, is.y, is.z));
-            });
-        } catch (const Error& e) {
-            if (fault.empty()) fault = e.what();
-            if (before.flat) break;
+    for (const float aside : {0.f, 0.1f, -0.1f, 0.2f, -0.2f, 0.35f, -0.35f, 0.5f, -0.5f})
+        for (const float ahead : {0.f, 0.1f, -0.1f, 0.2f, -0.2f, 0.3f, -0.3f}) {
+            const bool here = aside == 0 && ahead == 0;
+            if (!here && before.flat) return fault;
+            if (ahead != 0 && (before.piece.mount != Mount::floor || before.piece.against_wall)) continue;
+            const Vec3f at = after_resize(before, made) + right_of(before.yaw) * aside + front_of(before.yaw) * ahead;
+            Placed larger = before;
+            larger.position = at, larger.piece.size_m = made;
+            if (!here && before.piece.mount == Mount::floor &&
+                !stands_clear(index, footprint_of(larger), seats_at(index)))
+                continue;
+            try {
+                checked([&] {
+                    thing(index).size_m = size;
+                    thing(index).position = at;
+                    build();
+                    carry_riders(index, before, factor);
+                    keep_seats(index, before);
+                    const Vec3f is = placed(index).piece.size_m;
+                    tell(thing(index).id, fmt::format("size: {:.2f} x {:.2f} x {:.2f} m", is.x, is.y, is.z));
+                });
+                return {};
+            } catch (const Error& e) {
+                if (fault.empty()) fault = e.what();
+            }
         }
+    return fault;
+}
+
+// "Larger" is as much larger as there is room for, down to what is still seen; "twice as large" is that or nothing.
+void Editor::resize_one(int index, Vec3f factor, bool exactly) {
+    std::string fault;
+    for (const float part : {1.f, 0.75f, 0.5f, 0.35f}) {
+        if (part < 1 && exactly) break;
+        Vec3f some = factor;
+        for (std::size_t a = 0; a < 3; ++a) some[a] = 1 + (factor[a] - 1) * part;
+        const std::string wrong = resize_to(index, some);
+        if (wrong.empty()) return;
+        if (fault.empty()) fault = wrong;
     }
     throw Error("{}: there is no room for it in that size: {}", thing(index).id, fault);
 }
 
 void Editor::resize(const EditStep& step) {
-    for (const std::string& id : step.ids) resize_one(index_of(id), step.factor);
+    for (const std::string& id : step.ids) resize_one(index_of(id), step.factor, step.exactly);
 }
 
 }  // namespace fastscene::editing

@@ -79,6 +79,8 @@ bool remove_everything(Talk& talk, const Words& words) {
     return true;
 }
 
+}  // namespace
+
 // "the rug and the two plants", "the vase off the table"
 void remove(Talk& talk, Words words) {
     while (!words.empty() && is_one_of(words.back(), {"away", "out", "off"})) words.pop_back();
@@ -90,44 +92,7 @@ void remove(Talk& talk, Words words) {
     remove_all(talk, talk.things_of_parts(words));
 }
 
-// ---- want
-
-// "a wooden floor", "blue walls": how surfaces are to look; false: the words are about none.
-bool paint_wanted(Talk& talk, const Words& words) {
-    const PromptSpec spec = read_in_room(talk.editor, text_of(words));
-    if (spec.objects.empty() || !is_one_of(spec.objects.front().kind, {"wall", "floor", "ceiling"})) return false;
-    EditStep step;
-    step.kind = EditStep::Kind::recolor;
-    step.wish = spec.objects.front();
-    step.surface = step.wish.kind;
-    if (step.wish.color.empty() && step.wish.material.empty() && step.wish.pattern.empty()) return false;
-    talk.editor.apply(step);
-    return true;
-}
-
-void want(Talk& talk, const Words& words) {
-    if (words.empty()) throw UsageError("expected what to change, found the end of the sentence");
-    const bool of_those = is_definite(words.front()) || is_one_of(words.front(), {"all", "both", "every", "each"});
-    if (!of_those) return paint_wanted(talk, words) ? void() : add(talk, words);
-    if (find_word(words, {"style", "room", "time", "weather"}) < words.size()) return make(talk, words);
-    std::size_t mark = find_word(words, {"should", "must", "shall", "needs", "need", "has", "have", "ought"}, 1);
-    if (mark == words.size()) mark = std::min(find_word(words, {"to"}, 1), mark);
-    std::size_t next = mark;
-    while (next < words.size() &&
-           is_one_of(words[next], {"should", "must", "shall", "needs", "need", "has", "have", "ought", "to", "be",
-                                   "look", "become", "go", "stand", "move", "hang", "moved", "placed"}) &&
-           !(words[next] == "to" && next + 1 < words.size() && is_definite(words[next + 1])))
-        ++next;
-    const Words thing = part_of(words, 0, mark), rest = part_of(words, next);
-    Words all = thing;
-    all.insert(all.end(), rest.begin(), rest.end());
-    if (!rest.empty() && is_one_of(rest.front(), {"gone", "removed", "away", "deleted"})) return remove(talk, thing);
-    if (!rest.empty() && is_one_of(rest.front(), {"face", "facing"})) return face(talk, all);
-    for (std::size_t i = 1; i < all.size(); ++i)
-        if (value_of(part_of(all, i))) return make(talk, all);
-    if (next_place(all) < all.size()) return move(talk, all);
-    make(talk, all);
-}
+namespace {
 
 [[noreturn]] void refuse(const Clause& clause) {
     const std::string all = clause.said + (clause.words.empty() ? "" : " " + text_of(clause.words));
@@ -188,7 +153,10 @@ std::vector<std::string> Talk::things(const Words& words) {
 std::vector<std::string> Talk::all_but(const Words& words, Words others) {
     std::vector<std::string> ids = things(words);
     if (!others.empty() && is_one_of(others.front(), {"for", "not"})) others.erase(others.begin());
-    if (!others.empty() && is_one_of(others.back(), {"one", "ones"})) others.back() = words.back();
+    // "the largest one", "the one above the bed"
+    if (const std::size_t one = find_word(others, {"one", "ones"}, others.size() > 1 ? 1 : 0);
+        one < others.size() && !(one + 1 < others.size() && others[one + 1] == "of"))
+        others[one] = words.back();
     const std::vector<std::string> kept = things_of_parts(others);
     std::erase_if(ids, [&](const std::string& id) { return std::find(kept.begin(), kept.end(), id) != kept.end(); });
     if (ids.empty()) throw UsageError("nothing but {} is meant by \"{}\"", kept.front(), text_of(words));
@@ -229,6 +197,30 @@ Words lowered(const Clause& clause) {
     return out;
 }
 
+// What lies about on the floor; a sentence does not guess what else is too much.
+void tidy(Talk& talk, const Clause& clause) {
+    Words bare = clause.words;
+    std::erase_if(bare, [](const std::string& w) {
+        return is_definite(w) || is_one_of(w, {"up", "a", "bit", "room"});
+    });
+    std::vector<std::string> litter;
+    for (const DocumentThing& t : talk.editor.document().things)
+        if (has_role(t.kind, Role::litter) && t.on.empty()) litter.push_back(t.id);
+    if (litter.empty() || !(bare.empty() || bare == Words{"floor"}))
+        throw UsageError(
+            "\"{}\" takes away what lies about on the floor{}; \"clear the desk\" takes away what stands "
+            "on it, \"remove the books\" what it names",
+            clause.said, litter.empty() ? ", where nothing lies about" : "");
+    remove_all(talk, litter);
+}
+
+// "Enlarge the rug by 20 percent": larger by that.
+Words with_word(Words words, const std::string& word) {
+    const std::size_t by = find_word(words, {"by"}, 1);
+    words.insert(words.begin() + static_cast<std::ptrdiff_t>(by), word);
+    return words;
+}
+
 bool says_value(const Words& words) {
     for (std::size_t i = 1; i < words.size(); ++i)
         if (value_of(part_of(words, i)) || is_one_of(words[i], {"to", "into"})) return true;
@@ -240,6 +232,7 @@ bool says_value(const Words& words) {
 void Talk::act(const Clause& clause) {
     const Words& words = clause.words;
     if (clause.verb == Verb::refuse) refuse(clause);
+    if (clause.verb == Verb::tidy) return tidy(*this, clause);
     there = clause.there;
     if (words.empty())
         throw UsageError("expected what to change after \"{}\", found the end of the sentence", clause.said);
@@ -277,15 +270,17 @@ void Talk::act(const Clause& clause) {
             if (clause.said == "switch" && parts_of(words).size() == 2 && !says_value(words)) return swap(*this, words);
             return make(*this, words);
         case Verb::color: return make(*this, words);
-        case Verb::larger:
-        case Verb::smaller: {
+        case Verb::larger: return make(*this, with_word(words, "larger"));
+        case Verb::smaller: return make(*this, with_word(words, "smaller"));
+        case Verb::brighter: return make(*this, with_word(words, "brighter"));
+        case Verb::darker: return make(*this, with_word(words, clause.said == "dim" ? "dimmer" : "darker"));
+        case Verb::center: {
             Words all = words;
-            const std::size_t by = find_word(all, {"by"}, 1);
-            all.insert(all.begin() + static_cast<std::ptrdiff_t>(by),
-                       clause.verb == Verb::larger ? "larger" : "smaller");
-            return make(*this, all);
+            if (next_place(all) == all.size()) all.insert(all.end(), {"in", "the", "middle"});
+            return put(*this, all);
         }
         case Verb::copy: return copy(*this, words);
+        case Verb::tidy:
         case Verb::refuse:
         case Verb::none: break;
     }

@@ -103,15 +103,32 @@ std::optional<Vec3f> compared(const Words& words) {
     return along(size->axes, more ? factor : less);
 }
 
-std::optional<float> brighter(const Words& words) {
+std::optional<float> brighter(const Words& words, bool& shines) {
     constexpr float kLighter = 1.5f, kDarker = 0.6f;
     float out = 1;
     for (const std::string& w : words) {
         if (is_one_of(w, {"lighter", "brighter", "paler"})) out = kLighter;
-        else if (w == "darker") out = kDarker;
+        else if (is_one_of(w, {"darker", "dimmer"})) out = kDarker;
         else if (!is_one_of(w, {"a", "bit", "little", "much", "slightly", "lot"})) return {};
+        shines = shines || is_one_of(w, {"brighter", "dimmer"});
     }
     return out == 1 ? std::nullopt : std::optional(out);
+}
+
+// "round", "a square shape"; empty: no shape.
+std::string shape_said(const Words& words) {
+    std::string out;
+    for (const std::string& w : words) {
+        const std::string shape = is_one_of(w, {"round", "circular", "rounder"})                       ? "round"
+                                  : is_one_of(w, {"oval", "elliptical"})                               ? "oval"
+                                  : w == "square"                                                      ? "square"
+                                  : is_one_of(w, {"rectangular", "oblong", "rectangle", "rectangles"}) ? "rectangular"
+                                                                                                       : "";
+        if (shape.empty() ? !is_one_of(w, {"a", "an", "in", "shape", "shaped", "form", "one"}) : !out.empty())
+            return {};
+        if (!shape.empty()) out = shape;
+    }
+    return out;
 }
 
 // One look of up to so many words at `i`; how many it takes, 0: none.
@@ -119,6 +136,10 @@ std::size_t take_look(const Words& tokens, std::size_t i, PromptObject& out) {
     constexpr std::size_t kLongest = 3;  // words of a color: "dark olive green"
     for (std::size_t length = std::min(kLongest, tokens.size() - i); length > 0; --length) {
         const std::string term = text_of(tokens, i, i + length);
+        if (is_one_of(term, {"sheer", "see through", "transparent", "translucent", "voile", "gauzy", "airy"})) {
+            out.material = "voile";
+            return length;
+        }
         const auto word = look_up(term);
         std::string* to = word && word->kind == WordKind::pattern                                     ? &out.pattern
                           : word && word->kind == WordKind::material && material_named(word->meaning) ? &out.material
@@ -169,19 +190,24 @@ std::optional<Value> value_of(const Words& words) {
         const auto factor = compared(without);
         if (!factor) return {};
         for (std::size_t a = 0; a < 3; ++a)
-            if ((*factor)[a] != 1) out.by[a] = (*factor)[a] > 1 ? *metres : -*metres;
+            if ((*factor)[a] != 1) out.exactly = true, out.by[a] = (*factor)[a] > 1 ? *metres : -*metres;
         return out;
     }
     if (const auto factor = compared(words)) {
         out.factor = *factor;
+        out.exactly = std::find(words.begin(), words.end(), "percent") != words.end();
         return out;
     }
     if (const auto factor = times(words)) {
-        out.factor = *factor;
+        out.factor = *factor, out.exactly = true;
         return out;
     }
-    if (const auto factor = brighter(words)) {
+    if (const auto factor = brighter(words, out.shines)) {
         out.brighter = *factor;
+        return out;
+    }
+    if (const std::string shape = shape_said(words); !shape.empty()) {
+        out.shape = shape;
         return out;
     }
     const auto looks = looks_of(text_of(words));

@@ -42,32 +42,6 @@ std::string singular(const std::string& word) {
     return word;
 }
 
-// Where a thing stands, in words that tell it from its like.
-std::string whereabouts(const RoomDocument& document, const DocumentRoom& room, std::size_t index) {
-    const DocumentThing& t = document.things[index];
-    if (!t.on.empty()) return "on " + t.on;
-    const std::vector<Placed>& placed = room.furnished.placed;
-    const Footprint box = footprint_of(placed[index]);
-    PromptObject at;
-    at.relation = "next to";
-    for (const char* opening : {"window", "door", "doorway"}) {
-        at.relation_to = opening;
-        if (stands_as_asked(room.furnished.plan, placed, placed[index], at).value_or(false))
-            return std::string("at the ") + opening;
-    }
-    constexpr float kNear = 0.8f;  // metres
-    float nearest = kNear;
-    std::string other;
-    for (std::size_t i = 0; i < placed.size(); ++i) {
-        if (i == index || placed[i].flat || placed[i].on >= 0 || placed[i].piece.kind == placed[index].piece.kind)
-            continue;
-        if (const float far = distance_to(footprint_of(placed[i]), box.center); far < nearest)
-            nearest = far, other = document.things[i].id;
-    }
-    if (!other.empty()) return "by " + other;
-    return fmt::format("at x {:.1f}, z {:.1f}", t.position.x, t.position.z);
-}
-
 bool says_several(const std::vector<std::string>& words, const PromptObject& said) {
     return has_word(words, {"all", "both", "every", "each"}) || said.count > 1 || said.words.ends_with("s");
 }
@@ -117,6 +91,10 @@ void every_second(const std::vector<std::string>& words, std::vector<int>& found
 void pick(const std::vector<std::string>& words, const PromptObject& said, const Editor& editor,
           std::vector<int>& found) {
     static constexpr std::array<std::string_view, 5> kOrdinals{"first", "second", "third", "fourth", "fifth"};
+    // "the first two chairs", "the last two chairs": the last ones are taken anyhow
+    const auto several = static_cast<std::size_t>(said.counted ? std::max(1, said.count) : 1);
+    if (several > 1 && several < found.size() && has_word(words, {"first"})) found.resize(several);
+    if (several > 1 && has_word(words, {"first", "last"})) return;
     for (std::size_t k = 0; k < kOrdinals.size() && found.size() > 1 && !has_word(words, {"every", "each"}); ++k)
         if (has_word(words, {kOrdinals[k]}) && k < found.size()) found = {found[k]};
     every_second(words, found);
@@ -165,37 +143,6 @@ void with_looks(const PromptObject& said, const Editor& editor, std::vector<int>
     const auto& all = editor.room().furnished.placed;
     const auto off = [&](int i) { return difference(all[static_cast<std::size_t>(i)], said.color); };
     std::erase_if(found, [&](int i) { return !said.color.empty() && off(i) > kLike; });
-}
-
-[[noreturn]] void refuse_many(const std::string& words, const Editor& editor, const std::vector<int>& found) {
-    constexpr std::size_t kMost = 6;
-    std::vector<std::string> list;
-    for (const int i : found) {
-        if (list.size() == kMost) break;
-        list.push_back(editor.document().things[static_cast<std::size_t>(i)].id + " " +
-                       whereabouts(editor.document(), editor.room(), static_cast<std::size_t>(i)));
-    }
-    throw UsageError("which {}? {}{}", words, fmt::join(list, ", "),
-                     found.size() > kMost ? fmt::format(" and {} more", found.size() - kMost) : "");
-}
-
-// With the few that are most like it: of its class, or the largest.
-[[noreturn]] void refuse_none(const std::string& words, const Editor& editor, const std::string& kind) {
-    const std::vector<DocumentThing>& things = editor.document().things;
-    std::vector<int> order(things.size());
-    std::iota(order.begin(), order.end(), 0);
-    const int label = kind.empty() ? -1 : nyu40_label(kind);
-    const auto rank = [&](int i) {
-        const DocumentThing& t = things[static_cast<std::size_t>(i)];
-        return (nyu40_label(t.kind) == label ? 1e3f : 0.f) + volume_of(editor.placed(t.id));
-    };
-    std::stable_sort(order.begin(), order.end(), [&](int a, int b) { return rank(a) > rank(b); });
-    constexpr std::size_t kMost = 5;
-    std::vector<std::string> near;
-    for (const int i : order)
-        if (near.size() < kMost) near.push_back(things[static_cast<std::size_t>(i)].id);
-    throw UsageError("there is no \"{}\" in the room; there are {}{}", words, fmt::join(near, ", "),
-                     things.size() > near.size() ? " and smaller things" : "");
 }
 
 // "Two of the chairs" are chairs.
@@ -296,11 +243,58 @@ void with_place(const Editor& editor, const PromptSpec& spec, std::vector<int>& 
     else if (where.relation == "next to" && !several) nearest_to(editor, where.relation_to, found);
 }
 
+// The very things of a place: "at the second table", "on the left nightstand". Nothing: it is at any such thing, at a
+// part of the room, or nowhere.
+struct Anchors {
+    std::string relation;
+    std::vector<int> things;
+};
+std::optional<Anchors> anchors_said(const Editor& editor, const Words& place, const std::vector<int>& found) {
+    const auto relation = place.empty() || found.size() < 2 ? std::nullopt : relation_at(place, 0);
+    if (!relation) return {};
+    const Words there = part_of(place, relation->next);
+    if (there.empty() || room_part(there, 0)) return {};
+    const bool told = has_word(there, {"first", "second", "third", "fourth", "fifth", "last", "left", "right", "larger",
+                                       "smaller", "bigger", "other"}) ||
+                      there.back().find_first_of("0123456789") != std::string::npos;
+    if (!told) return {};
+    Anchors out{relation->name, all_named(editor, text_of(there))};
+    if (out.things.empty() || (out.things.size() > 1 && !says_several(there, {}))) return {};
+    return out;
+}
+
+// Of "the coffee table books" the books.
+void of_the_last(const Editor& editor, const Words& head, const std::vector<int>& compound, PromptObject& said,
+                 std::vector<int>& found) {
+    const DocumentThing& t = editor.document().things[static_cast<std::size_t>(compound.front())];
+    found = compound;
+    said.kind = t.kind;
+    said.words = text_of(head, head.empty() ? 0 : head.size() - 1);
+}
+
+// "the panels by the piano": what only the name of a kind in the room says.
+std::vector<int> ending_so(const Editor& editor, const Words& head, const Words& place, PromptObject& said) {
+    std::vector<int> out;
+    const std::string last = head.empty() ? "" : head.back();
+    const std::string one = last.ends_with("s") ? last.substr(0, last.size() - 1) : last;
+    constexpr std::size_t kWord = 3;  // letters
+    if (one.size() < kWord) return out;
+    for (std::size_t i = 0; i < editor.document().things.size(); ++i)
+        if (editor.document().things[i].kind.ends_with("_" + one)) out.push_back(static_cast<int>(i));
+    if (out.empty()) return out;
+    said = {};
+    said.words = last, said.kind = editor.document().things[static_cast<std::size_t>(out.front())].kind;
+    if (const auto relation = place.empty() ? std::nullopt : relation_at(place, 0))
+        at_anchors(editor, relation->name, all_named(editor, text_of(place, relation->next)), out);
+    return out;
+}
+
 Meaning meaning_of(const Editor& editor, const std::string& words) {
     const std::vector<std::string> tokens = tokens_of(words);
     const std::string plain = without_number(tokens);
     const std::size_t place = next_place(tokens);
     Meaning out;
+    const std::vector<int> compound = compound_named(editor, tokens);
     // The room's own meaning first: a kitchen's "cabinets" are its counter's.
     for (const bool in_room : {true, false}) {
         const PromptSpec spec = in_room ? read_in_room(editor, plain) : understand_prompt(plain, false, editor.pack());
@@ -314,14 +308,25 @@ Meaning meaning_of(const Editor& editor, const std::string& words) {
         }
         out.found = alike(editor.document(), out.said, says_several(tokens, out.said));
         by_kind(editor, tokens, out.said, out.found);
+        if (!compound.empty()) of_the_last(editor, part_of(tokens, 0, place), compound, out.said, out.found);
+        else at_support(editor, tokens, out.found);
         with_looks(out.said, editor, out.found);
-        with_place(editor, spec, out.found);
-        pick(tokens, out.said, editor, out.found);
+        const auto anchors = anchors_said(editor, part_of(tokens, place), out.found);
+        if (anchors) at_anchors(editor, anchors->relation, anchors->things, out.found);
+        else if (compound.empty() || place < tokens.size()) with_place(editor, spec, out.found);
+        pick(anchors ? part_of(tokens, 0, place) : tokens, out.said, editor, out.found);
         if (!out.found.empty()) return out;
     }
     out.unknown = out.said.kind.empty();
     out.found = with_part(editor, tokens);
+    if (out.found.empty()) out.found = ending_so(editor, part_of(tokens, 0, place), part_of(tokens, place), out.said);
+    if (!out.found.empty()) pick(part_of(tokens, 0, place), out.said, editor, out.found);
     return out;
+}
+
+// "The table", and no more.
+bool is_bare(const Words& tokens) {
+    return static_cast<std::size_t>(std::count_if(tokens.begin(), tokens.end(), is_definite)) + 1 == tokens.size();
 }
 
 // "chair-2", also "chair 2".
@@ -335,12 +340,6 @@ std::optional<int> id_said(const RoomDocument& document, const std::string& word
 }
 
 }  // namespace
-
-void refuse_shell() {
-    throw UsageError(
-        "sentences do not change the room's shape, its windows or doors; \"plan\" in the document does: width_m, "
-        "depth_m, height_m, openings (docs/room-document.md)");
-}
 
 PromptSpec read_in_room(const Editor& editor, const std::string& words) {
     PromptSpec spec = understand_prompt("a " + room_title(editor.document().type) + " with " + words, false,
@@ -369,15 +368,22 @@ std::vector<std::string> named(const Editor& editor, const std::string& words) {
     const auto number = number_said(tokens.front());
     const bool all = has_word(tokens, {"all", "both", "every", "each"}) || says_several(tokens, said);
     // "Two chairs" of four, "a chair", "one of the chairs": the last ones.
-    const std::size_t count = number && *number >= 1                       ? static_cast<std::size_t>(*number)
+    const std::size_t count = tokens.front() == "half"                     ? found.size() / 2
+                              : number && *number >= 1                     ? static_cast<std::size_t>(*number)
                               : said.counted && said.count > 1             ? static_cast<std::size_t>(said.count)
                               : is_one_of(tokens.front(), {"some", "any"}) ? 1
                                                                            : 0;
+    if (tokens.front() == "half" && found.size() % 2 != 0)
+        throw UsageError("half of {} things is no number of them, in \"{}\"", found.size(), words);
     if (count > found.size())
         throw UsageError("there {} only {} of \"{}\" in the room", found.size() == 1 ? "is" : "are", found.size(),
                          words);
     if (count > 0) found.erase(found.begin(), found.end() - static_cast<std::ptrdiff_t>(count));
-    else if (found.size() > 1 && !all) refuse_many(said.words, editor, found);
+    else if (found.size() > 1 && !all) {
+        const std::vector<int> main = is_bare(tokens) ? main_of(editor, found) : std::vector<int>{};
+        if (main.empty()) refuse_many(said.words, editor, found);
+        found = main;
+    }
     std::vector<std::string> ids;
     for (const int i : found) ids.push_back(editor.document().things[static_cast<std::size_t>(i)].id);
     return ids;

@@ -167,6 +167,7 @@ std::optional<Material> material_named(std::string_view name) {
         m.sheen = 0.6f;
         return m;
     }
+    if (n == "voile" || n == "sheer") return materials::veil("white", 0.6f);
     if (n == "fabric" || n == "cloth" || n == "cotton" || n == "linen" || n == "silk" || n == "textile")
         return cloth("linen");
     if (n == "wool" || n == "knit" || n == "knitted")

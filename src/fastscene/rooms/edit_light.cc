@@ -1,0 +1,113 @@
+// The light of a room: its hour, its weather, its lamps; "more light", "it is too dark".
+#include <algorithm>
+
+#include "fastscene/base/error.h"
+#include "fastscene/base/is_one_of.h"
+#include "fastscene/rooms/daylight.h"
+#include "fastscene/rooms/edit_parts.h"
+
+namespace fastscene::editing {
+
+void Editor::light(const std::string& value) {
+    DocumentLight& light = result_.document.light;
+    if (is_one_of(value, {"morning", "day", "evening", "dusk", "night"})) {
+        light.hour = value;
+        light.lamps.reset(), light.towards_sun.reset();
+        if (light.light == "neon" || light.light == "lamps on") light.light.clear();
+        // A low sun is behind clouds.
+        if (value == "evening" && is_one_of(light.weather, {"overcast", "rainy", "snowy"})) light.weather.clear();
+    } else if (is_one_of(value, {"sunny", "overcast", "rainy", "snowy"})) {
+        light.weather = value;
+        light.towards_sun.reset();
+    } else if (value == "lamps on" || value == "lamps off") {
+        light.lamps = value == "lamps on" ? 1.f : 0.f;
+    } else if (is_one_of(value, {"garden", "city", "sea", "mountains", "forest"})) {
+        light.outlook = value;
+    } else if (is_one_of(value, {"brighter", "darker", "lamps brighter", "lamps darker"})) {
+        return brighten(value.ends_with("brighter"), value.starts_with("lamps"));
+    } else {
+        throw UsageError(
+            "expected an hour (morning, day, evening, dusk, night) or a weather (sunny, overcast, rainy, snowy), found "
+            "\"{}\"",
+            value);
+    }
+    tell("room", "light: " + value);
+    build();
+}
+
+// By what changes least: the lamps first, then the weather, then the hour.
+void Editor::brighten(bool more, bool lamps_alone) {
+    constexpr float kFull = 0.99f, kDimmed = 0.4f, kOut = 0.1f;  // of the lamps' power
+    DocumentLight& light = result_.document.light;
+    const float level = light.lamps.value_or(lamp_level(room_.spec, plan()));
+    const std::string hour = room_.spec.time;
+    if (more && level < kFull) light.lamps = 1.f;
+    else if (more && !lamps_alone && is_one_of(light.weather, {"overcast", "rainy", "snowy"}))
+        return this->light("sunny");
+    else if (more && !lamps_alone && is_one_of(hour, {"evening", "dusk", "night"})) return this->light("day");
+    else if (more)
+        throw Error(lamps_alone ? "the lamps are on already; \"make it day\" and \"add a floor lamp\" bring more light"
+                                : "it is day and the lamps are on already; \"add a floor lamp\" and \"make the walls "
+                                  "white\" bring more light");
+    else if (level > kOut) light.lamps = kDimmed * level > kOut ? kDimmed * level : 0.f;
+    else if (lamps_alone) throw Error("the lamps are off already");
+    else if (is_one_of(hour, {"morning", "day"})) return this->light("evening");
+    else if (hour == "evening") return this->light("dusk");
+    else throw Error("it is {} and the lamps are off already", hour);
+    tell("room", *light.lamps >= kFull ? "light: lamps on"
+                 : *light.lamps > 0    ? "light: lamps dimmed"
+                                       : "light: lamps off");
+    build();
+}
+
+std::string lamps_said(const Words& words) {
+    const bool lamps = std::any_of(words.begin(), words.end(), [](const std::string& w) {
+        return w.find("lamp") != std::string::npos || is_one_of(w, {"light", "lights"});
+    });
+    if (!lamps || words.size() > 5) return {};
+    const std::size_t last = words.size() - 1;
+    for (const auto& [word, value] : {std::pair{"on", "lamps on"}, {"off", "lamps off"}, {"out", "lamps off"}})
+        if (words.front() == word || words[last] == word) return value;
+    return {};
+}
+
+bool brightness_said(Talk& talk, const Words& words) {
+    // "more light", "less light"
+    const std::string text = text_of(words);
+    std::string value;
+    for (const char* light : {"light", "lighting", "brightness", "daylight"}) {
+        if (is_one_of(text, {std::string("more ") + light, std::string("some more ") + light,
+                             std::string("a lot more ") + light, std::string("much more ") + light,
+                             std::string("better ") + light}))
+            value = "brighter";
+        if (is_one_of(text, {std::string("less ") + light, std::string("much less ") + light})) value = "darker";
+    }
+    // "it a bit brighter", "the room darker", "the lights dimmer"
+    bool lamps = false, room = false;
+    for (const std::string& w : words) {
+        if (!value.empty()) break;
+        if (is_one_of(w, {"lights", "lamps", "lighting", "light"})) lamps = true;
+        else if (is_one_of(w, {"it", "room", "everything", "space", "place", "here", "bedroom", "kitchen", "office",
+                               "bathroom"}))
+            room = true;
+        else if (!is_definite(w) &&
+                 !is_one_of(w, {"a", "bit", "little", "much", "lot", "all", "in", "whole", "more", "slightly", "up",
+                                "down", "brighter", "darker", "lighter", "dimmer", "bright", "entire"}))
+            return false;
+    }
+    if (value.empty() && words.front() == "it" && !talk.last.empty()) return false;
+    if (value.empty() && (lamps || room || is_one_of(words.front(), {"brighter", "darker"}))) {
+        const bool more = find_word(words, {"brighter", "lighter"}) < words.size() ||
+                          (find_word(words, {"bright"}) < words.size() && find_word(words, {"more"}) < words.size());
+        if (more) value = "brighter";
+        else if (find_word(words, {"darker", "dimmer"}) < words.size()) value = "darker";
+    }
+    if (value.empty()) return false;
+    EditStep step;
+    step.kind = EditStep::Kind::light;
+    step.value = (lamps && !room ? "lamps " : "") + value;
+    talk.editor.apply(step);
+    return true;
+}
+
+}  // namespace fastscene::editing

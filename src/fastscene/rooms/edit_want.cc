@@ -1,0 +1,120 @@
+// "I want a plant", "the sofa should be green", "it is too dark": the rest of the clause says what is to be done.
+#include <algorithm>
+#include <array>
+
+#include "fastscene/base/error.h"
+#include "fastscene/base/is_one_of.h"
+#include "fastscene/rooms/edit_parts.h"
+
+namespace fastscene::editing {
+namespace {
+
+// What is to be done about what is too much so.
+struct Complaint {
+    std::string_view is, make, not_enough;  // "too big": smaller; "not big enough": larger
+};
+constexpr std::array<Complaint, 22> kComplaints{{
+    {"big", "smaller", "larger"},     {"large", "smaller", "larger"},  {"huge", "smaller", "larger"},
+    {"small", "larger", "smaller"},   {"tiny", "larger", "smaller"},   {"little", "larger", "smaller"},
+    {"long", "shorter", "longer"},    {"short", "longer", "shorter"},  {"tall", "lower", "taller"},
+    {"high", "lower", "higher"},      {"low", "higher", "lower"},      {"wide", "narrower", "wider"},
+    {"narrow", "wider", "narrower"},  {"deep", "shallower", "deeper"}, {"shallow", "deeper", "shallower"},
+    {"thick", "thinner", "thicker"},  {"thin", "thicker", "thinner"},  {"dark", "brighter", "darker"},
+    {"bright", "darker", "brighter"}, {"light", "darker", "lighter"},  {"pale", "darker", "lighter"},
+    {"gloomy", "brighter", "darker"},
+}};
+
+Words joined_words(Words a, const Words& b) {
+    a.insert(a.end(), b.begin(), b.end());
+    return a;
+}
+
+bool hangs(Talk& talk, const Words& subject) {
+    for (const std::string& id : talk.things(subject))
+        if (talk.editor.placed(id).piece.mount != Mount::wall && talk.editor.placed(id).piece.mount != Mount::ceiling)
+            return false;
+    return true;
+}
+
+// "it is too dark", "the sofa is too big for the room", "the desk is not wide enough", "the bed is too close to the
+// door"; false: the words are no such thing.
+bool complained(Talk& talk, const Words& words) {
+    const std::size_t too = find_word(words, {"too", "so", "very", "not"});
+    if (too + 1 >= words.size()) return false;
+    const auto is_verb = [](const std::string& w) {
+        return is_one_of(w, {"is", "are", "looks", "look", "feels", "seems", "hangs", "hang", "stands", "stand", "it's",
+                             "its", "a", "bit"});
+    };
+    Words subject = part_of(words, 0, too);
+    if (!subject.empty() && !is_verb(subject.back())) return false;
+    while (!subject.empty() && is_verb(subject.back())) subject.pop_back();
+    if (subject.empty()) subject = {"it"};
+    std::size_t at = too + 1;
+    while (at + 1 < words.size() && is_one_of(words[at], {"much", "far", "way", "so", "very", "at", "all"}) &&
+           words[at + 1] != "from")
+        ++at;
+    const bool reversed = words[too] == "not" && words[at] != "too";
+    const Words rest = part_of(words, at + 1);
+    if (is_one_of(words[at], {"close", "near"}) && !rest.empty()) {
+        const Words to = rest.front() == "to" ? part_of(rest, 1) : rest;
+        move(talk, joined_words(joined_words(subject, {reversed ? "closer" : "away", reversed ? "to" : "from"}), to));
+        return true;
+    }
+    if (words[at] == "far" && !rest.empty()) {
+        const std::size_t from = find_word(rest, {"from"});
+        move(talk, joined_words(joined_words(subject, {"closer", "to"}), part_of(rest, from + 1)));
+        return true;
+    }
+    const auto known = std::find_if(kComplaints.begin(), kComplaints.end(),
+                                    [&](const Complaint& c) { return c.is == words[at]; });
+    if (known == kComplaints.end())
+        throw UsageError("expected what it is too (big, small, dark, high, close to the wall …), found \"{}\"",
+                         text_of(words, at));
+    const std::string value(reversed ? known->not_enough : known->make);
+    const Words all = joined_words(subject, {value});
+    if (is_one_of(words[at], {"high", "low"}) && hangs(talk, subject)) move(talk, all);
+    else make(talk, all);
+    return true;
+}
+
+}  // namespace
+
+bool paint_wanted(Talk& talk, const Words& words) {
+    const PromptSpec spec = read_in_room(talk.editor, text_of(words));
+    if (spec.objects.empty() || !is_one_of(spec.objects.front().kind, {"wall", "floor", "ceiling"})) return false;
+    EditStep step;
+    step.kind = EditStep::Kind::recolor;
+    step.wish = spec.objects.front();
+    step.surface = step.wish.kind;
+    if (step.wish.color.empty() && step.wish.material.empty() && step.wish.pattern.empty()) return false;
+    talk.editor.apply(step);
+    return true;
+}
+
+void want(Talk& talk, const Words& words) {
+    if (words.empty()) throw UsageError("expected what to change, found the end of the sentence");
+    if (complained(talk, words)) return;
+    const bool of_those = is_definite(words.front()) || is_one_of(words.front(), {"all", "both", "every", "each"});
+    if (is_one_of(words.front(), {"can", "could", "may"})) return want(talk, part_of(words, 1));
+    if (!of_those) return add(talk, words);
+    if (find_word(words, {"style", "room", "time", "weather"}) < words.size()) return make(talk, words);
+    std::size_t mark = find_word(words, {"should", "must", "shall", "needs", "need", "has", "have", "ought", "be"}, 1);
+    if (mark == words.size()) mark = std::min(find_word(words, {"to"}, 1), mark);
+    std::size_t next = mark;
+    while (next < words.size() &&
+           is_one_of(words[next], {"should", "must", "shall", "needs", "need", "has", "have", "ought", "to", "be",
+                                   "look", "become", "go", "stand", "move", "hang", "moved", "placed"}) &&
+           !(words[next] == "to" && next + 1 < words.size() && is_definite(words[next + 1])))
+        ++next;
+    const Words thing = part_of(words, 0, mark), rest = part_of(words, next);
+    Words all = thing;
+    all.insert(all.end(), rest.begin(), rest.end());
+    if (!rest.empty() && is_one_of(rest.front(), {"gone", "removed", "away", "deleted"})) return remove(talk, thing);
+    if (!rest.empty() && is_one_of(rest.front(), {"face", "facing"})) return face(talk, all);
+    for (std::size_t i = 1; i < all.size(); ++i)
+        if (value_of(part_of(all, i))) return make(talk, all);
+    if (next_place(all) < all.size()) return move(talk, all);
+    make(talk, all);
+}
+
+}  // namespace fastscene::editing
