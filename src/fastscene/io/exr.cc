@@ -15,6 +15,8 @@
 #include <cstring>
 #include <optional>
 #include <string>
+#include <string_view>
+#include <utility>
 #include <vector>
 
 #include "fastscene/base/error.h"
@@ -97,8 +99,49 @@ class MemoryStream : public Imf::IStream {
     std::size_t at_ = 0;
 };
 
-// OpenEXR allocates what an attribute's size says before it reads the value. An attribute is a name and a type, which
-// end in a zero, a size and a value; an empty name ends a header.
+// Bytes of the values of one size.
+constexpr std::pair<std::string_view, std::uint32_t> kAttributeBytes[]{
+    {"box2f", 16},
+    {"box2i", 16},
+    {"chromaticities", 32},
+    {"compression", 1},
+    {"deepImageState", 1},
+    {"double", 8},
+    {"envmap", 1},
+    {"float", 4},
+    {"int", 4},
+    {"keycode", 28},
+    {"lineOrder", 1},
+    {"m33d", 72},
+    {"m33f", 36},
+    {"m44d", 128},
+    {"m44f", 64},
+    {"rational", 8},
+    {"tiledesc", 9},
+    {"timecode", 8},
+    {"v2d", 16},
+    {"v2f", 8},
+    {"v2i", 8},
+    {"v3d", 24},
+    {"v3f", 12},
+    {"v3i", 12},
+};
+
+// A list of channels is a name, which ends in a zero, and 16 bytes for each; an empty name ends it.
+bool is_channel_list(std::string_view value) {
+    constexpr std::size_t kChannelBytes = 16;
+    std::size_t at = 0;
+    while (at < value.size() && value[at] != 0) {
+        at = value.find('\0', at);
+        if (at == std::string_view::npos) return false;
+        at += 1 + kChannelBytes;
+    }
+    return at + 1 == value.size();
+}
+
+// OpenEXR allocates what an attribute's size says before it reads the value, and reads as many bytes as its type has:
+// where the two differ, it takes the sizes that follow from elsewhere. An attribute is a name and a type, which end in
+// a zero, a size and a value; an empty name ends a header.
 void check_attribute_sizes(std::string_view bytes, const std::string& where) {
     constexpr std::size_t kVersion = 4, kFirstHeader = 8;  // bytes from the beginning
     constexpr std::uint32_t kMultiPart = 0x1000;
@@ -111,10 +154,12 @@ void check_attribute_sizes(std::string_view bytes, const std::string& where) {
     std::size_t at = kFirstHeader;
     do {
         while (at < bytes.size() && bytes[at] != 0) {
+            std::string_view type;
             for (int texts = 0; texts < 2; ++texts) {
-                at = bytes.find('\0', at);
-                if (at == std::string_view::npos) return;
-                ++at;
+                const std::size_t end = bytes.find('\0', at);
+                if (end == std::string_view::npos) return;
+                type = bytes.substr(at, end - at);
+                at = end + 1;
             }
             if (bytes.size() - at < sizeof(std::uint32_t)) return;
             const std::uint32_t size = number_at(at);
@@ -122,6 +167,14 @@ void check_attribute_sizes(std::string_view bytes, const std::string& where) {
             if (size > bytes.size() - at)
                 throw Error("{}: expected an OpenEXR picture, found an attribute of {} bytes in a file of {}", where,
                             size, bytes.size());
+            for (const auto& [known, expected] : kAttributeBytes)
+                if (type == known && size != expected)
+                    throw Error(
+                        "{}: expected an OpenEXR picture whose attributes of type {} have {} bytes, found one "
+                        "of {}",
+                        where, type, expected, size);
+            if (type == "chlist" && !is_channel_list(bytes.substr(at, size)))
+                throw Error("{}: expected an OpenEXR picture, found a damaged list of channels", where);
             at += size;
         }
         ++at;

@@ -157,20 +157,30 @@ TEST(Exr, GrayInThreeChannelsIsAMap) {
     EXPECT_THROW(load_float(half_floats(Imf::WRITE_RGB, nan)), Error);
 }
 
-TEST(Exr, AnAttributeLargerThanTheFileIsRefusedBeforeItsMemoryIsTaken) {
+TEST(Exr, AnAttributeOfAWrongSizeIsRefusedBeforeItsMemoryIsTaken) {
     const std::string file = half_floats(Imf::WRITE_RGB, 1.5f);
-    std::string bytes = read_file(file);
-    const std::string_view attribute("compression\0compression\0", 24);
-    const std::size_t at = bytes.find(attribute);
-    ASSERT_NE(at, std::string::npos);
-    bytes.replace(at + attribute.size(), 4, "\x64\x65\x6e\x65");  // 1.7 GB
-    write_file(file, bytes);
-    try {
-        load_float(file);
-        FAIL() << "expected an error";
-    } catch (const Error& e) {
-        EXPECT_NE(std::string_view(e.what()).find("an attribute of 1701733732 bytes"), std::string_view::npos)
-            << e.what();
+    const std::string whole = read_file(file);
+    struct Damage {
+        std::string_view before, size, says;
+    };
+    using namespace std::string_view_literals;
+    for (const Damage& d : {
+             Damage{"compression\0compression\0"sv, "dene"sv, "an attribute of 1701733732 bytes"},
+             Damage{"compression\0compression\0"sv, "\x02\0\0\0"sv, "type compression have 1 bytes, found one of 2"},
+             Damage{"dataWindow\0box2i\0"sv, "\x08\0\0\0"sv, "type box2i have 16 bytes, found one of 8"},
+             Damage{"channels\0chlist\0"sv, "\x13\0\0\0"sv, "a damaged list of channels"},
+         }) {
+        std::string bytes = whole;
+        const std::size_t at = bytes.find(d.before);
+        ASSERT_NE(at, std::string::npos);
+        bytes.replace(at + d.before.size(), 4, d.size);
+        write_file(file, bytes);
+        try {
+            load_float(file);
+            ADD_FAILURE() << "expected an error: " << d.says;
+        } catch (const Error& e) {
+            EXPECT_NE(std::string_view(e.what()).find(d.says), std::string_view::npos) << e.what();
+        }
     }
 }
 
