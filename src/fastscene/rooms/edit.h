@@ -40,6 +40,7 @@ struct EditStep {
     std::optional<float> yaw{};       // radians
     Vec3f by{};                       // metres: as much of it as there is room for, or `exactly`
     bool exactly = false;
+    bool about = false;  // of a shift: any way will do that leads about there, as "away from the wall"
     Vec3f factor{1, 1, 1};  // of width, height, depth
     float brighter = 1;     // recolor: the color that it has, so many times as bright
     std::string value;

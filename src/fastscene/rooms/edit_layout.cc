@@ -341,20 +341,25 @@ void Editor::stand_at_found(int index, const Placed& found, const Standing& stan
 // As large as it is usual; where there is no room for that, smaller; of a number that was not said, as many as fit.
 std::vector<Placed> Editor::with_added(const EditStep& step) const {
     const Standing standing = without({});
+    const auto usual_size = [&](const PromptObject& wish) {
+        PromptSpec spec = room_.spec;
+        Random rng(room_.seed, "size");
+        Layout layout(plan(), spec, rng);
+        return layout.why_not(wish.kind).empty() ? make_piece(layout.request(wish.kind, &wish)).size_m : Vec3f{};
+    };
     const int most = std::max(1, step.wish.count), least = step.wish.counted && !step.each ? most : 1;
     for (int count = most; count >= least; --count)
         for (const float scale : {1.f, 0.82f, 0.66f, 0.56f}) {
             EditStep one = step;
             one.wish.count = count;
-            if (scale < 1) {
-                if (step.wish.size_m != Vec3f{}) break;
-                PromptSpec spec = room_.spec;
-                Random rng(room_.seed, "size");
-                Layout layout(plan(), spec, rng);
-                if (!layout.why_not(one.wish.kind).empty()) break;
-                one.wish.size_m = make_piece(layout.request(one.wish.kind, &one.wish)).size_m * scale;
-            }
+            if (scale < 1) one.wish.size_m = usual_size(one.wish) * scale;
+            if (scale < 1 && (step.wish.size_m != Vec3f{} || one.wish.size_m == Vec3f{})) break;
             const std::vector<Placed> all = laid_out(standing, one, nullptr);
+            // Pictures and mirrors shrink to the wall that is free: half as wide as usual, nobody calls them large.
+            PromptObject usual = step.wish;
+            usual.size.clear();
+            if (!all.empty() && step.wish.size == "large" && all.back().piece.size_m.x < 0.5f * usual_size(usual).x)
+                break;
             if (!all.empty()) return all;
         }
     throw Error("{}", why_none_added(step));

@@ -5,6 +5,7 @@
 #include "fastscene/base/is_one_of.h"
 #include "fastscene/rooms/daylight.h"
 #include "fastscene/rooms/edit_parts.h"
+#include "fastscene/rooms/lexicon.h"
 
 namespace fastscene::editing {
 
@@ -64,12 +65,26 @@ std::string lamps_said(const Words& words) {
     const bool lamps = std::any_of(words.begin(), words.end(), [](const std::string& w) {
         return w.find("lamp") != std::string::npos || is_one_of(w, {"light", "lights"});
     });
-    if (!lamps || words.size() > 5) return {};
+    // "The desk lamp", "the lamp" is one of them.
+    const bool all = std::all_of(words.begin(), words.end(), [](const std::string& w) {
+        return is_definite(w) || is_one_of(w, {"lamps", "lights", "light", "on", "off", "out", "all", "of", "every",
+                                               "both", "room's", "again", "up", "back", "in", "room"});
+    });
+    if (!lamps || !all || words.size() > 5) return {};
     const std::size_t last = words.size() - 1;
     for (const auto& [word, value] : {std::pair{"on", "lamps on"}, {"off", "lamps off"}, {"out", "lamps off"}})
         if (words.front() == word || words[last] == word) return value;
     return {};
 }
+
+namespace {
+
+bool names_room(const std::string& word) {
+    const auto known = look_up(word);
+    return known && known->kind == WordKind::room;
+}
+
+}  // namespace
 
 bool brightness_said(Talk& talk, const Words& words) {
     // "more light", "less light"
@@ -87,9 +102,7 @@ bool brightness_said(Talk& talk, const Words& words) {
     for (const std::string& w : words) {
         if (!value.empty()) break;
         if (is_one_of(w, {"lights", "lamps", "lighting", "light"})) lamps = true;
-        else if (is_one_of(w, {"it", "room", "everything", "space", "place", "here", "bedroom", "kitchen", "office",
-                               "bathroom"}))
-            room = true;
+        else if (is_one_of(w, {"it", "room", "everything", "space", "place", "here"}) || names_room(w)) room = true;
         else if (!is_definite(w) &&
                  !is_one_of(w, {"a", "bit", "little", "much", "lot", "all", "in", "whole", "more", "slightly", "up",
                                 "down", "brighter", "darker", "lighter", "dimmer", "bright", "entire"}))

@@ -69,6 +69,7 @@ void cut(const Words& part, Words& subject, Words& value, Words& by) {
 // "Black" and "white" are one look, "larger" and "black" are two values.
 void join_value(std::vector<Words>& values, const Words& more) {
     Words all = values.empty() ? Words{} : values.back();
+    if (!all.empty()) all.push_back("and");
     all.insert(all.end(), more.begin(), more.end());
     if (!values.empty() && value_of(all)) values.back() = all;
     else values.push_back(more);

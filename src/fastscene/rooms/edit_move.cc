@@ -184,8 +184,9 @@ void turn(Talk& talk, const Words& words) {
     if (towards < words.size()) return face(talk, words);
     if (find_word(words, {"upside", "over"}) < words.size())
         throw UsageError("things are turned about the vertical only, found \"{}\"", text_of(words));
-    if (is_one_of(words.back(), {"on", "off"}))
-        throw UsageError("only lamps are turned on and off, found \"{}\"", text_of(words));
+    if (is_one_of(words.back(), {"on", "off"}) || is_one_of(words.front(), {"on", "off"}))
+        throw UsageError("only lamps are turned on and off, all at once (\"turn the lamps off\"), found \"{}\"",
+                         text_of(words));
     EditStep step;
     step.kind = EditStep::Kind::turn;
     if (!angle) {

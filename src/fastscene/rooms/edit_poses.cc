@@ -165,17 +165,33 @@ std::vector<int> Editor::seats_at(int table) const {
     return out;
 }
 
-// As far as there is room, unless it was said how far.
+namespace {
+
+// As far as there is room, unless it was said how far; past what is in the way, if that will do.
+std::vector<Vec3f> ways_of(const EditStep& step) {
+    std::vector<Vec3f> out;
+    for (const float turn : {0.f, 0.6f, -0.6f, 1.1f, -1.1f}) {  // radians
+        const float c = std::cos(turn), s = std::sin(turn);
+        const Vec3f way{c * step.by.x + s * step.by.z, step.by.y, c * step.by.z - s * step.by.x};
+        for (const float part : {1.f, 0.75f, 0.5f, 0.35f, 0.2f})
+            if (part == 1 || !step.exactly) out.push_back(way * part);
+        if (!step.about) break;
+    }
+    return out;
+}
+
+}  // namespace
+
 void Editor::shift(const EditStep& step) {
     for (const std::string& id : step.ids) {
         const int i = index_of(id);
         std::string fault;
         bool done = false;
         const std::vector<int> seats = seats_at(i);
-        for (const float part : {1.f, 0.75f, 0.5f, 0.35f, 0.2f}) {
-            if (done || (part < 1 && step.exactly)) break;
+        for (const Vec3f way : ways_of(step)) {
+            if (done) break;
             for (const std::vector<int>& along : {seats, std::vector<int>{}}) {
-                const Pose to{placed(i).position + step.by * part, placed(i).yaw};
+                const Pose to{placed(i).position + way, placed(i).yaw};
                 fault = new_fault(with_pose(i, to, along));
                 done = fault.empty();
                 if (done) checked([&] { set_pose(i, to, along); });

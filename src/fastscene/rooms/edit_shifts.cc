@@ -134,6 +134,7 @@ std::optional<EditStep> shift_of(const Editor& editor, const Words& words, const
     step.ids = {id};
     step.by = *direction * metres.value_or(a_bit ? kABit : kUsual);
     step.exactly = metres.has_value();
+    step.about = !metres && find_word(rest, {"away", "further", "farther", "off", "from"}) < rest.size();
     return step;
 }
 

@@ -131,16 +131,30 @@ std::string shape_said(const Words& words) {
     return out;
 }
 
+// "Black and white" are two colors.
+bool parts_looks(const std::string& word) { return is_one_of(word, {"and", ","}); }
+
+// "Cream linen", "linen navy"; "walnut brown" is one color.
+bool is_color_and_material(const Words& words) {
+    const auto last = material_named(plain_name(words.back())), first = material_named(plain_name(words.front()));
+    if (last && color_named(text_of(words, 0, words.size() - 1))) return true;
+    return first && first->pattern != Pattern::wood && color_named(text_of(words, 1));
+}
+
 // One look of up to so many words at `i`; how many it takes, 0: none.
 std::size_t take_look(const Words& tokens, std::size_t i, PromptObject& out) {
     constexpr std::size_t kLongest = 3;  // words of a color: "dark olive green"
     for (std::size_t length = std::min(kLongest, tokens.size() - i); length > 0; --length) {
+        if (std::any_of(tokens.begin() + static_cast<std::ptrdiff_t>(i),
+                        tokens.begin() + static_cast<std::ptrdiff_t>(i + length), parts_looks))
+            continue;
         const std::string term = text_of(tokens, i, i + length);
         if (is_one_of(term, {"sheer", "see through", "transparent", "translucent", "voile", "gauzy", "airy"})) {
             out.material = "voile";
             return length;
         }
         const auto word = look_up(term);
+        if (length > 1 && !word && is_color_and_material(part_of(tokens, i, i + length))) continue;
         std::string* to = word && word->kind == WordKind::pattern                                     ? &out.pattern
                           : word && word->kind == WordKind::material && material_named(word->meaning) ? &out.material
                           : color_named(plain_name(term))                                             ? &out.color
@@ -152,8 +166,9 @@ std::size_t take_look(const Words& tokens, std::size_t i, PromptObject& out) {
         if (to == &out.color && !out.color.empty()) to = &out.color2;  // "black and white"
         *to = look ? word->meaning : plain_name(term);
         // "black marble" is one word of the lexicon.
-        if (const std::string color = word ? reading::added_by(*word, "color") : ""; !color.empty() && to != &out.color)
-            out.color = color;
+        if (const std::string color = word ? reading::added_by(*word, "color") : "";
+            !color.empty() && to == &out.material)
+            (out.color.empty() ? out.color : out.color2) = color;
         return length;
     }
     return 0;
@@ -169,15 +184,15 @@ std::optional<PromptObject> looks_of(const std::string& words) {
     }
     Words tokens = tokens_of(words);
     std::erase_if(tokens, [](const std::string& w) {
-        return is_one_of(w, {"a", "an", "the", "in", "of", "and", ",", "out", "color", "colored", "paint", "tone",
-                             "shade", "nice", "made", "with", "to", "into"});
+        return is_one_of(w, {"a", "an", "the", "in", "of", "out", "color", "colored", "paint", "tone", "shade", "nice",
+                             "made", "with", "to", "into"});
     });
     for (std::size_t i = 0; i < tokens.size();) {
-        const std::size_t length = take_look(tokens, i, out);
+        const std::size_t length = parts_looks(tokens[i]) ? 1 : take_look(tokens, i, out);
         if (length == 0) return {};
         i += length;
     }
-    if (tokens.empty()) return {};
+    if (std::all_of(tokens.begin(), tokens.end(), parts_looks)) return {};
     return out;
 }
 

@@ -29,7 +29,7 @@ bool has_word(const std::vector<std::string>& words, std::initializer_list<std::
 
 // "coffee_table" and "dining_table_round" are tables, "table_lamp" and "picture_ledge" are no table and no picture.
 bool is_a(const std::string& kind, const std::string& word) {
-    if (kind == word || kind.ends_with("_" + word)) return true;
+    if (kind == word || kind.ends_with("_" + word) || kind.ends_with("_" + word + "s")) return true;
     const std::string all = "_" + kind;
     const auto at = all.find("_" + word + "_");
     return at != std::string::npos && is_one_of(all.substr(at + word.size() + 2), {"round", "small", "tree", "blocks",

@@ -29,7 +29,11 @@ void apply_wish(Material& m, const PromptObject& wish, bool boarded, std::span<c
         m.color_c = *color * std::clamp(ratio_c, 0.6f, 1.4f);
     }
     const auto second = wish.color2.empty() ? std::nullopt : color_named(wish.color2);
-    print_on(m, wish.pattern, wish.material == "carpet" ? PrintGround::rug : PrintGround::paper, second,
+    // Tiles of two colors alternate.
+    const bool two_tiles = wish.pattern.empty() && second &&
+                           is_one_of(wish.material, {"tile", "marble", "vinyl", "linoleum"});
+    print_on(m, two_tiles ? "checkered" : wish.pattern,
+             wish.material == "carpet" ? PrintGround::rug : PrintGround::paper, second,
              wish.color.empty() ? palette : std::span<const Vec3f>{});
 }
 
