@@ -167,6 +167,13 @@ std::vector<int> Editor::seats_at(int table) const {
 
 namespace {
 
+// What hangs on a wall stays on it.
+Vec3f along_its_wall(const Placed& p, Vec3f way) {
+    if (p.piece.mount != Mount::wall) return way;
+    const Vec3f off = front_of(p.yaw);
+    return way - off * dot(way, off);
+}
+
 // As far as there is room, unless it was said how far; past what is in the way, if that will do.
 std::vector<Vec3f> ways_of(const EditStep& step) {
     std::vector<Vec3f> out;
@@ -191,7 +198,7 @@ void Editor::shift(const EditStep& step) {
         for (const Vec3f way : ways_of(step)) {
             if (done) break;
             for (const std::vector<int>& along : {seats, std::vector<int>{}}) {
-                const Pose to{placed(i).position + way, placed(i).yaw};
+                const Pose to{placed(i).position + along_its_wall(placed(i), way), placed(i).yaw};
                 fault = new_fault(with_pose(i, to, along));
                 done = fault.empty();
                 if (done) checked([&] { set_pose(i, to, along); });

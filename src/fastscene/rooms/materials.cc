@@ -149,6 +149,7 @@ std::optional<Vec3f> color_named(std::string_view name) {
     if (first == "rich" || first == "medium" || first == "classic" || first == "pure" || first == "natural" ||
         first == "matte")
         return base;
+    if (first == "linen") return base;                      // "linen red" is cloth
     if (const auto fine = color_named(first)) return fine;  // "olive green", "mustard yellow"
     return std::nullopt;
 }
