@@ -40,7 +40,7 @@ void clear(Talk& talk, const Words& words) {
     const auto riders = riders_of(talk.editor, tops);
     if (riders.empty()) throw UsageError("nothing stands on {}", fmt::format("{}", tops.front()));
     remove_all(talk, riders);
-    talk.last = tops;  // "clear the table and put a bowl on it"
+    talk.last = tops;  // "clear the table and make it white"
 }
 
 // "everything on the table", "everything but the sofa"; nothing: it does not speak of everything.
