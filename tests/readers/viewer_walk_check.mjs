@@ -101,6 +101,8 @@ try {
     const start = await settle();
     expect(near(start, [0, 0, -1]), `stands at the start: ${metres(start)}`);
     await shot('walk_start.png');
+    const radial = await page.evaluate(() => window.app.scene.gsplat.radialSorting);
+    expect(radial === false, 'splats are sorted by depth, as they were trained');
 
     const ahead = await hold('w');
     expect(near(ahead, [0, 0, 0]), `W stops at the island: ${metres(ahead)}`);

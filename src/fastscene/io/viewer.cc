@@ -160,6 +160,9 @@ void save_viewer_html(const fs::path& path, const Splats& splats, const ViewerSc
     replace_once(page, "noanim: url.searchParams.has('noanim')", "noanim: !url.searchParams.has('anim')", index);
     replace_once(script, "state.cameraMode = state.hasAnimation ? 'anim' :",
                  "state.cameraMode = state.hasAnimation && !global.config.noanim ? 'anim' :", viewer_dir / "index.js");
+    // Splats are blended in the order that they were trained in: by depth. The view through a window is a thin shell,
+    // all of it equally far from the room; sorted by distance it smears.
+    replace_once(script, "gsplat.radialSorting = true;", "gsplat.radialSorting = false;", viewer_dir / "index.js");
     if (splats.antialias) replace_once(page, "aa: url.searchParams.has('aa')", "aa: true", index);
     const std::size_t import_at = page.find("import { createViewer } from './index.js';");
     if (import_at == std::string::npos) replace_once(page, "import { createViewer } from './index.js';", "", index);

@@ -13,7 +13,7 @@ void build_popcorn_machine(Kit& k) {
               brass = k.material(*material_named("brass")), pane = k.material(glass()), metal = k.material(steel()),
               tire = color(k, "tire", {0.03f, 0.03f, 0.03f}, 0.7f),
               corn = color(k, "popcorn", {0.68f, 0.58f, 0.34f}, 0.9f),
-              light = k.material(glow("case light", {7, 5.6f, 3.4f}));
+              light = k.material(glow("case light", {2.2f, 1.8f, 1.1f}));
     const float x = 0.5f * s.x, z = 0.5f * s.z - 0.06f, low = 0.78f, high = s.y - 0.3f;
     k.board(red, {0, 0.24f, 0}, {s.x - 0.06f, low - 0.26f, 2 * z}, 0.012f);
     k.board(brass, {0, low - 0.03f, 0}, {s.x, 0.03f, 2 * z + 0.06f}, 0.006f);
