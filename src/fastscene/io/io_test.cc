@@ -314,7 +314,8 @@ const std::string kControllers =
     "setCameraBasis(this._angles, forward$2, right$2, up$1);\nthis.update = (deltaTime, frame) => {\n"
     "controller.update(dt, frame, target);\nlastPosition.copy(this.camera.position);\nsource.navigateTo(position, "
     "speedMul);\nstate.cameraMode = state.hasAnimation ? 'anim' : 'fly';\n"
-    "parent.script.create(XrNavigation);\nparent.setPosition(cameraPosition.x, 0, cameraPosition.z);\nexport { "
+    "gsplat.radialSorting = true;\nparent.script.create(XrNavigation);\nparent.setPosition(cameraPosition.x, 0, "
+    "cameraPosition.z);\nexport { "
     "createViewer };";
 
 TEST(Viewer, TheWalkableAreaIsTurnedIntoTheViewersFrameAndHeldByTheScript) {
@@ -334,6 +335,12 @@ TEST(Viewer, TheWalkableAreaIsTurnedIntoTheViewersFrameAndHeldByTheScript) {
     scene.walkable.reset();
     save_viewer_html(page, some_splats(3, 0), scene, small_viewer(kControllers));
     EXPECT_EQ(read_file(page).find("walkBounds"), std::string::npos);
+}
+
+TEST(Viewer, SplatsAreSortedByDepthAsTheyAreTrained) {
+    const fs::path page = scratch("sorted.html");
+    save_viewer_html(page, some_splats(3, 0), {}, small_viewer(kControllers));
+    EXPECT_NE(read_file(page).find("gsplat.radialSorting = false;"), std::string::npos);
 }
 
 TEST(Viewer, ATourWaitsForItsButton) {
