@@ -26,9 +26,10 @@ set(CPACK_DEBIAN_DEVELOPMENT_DESCRIPTION "Static libraries, headers and CMake fi
  for 3D Gaussian splats; a maker of furnished rooms with a path tracer; and the
  whole of fastscene.")
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS "libfmt-dev, nlohmann-json3-dev, libtbb-dev, libpng-dev, libjpeg-dev, \
-libwebp-dev, libtiff-dev, libopenexr-dev, zlib1g-dev, libzstd-dev, libtomlplusplus-dev, libpugixml-dev, libheif-dev, libjxl-dev, pkg-config")
+libwebp-dev, libtiff-dev, libopenexr-dev, zlib1g-dev, libzstd-dev, libtomlplusplus-dev, libpugixml-dev, libmeshoptimizer-dev, libheif-dev, \
+libjxl-dev, pkg-config")
 # Only those who link fastscene::rooms (Embree) or fastscene::fastscene need these.
-set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_RECOMMENDS "libembree-dev, libmeshoptimizer-dev, libtorch-dev, libgloo-dev, libicu-dev, \
+set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_RECOMMENDS "libembree-dev, libtorch-dev, libgloo-dev, libicu-dev, \
 libcurl4-openssl-dev, libssl-dev")
 
 install(FILES ${PROJECT_SOURCE_DIR}/LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR} RENAME copyright COMPONENT program)

@@ -18,10 +18,14 @@ inline bool plausible_size(std::int64_t width, std::int64_t height) {
            width * height <= kMaxPicturePixels;
 }
 
+// Of rows of red, green, blue and alpha.
+ColorAndAlpha split_rgba(int width, int height, const std::uint8_t* pixels);
+
 PictureInfo png_info(const std::filesystem::path& path, std::string_view bytes);
 ImageRgb8 decode_png_rgb8(std::string_view bytes, const std::string& where);
 // Empty if the file has no alpha.
 ImageMask png_alpha(std::string_view bytes, const std::string& where);
+ColorAndAlpha decode_png_color_and_alpha(std::string_view bytes, const std::string& where);
 ImageF load_png_float(const std::filesystem::path& path, float unit);
 
 PictureInfo jpeg_info(const std::filesystem::path& path, std::string_view bytes);
@@ -30,6 +34,7 @@ ImageRgb8 decode_jpeg(std::string_view bytes, const std::string& where);
 PictureInfo webp_info(const std::filesystem::path& path, std::string_view bytes);
 ImageRgb8 decode_webp_rgb8(std::string_view bytes, const std::string& where);
 ImageMask webp_alpha(std::string_view bytes, const std::string& where);
+ColorAndAlpha decode_webp_color_and_alpha(std::string_view bytes, const std::string& where);
 
 // Also fills `light` and `orientation`. Range: 16 bits times `unit`, or 32-bit float as stored.
 PictureInfo tiff_info(const std::filesystem::path& path, std::string_view bytes);

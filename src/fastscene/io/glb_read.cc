@@ -6,6 +6,8 @@
 #include "fastscene/image/color.h"
 #include "fastscene/base/bytes.h"
 #include "fastscene/io/glb.h"
+#include "fastscene/io/glb_container.h"
+#include "fastscene/io/gltf_json.h"
 #include "fastscene/io/packed.h"
 #include "fastscene/io/spz.h"
 #include "fastscene/io/splat_frames.h"
@@ -41,30 +43,9 @@ void encode_linear_colors(Splats& s) {
         }
 }
 
-class Glb {
+class Glb : private GltfJson {
   public:
-    Glb(const fs::path& path, std::string_view bytes) : path_(path) {
-        ByteReader in(path, bytes);
-        if (in.get<std::uint32_t>() != kGlbMagic) in.refuse("expected the sign glTF, found another");
-        if (const auto version = in.get<std::uint32_t>(); version != 2)
-            in.refuse(fmt::format("expected glTF 2, found {}", version));
-        if (const auto size = in.get<std::uint32_t>(); size > bytes.size())
-            in.refuse(fmt::format("expected {} bytes, found {}", size, bytes.size()));
-        std::string_view text;
-        while (in.left() >= 8) {
-            const auto size = in.get<std::uint32_t>(), kind = in.get<std::uint32_t>();
-            const std::size_t begin = in.at();
-            in.skip(size);
-            if (kind == kJsonChunk && text.empty()) text = bytes.substr(begin, size), text_at_ = begin;
-            if (kind == kBinaryChunk && binary_.empty()) binary_ = bytes.substr(begin, size);
-        }
-        if (text.empty()) in.refuse("expected a chunk of JSON, found none");
-        try {
-            json_ = Json::parse(text);
-        } catch (const Json::exception& e) {
-            throw Error("{}: byte {}: expected JSON, found: {}", path.string(), text_at_, e.what());
-        }
-    }
+    Glb(const fs::path& path, std::string_view bytes) : Glb(path, glb_chunks(path, bytes)) {}
 
     // A required extension that splats do not need (a material's, a light's) is no reason to refuse: what they do need
     // is asked for where their data are read.
@@ -103,59 +84,12 @@ class Glb {
         Similarity world_from_node;
     };
 
-    [[noreturn]] void refuse(const std::string& what) const {
-        throw Error("{}: JSON at byte {}: {}", path_.string(), text_at_, what);
-    }
-
-    static const Json& list(const Json& owner, const char* name) {
-        static const Json none = Json::array();
-        const auto found = owner.is_object() ? owner.find(name) : owner.end();
-        return found != owner.end() && found->is_array() ? *found : none;
-    }
-    // A nonnegative integer.
-    std::size_t whole(const Json& owner, const char* name, std::optional<std::size_t> otherwise = {}) const {
-        if (!owner.is_object() || !owner.contains(name)) {
-            if (otherwise) return *otherwise;
-            refuse(fmt::format("expected \"{}\", found none", name));
-        }
-        const Json& value = owner.at(name);
-        if (!value.is_number_unsigned())
-            refuse(fmt::format("expected a whole number as \"{}\", found {}", name, value.dump().substr(0, 40)));
-        return value.get<std::size_t>();
-    }
-    const Json& item(const char* name, std::size_t index) const {
-        const Json& items = list(json_, name);
-        if (index >= items.size() || !items[index].is_object())
-            refuse(fmt::format("expected an object {}[{}], found {} of them", name, index, items.size()));
-        return items[index];
-    }
-    std::vector<double> numbers(const Json& owner, const char* name, std::vector<double> otherwise) const {
-        if (!owner.contains(name)) return otherwise;
-        const Json& values = list(owner, name);
-        std::vector<double> out;
-        for (const Json& v : values)
-            if (v.is_number()) out.push_back(v.get<double>());
-        if (out.size() != otherwise.size())
-            refuse(
-                fmt::format("expected {} numbers as \"{}\" of a node, found {}", otherwise.size(), name, out.size()));
-        return out;
-    }
+    Glb(const fs::path& path, const GlbChunks& chunks)
+        : GltfJson(path.string(), chunks.json, chunks.json_at), path_(path), binary_(chunks.binary) {}
 
     // A node may rotate, translate and scale uniformly; other transforms do not preserve Gaussians' parameters.
     Similarity placement(const Json& node) const {
-        const auto m = numbers(node, "matrix", {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1});
-        const auto r = numbers(node, "rotation", {0, 0, 0, 1}), t = numbers(node, "translation", {0, 0, 0}),
-                   s = numbers(node, "scale", {1, 1, 1});
-        Mat3d linear = Mat3d::from_columns({m[0], m[1], m[2]}, {m[4], m[5], m[6]}, {m[8], m[9], m[10]});
-        Vec3d move{m[12], m[13], m[14]};
-        if (!node.contains("matrix")) {
-            const Quatd q{r[3], r[0], r[1], r[2]};
-            if (!(q.w * q.w + q.x * q.x + q.y * q.y + q.z * q.z > 1e-6))
-                refuse("expected a unit quaternion as a node's rotation, found zero");
-            const Mat3d turn = matrix_of(q);
-            linear = Mat3d::from_columns(turn.column(0) * s[0], turn.column(1) * s[1], turn.column(2) * s[2]);
-            move = {t[0], t[1], t[2]};
-        }
+        const auto [linear, move] = transform_of(node);
         const double scale = length(linear.column(0));
         const Mat3d turn = Mat3d::from_columns(linear.column(0) * (1 / scale), linear.column(1) * (1 / scale),
                                                linear.column(2) * (1 / scale));
@@ -169,12 +103,6 @@ class Glb {
         return {turn, scale, move};
     }
 
-    static const Json* extension(const Json& owner, const char* name) {
-        const auto all = owner.is_object() ? owner.find("extensions") : owner.end();
-        if (!owner.is_object() || all == owner.end() || !all->is_object()) return nullptr;
-        const auto found = all->find(name);
-        return found == all->end() ? nullptr : &*found;
-    }
     // The extension that says that the splats are packed as SPZ: on the primitive, or on its extension.
     static const Json* spz_of(const Json& primitive) {
         for (const char* name : kSpzExtensions) {
@@ -188,7 +116,7 @@ class Glb {
 
     void visit(const Json& node, const Similarity& world_from_parent, int depth, std::vector<Placed>& out) {
         if (depth > kDeepestNode) refuse(fmt::format("expected nodes at most {} deep, found more", kDeepestNode));
-        if (++visited_ > list(json_, "nodes").size()) refuse("expected each node once in the tree, found more");
+        if (++visited_ > list(root(), "nodes").size()) refuse("expected each node once in the tree, found more");
         const Similarity world_from_node = compose(world_from_parent, placement(node));
         if (node.contains("mesh"))
             for (const Json& primitive : list(item("meshes", whole(node, "mesh")), "primitives"))
@@ -200,12 +128,12 @@ class Glb {
 
     std::vector<Placed> placed_primitives() {
         std::vector<Placed> out;
-        const Json& scenes = list(json_, "scenes");
-        if (const std::size_t scene = whole(json_, "scene", 0); scene < scenes.size()) {
+        const Json& scenes = list(root(), "scenes");
+        if (const std::size_t scene = whole(root(), "scene", 0); scene < scenes.size()) {
             for (const Json& node : list(scenes[scene], "nodes"))
                 if (node.is_number_unsigned()) visit(item("nodes", node.get<std::size_t>()), {}, 0, out);
         } else {  // no scene: uses all nodes
-            for (const Json& mesh : list(json_, "meshes"))
+            for (const Json& mesh : list(root(), "meshes"))
                 for (const Json& primitive : list(mesh, "primitives"))
                     if (holds_splats(primitive)) out.push_back({&primitive, {}});
         }
@@ -266,22 +194,9 @@ class Glb {
         out.reserve(count * width);
         for (std::size_t i = 0; i < count; ++i)
             for (std::size_t c = 0; c < width; ++c)
-                out.push_back(component_at(data, first + i * stride + c * bytes, component, normalized));
+                out.push_back(gltf_component(data, first + i * stride + c * bytes, component, normalized));
         return out;
     }
-    static float component_at(std::string_view data, std::size_t at, std::size_t component, bool normalized) {
-        const auto scaled = [&](auto v, float largest) {
-            return normalized ? std::max(static_cast<float>(v) / largest, -1.f) : static_cast<float>(v);
-        };
-        switch (component) {
-            case 5120: return scaled(number_at<std::int8_t>(data, at), 127.f);
-            case 5121: return scaled(number_at<std::uint8_t>(data, at), 255.f);
-            case 5122: return scaled(number_at<std::int16_t>(data, at), 32767.f);
-            case 5123: return scaled(number_at<std::uint16_t>(data, at), 65535.f);
-            default: return number_at<float>(data, at);
-        }
-    }
-
     Splats splats_of(const Json& primitive) {
         const Json none, *given = extension(primitive, kExtension), &base = given ? *given : none;
         const Json space = base.is_object() ? base.value("colorSpace", Json(kDisplayColors)) : Json(kDisplayColors);
@@ -373,8 +288,7 @@ class Glb {
 
     fs::path path_;
     std::string_view binary_;
-    std::size_t text_at_ = 0, visited_ = 0, read_ = 0;
-    Json json_;
+    std::size_t visited_ = 0, read_ = 0;
     Vec3d offset_;
     std::vector<std::string> warnings_;
 };

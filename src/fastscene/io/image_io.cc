@@ -75,6 +75,10 @@ PictureInfo info_of(const fs::path& path, std::string_view bytes, Format format)
     return {};
 }
 
+bool is_opaque(const ImageMask& alpha) {
+    return std::all_of(alpha.pixels.begin(), alpha.pixels.end(), [](std::uint8_t a) { return a == 255; });
+}
+
 }  // namespace
 
 bool has_picture_ending(const fs::path& path) {
@@ -136,8 +140,23 @@ ImageMask decode_alpha(std::string_view bytes, const std::string& where) {
                       : format == Format::heif    ? heif_alpha(bytes, where)
                       : format == Format::jpeg_xl ? jpeg_xl_alpha(bytes, where)
                                                   : ImageMask{};
-    const bool opaque = std::all_of(alpha.pixels.begin(), alpha.pixels.end(), [](std::uint8_t a) { return a == 255; });
-    return opaque ? ImageMask{} : alpha;
+    return is_opaque(alpha) ? ImageMask{} : alpha;
+}
+
+ColorAndAlpha split_rgba(int width, int height, const std::uint8_t* pixels) {
+    ColorAndAlpha out{ImageRgb8(width, height), ImageMask(width, height)};
+    for (std::size_t i = 0; i < out.color.size(); ++i, pixels += 4)
+        out.color.pixels[i] = {pixels[0], pixels[1], pixels[2]}, out.alpha.pixels[i] = pixels[3];
+    return out;
+}
+
+ColorAndAlpha decode_color_and_alpha(std::string_view bytes, const std::string& where) {
+    const Format format = format_of(where, bytes);
+    if (format != Format::png && format != Format::webp) return {decode_rgb8(bytes, where), decode_alpha(bytes, where)};
+    ColorAndAlpha out = format == Format::png ? decode_png_color_and_alpha(bytes, where)
+                                              : decode_webp_color_and_alpha(bytes, where);
+    if (is_opaque(out.alpha)) out.alpha = {};
+    return out;
 }
 
 ImageMask load_mask(const fs::path& path) {

@@ -39,6 +39,12 @@ PictureInfo picture_info(std::string_view bytes, const std::string& where);
 ImageRgb8 decode_rgb8(std::string_view bytes, const std::string& where);
 ImageColor decode_light(std::string_view bytes, const std::string& where);
 ImageMask decode_alpha(std::string_view bytes, const std::string& where);
+// Colors that alpha has not dimmed, where the format keeps both apart (.png .webp); otherwise as decode_rgb8.
+struct ColorAndAlpha {
+    ImageRgb8 color;
+    ImageMask alpha;  // as decode_alpha's
+};
+ColorAndAlpha decode_color_and_alpha(std::string_view bytes, const std::string& where);
 void save_png(const std::filesystem::path& path, const ImageRgb8& image);
 void save_png(const std::filesystem::path& path, const ImageMask& image);  // 8-bit gray
 ImageMask load_mask_png(const std::filesystem::path& path);                // 8-bit gray

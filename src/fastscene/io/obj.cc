@@ -6,11 +6,10 @@
 #include <map>
 
 #include "fastscene/base/error.h"
+#include "fastscene/io/smooth_normals.h"
 
 namespace fastscene {
 namespace {
-
-constexpr float kSmoothCosine = 0.766f;  // 40 degrees: sharper edges are not smoothed
 
 struct Corner {
     int position = -1, uv = -1, normal = -1;
@@ -172,24 +171,15 @@ class Reader {
                      positions_[static_cast<std::size_t>(f.corners[2].position)] - a);
     }
 
-    // The area-weighted mean normal of the faces around a position that deviate by less than 40 degrees from this one.
-    Vec3f smooth_normal(std::size_t position, Vec3f own) const {
-        Vec3f sum{};
-        const Vec3f unit = normalize(own);
-        for (const std::size_t i : around_[position]) {
-            const Vec3f n = face_normal(faces_[i]);
-            const float l = length(n);
-            if (l > 0 && dot(n, unit) > kSmoothCosine * l) sum += n;
-        }
-        return length(sum) > 0 ? normalize(sum) : unit;
-    }
-
     void build() {
-        around_.resize(positions_.size());
-        for (std::size_t i = 0; i < faces_.size(); ++i)
-            for (const Corner& c : faces_[i].corners) around_[static_cast<std::size_t>(c.position)].push_back(i);
+        SmoothNormals smooth(positions_.size());
+        for (const Face& face : faces_) {
+            const auto corner = [&](std::size_t i) { return static_cast<std::size_t>(face.corners[i].position); };
+            smooth.add({corner(0), corner(1), corner(2)}, face_normal(face));
+        }
         std::vector<ObjGroup> groups(model_.materials.size());
-        for (Face& face : faces_) {
+        for (std::size_t i = 0; i < faces_.size(); ++i) {
+            Face& face = faces_[i];
             Vec3f own = face_normal(face);
             if (!(length(own) > 0)) continue;  // zero area
             // Some exporters' winding contradicts their normals.
@@ -197,11 +187,11 @@ class Reader {
             for (const Corner& c : face.corners)
                 if (c.normal >= 0) told += normals_[static_cast<std::size_t>(c.normal)];
             const bool turned = dot(told, own) < 0;
-            if (turned) std::swap(face.corners[1], face.corners[2]), own = -own;
+            if (turned) std::swap(face.corners[1], face.corners[2]), own = -own, smooth.turn(i);
             ObjGroup& group = groups[face.material];
             for (const Corner& c : face.corners) {
                 Vec3f n = c.normal >= 0 ? normals_[static_cast<std::size_t>(c.normal)] : Vec3f{};
-                if (!(length(n) > 1e-6f)) n = smooth_normal(static_cast<std::size_t>(c.position), own);
+                if (!(length(n) > 1e-6f)) n = smooth.at(static_cast<std::size_t>(c.position), own);
                 group.triangles.push_back(static_cast<std::uint32_t>(group.positions.size()));
                 group.positions.push_back(positions_[static_cast<std::size_t>(c.position)]);
                 group.normals.push_back(normalize(n));
@@ -221,7 +211,6 @@ class Reader {
     std::vector<Vec3f> positions_, normals_;
     std::vector<Vec2f> uvs_;
     std::vector<Face> faces_;
-    std::vector<std::vector<std::size_t>> around_;
     std::size_t current_ = 0;
 };
 

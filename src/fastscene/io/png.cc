@@ -174,12 +174,25 @@ ImageMask load_mask_png(const fs::path& path) {
     return image;
 }
 
-ImageMask png_alpha(std::string_view bytes, const std::string& where) {
+namespace {
+
+bool has_png_alpha(std::string_view bytes) {
     constexpr std::size_t kTypeAt = 25;  // in the chunk IHDR
-    const bool has_alpha = bytes.size() > kTypeAt &&
-                           (static_cast<unsigned char>(bytes[kTypeAt]) & PNG_COLOR_MASK_ALPHA ||
-                            bytes.find("tRNS") != std::string_view::npos);
-    if (!has_alpha) return {};
+    return bytes.size() > kTypeAt && (static_cast<unsigned char>(bytes[kTypeAt]) & PNG_COLOR_MASK_ALPHA ||
+                                      bytes.find("tRNS") != std::string_view::npos);
+}
+
+}  // namespace
+
+ColorAndAlpha decode_png_color_and_alpha(std::string_view bytes, const std::string& where) {
+    if (!has_png_alpha(bytes)) return {decode_png_rgb8(bytes, where), {}};
+    int width = 0, height = 0;
+    const std::vector<png_byte> pixels = decoded(std::string(bytes), where, Wanted::rgba8, width, height);
+    return split_rgba(width, height, pixels.data());
+}
+
+ImageMask png_alpha(std::string_view bytes, const std::string& where) {
+    if (!has_png_alpha(bytes)) return {};
     int width = 0, height = 0;
     const std::vector<png_byte> pixels = decoded(std::string(bytes), where, Wanted::rgba8, width, height);
     ImageMask image(width, height);

@@ -86,4 +86,11 @@ ImageMask webp_alpha(std::string_view bytes, const std::string& where) {
     return image;
 }
 
+ColorAndAlpha decode_webp_color_and_alpha(std::string_view bytes, const std::string& where) {
+    WebPBitstreamFeatures features = features_of(bytes, where);
+    if (!features.has_alpha) return {decode_webp_rgb8(bytes, where), {}};
+    const std::vector<std::uint8_t> pixels = pixels_of(bytes, where, 4, features);
+    return split_rgba(features.width, features.height, pixels.data());
+}
+
 }  // namespace fastscene
