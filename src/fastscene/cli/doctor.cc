@@ -151,7 +151,7 @@ Finding program(const std::string& name, const std::string& use, const std::stri
 Finding furniture() {
     std::vector<std::string> complaints;
     const fs::path folder = FurniturePack::default_folder();
-    const auto pack = FurniturePack::open(folder, Assets::all, complaints);
+    const auto pack = FurniturePack::open(folder, {Assets::all, {}}, complaints);
     if (!complaints.empty())
         return {"furniture pack",
                 pack ? "damaged: " + complaints.front()

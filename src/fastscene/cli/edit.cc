@@ -106,7 +106,7 @@ void edit_file(const EditFlags& flags, const Session& session) {
                                              : from.parent_path() / (from.stem().string() + "-edited.json");
     check_writable(to);
     std::vector<std::string> complaints;
-    const auto pack = FurniturePack::open(FurniturePack::default_folder(), assets_named(flags.assets), complaints);
+    const auto pack = FurniturePack::open(flags.assets, complaints);
     const EditResult result = edited(flags, load_document(flags.room.empty() ? from : fs::path(flags.room)), pack,
                                      session.run(0));
     write_json(to, document_json(result.document));
@@ -203,8 +203,9 @@ Verb add_edit(CLI::App& app) {
     verb->add_flag("--in-place", flags->in_place,
                    "Replace the scene, once the edited one is complete, or overwrite the document.");
     verb->add_flag("--plan-only", flags->plan_only, "Of a run: only its panorama, to look at the change.");
-    verb->add_option("--assets", flags->assets, "Of a document: furniture pack: none, public domain models, or all.")
-        ->type_name("none|cc0|all")
+    verb->add_option("--assets", flags->assets,
+                     "Of a document: a folder of your own models; or of the furniture pack none, cc0 or all.")
+        ->type_name("DIR|none|cc0|all")
         ->capture_default_str();
     verb->footer(
         "Examples:\n  fastscene edit out/bedroom \"move the armchair to the window, make the bed linen\"\n  fastscene "

@@ -98,10 +98,10 @@ int run(int argc, char** argv) {
     bool version = false;
     app.add_flag("--version", version, "Print the version and exit.");
     const std::vector<Verb> verbs{
-        add_make(app),    add_studio(app), add_demo(app),    add_panorama(app),   add_depth(app),  add_walk(app),
-        add_views(app),   add_splat(app),  add_metrics(app), add_evaluate(app),   add_batch(app),  add_render(app),
-        add_convert(app), add_view(app),   add_edit(app),    add_export(app),     add_rooms(app),  add_dataset(app),
-        add_inpaint(app), add_models(app), add_doctor(app),  add_completion(app), add_version(app)};
+        add_make(app),    add_studio(app),  add_demo(app),    add_panorama(app), add_depth(app),      add_walk(app),
+        add_views(app),   add_splat(app),   add_metrics(app), add_evaluate(app), add_batch(app),      add_render(app),
+        add_convert(app), add_view(app),    add_edit(app),    add_export(app),   add_rooms(app),      add_dataset(app),
+        add_assets(app),  add_inpaint(app), add_models(app),  add_doctor(app),   add_completion(app), add_version(app)};
     // After the commands, which would otherwise inherit it.
     app.footer("Example:\n  fastscene make \"a cozy bedroom with a red armchair and a large window\" -o out/bedroom");
     auto common = std::make_shared<Common>();

@@ -4,6 +4,7 @@
 #include "fastscene/pipeline/cached_weights.h"
 #include "fastscene/pipeline/share.h"
 #include "fastscene/rooms/document.h"
+#include "fastscene/rooms/pack.h"
 
 namespace fastscene::cli {
 void add_param_flags(CLI::App& app, const std::shared_ptr<RequestFlags>& flags, const std::string& last_stage) {
@@ -117,7 +118,7 @@ SceneRequest starting_request(const CLI::App& verb, const RequestFlags& flags, c
         throw UsageError("--panorama-backend image: expected --panorama FILE, found none");
     panorama.backend = panorama_backend(request.source);
     if (flags.strict) panorama.strict = true;
-    if (!flags.assets.empty()) panorama.assets = flags.assets;
+    if (!flags.assets.empty()) panorama.assets = absolute_assets(flags.assets);
     request.last_stage = last_stage;
     request.start_over = flags.force;
     return request;
@@ -136,11 +137,11 @@ Verb add_starting_verb(CLI::App& app, const std::string& name, const std::string
         ->capture_default_str();
     add_source_flags(*verb, flags->source);
     verb->add_flag("--strict", flags->strict, "Refuse a prompt with words that are not understood.");
-    verb->add_option(
-            "--assets", flags->assets,
-            "Furniture pack: none, public domain models (default), or all, which requires distributing credits.txt.")
-        ->type_name("none|cc0|all")
-        ->check(one_of({"none", "cc0", "all"}));
+    verb->add_option("--assets", flags->assets,
+                     "Models beyond the built-in ones: a folder of your own (docs/assets.md), or of the furniture pack "
+                     "none, those in "
+                     "the public domain (cc0, default), or all, which requires distributing credits.txt.")
+        ->type_name("DIR|none|cc0|all");
     verb->add_flag("--force", flags->force, "Delete a run of another prompt or seed in the folder.");
     add_param_flags(*verb, flags, last_stage);
 

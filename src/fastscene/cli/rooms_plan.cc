@@ -31,14 +31,14 @@ Verb add_rooms_plan(CLI::App& rooms) {
         ->type_name("FILE");
     verb->add_option("-o,--out", flags->out, "The document to write.")->type_name("FILE")->capture_default_str();
     verb->add_option("--seed", flags->seed, "Seed of the room.")->type_name("N")->capture_default_str();
-    verb->add_option("--assets", flags->assets, "Furniture pack: none, public domain models, or all.")
-        ->type_name("none|cc0|all")
+    verb->add_option("--assets", flags->assets,
+                     "A folder of your own models; or of the furniture pack none, public domain (cc0), or all.")
+        ->type_name("DIR|none|cc0|all")
         ->capture_default_str();
     return {verb, [flags](const Session& session) {
                 check_writable(flags->out);
                 std::vector<std::string> complaints;
-                const auto pack = FurniturePack::open(FurniturePack::default_folder(), assets_named(flags->assets),
-                                                      complaints);
+                const auto pack = FurniturePack::open(flags->assets, complaints);
                 const fastscene::Run run = session.run(number_from<std::uint64_t>("--seed", flags->seed));
                 const RoomDocument document = planned(*flags, pack, run);
                 const Json json = document_json(document);

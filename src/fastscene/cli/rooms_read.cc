@@ -34,13 +34,13 @@ Verb add_rooms_read(CLI::App& rooms) {
         "read", "Shows how a prompt is understood, and how the room is furnished; makes no picture.");
     verb->add_option("prompt", flags->prompt, "The sentence.")->required()->type_name("PROMPT");
     verb->add_option("--seed", flags->seed, "Seed of the room.")->type_name("N")->capture_default_str();
-    verb->add_option("--assets", flags->assets, "Furniture pack: none, public domain models, or all.")
-        ->type_name("none|cc0|all")
+    verb->add_option("--assets", flags->assets,
+                     "A folder of your own models; or of the furniture pack none, public domain (cc0), or all.")
+        ->type_name("DIR|none|cc0|all")
         ->capture_default_str();
     return {verb, [flags](const Session& session) {
                 std::vector<std::string> complaints;
-                const auto pack = FurniturePack::open(FurniturePack::default_folder(), assets_named(flags->assets),
-                                                      complaints);
+                const auto pack = FurniturePack::open(flags->assets, complaints);
                 const fastscene::Run run = session.run(number_from<std::uint64_t>("--seed", flags->seed));
                 for (const std::string& complaint : complaints) run.warn(complaint);
                 PromptSpec spec = understand_prompt(flags->prompt, false, pack);

@@ -51,6 +51,7 @@ Verb add_convert(CLI::App& app);
 Verb add_view(CLI::App& app);
 Verb add_studio(CLI::App& app);
 Verb add_models(CLI::App& app);
+Verb add_assets(CLI::App& app);
 Verb add_doctor(CLI::App& app);
 Verb add_rooms(CLI::App& app);
 Verb add_dataset(CLI::App& app);

@@ -9,6 +9,7 @@ namespace fastscene {
 
 GltfMaterial GltfImages::with_images(const GltfSurface& surface) {
     GltfMaterial material = surface.material;
+    if (!limits_.images) return material;
     material.base_color_image = image(surface.base_color, true);
     material.metallic_roughness_image = image(surface.metallic_roughness, false);
     material.normal_image = image(surface.normal, false);

@@ -11,8 +11,7 @@ namespace fastscene {
 std::shared_ptr<const FurniturePack> furniture_pack(const PanoramaParams& params,
                                                     std::vector<std::string>* complaints) {
     std::vector<std::string> unheard;
-    return FurniturePack::open(FurniturePack::default_folder(), assets_named(params.assets),
-                               complaints ? *complaints : unheard);
+    return FurniturePack::open(params.assets, complaints ? *complaints : unheard);
 }
 
 PromptSpec read_prompt(const std::string& prompt, const PanoramaParams& params, std::vector<std::string>* complaints) {

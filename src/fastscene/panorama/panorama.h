@@ -43,8 +43,9 @@ struct PanoramaParams {
     std::string backend = "rooms";
     int width = 2048;  // the height is half of it
     bool strict = false;
-    std::string assets =
-        "cc0";  // free of obligations when publishing the scene; "all" requires credits.txt to be distributed with it
+    // Free of obligations when publishing the scene; "all" requires credits.txt to be distributed with it; a folder of
+    // the user's own models (assets_named in rooms/pack.h).
+    std::string assets = "cc0";
     TraceParams trace;
     PictureLayout layout;            // of the user's picture
     Diffusion360Settings diffusion;  // its width is the field above
@@ -54,9 +55,10 @@ void visit_fields(PanoramaParams& p, V&& v) {
     v("backend", p.backend, Choices{{"rooms", "image", "diffusion360"}}, "What makes the panorama.");
     v("width", p.width, Bounds{64, 8192}, "Width of the panorama in pixels; its height is half of it.");
     v("strict", p.strict, "Refuse a prompt with words that are not understood.");
-    v("assets", p.assets, Choices{{"none", "cc0", "all"}},
-      "Models of the furniture pack to use: none, public domain, or also those that require attribution "
-      "(credits.txt).");
+    v("assets", p.assets,
+      "Models beyond the built-in ones: of the furniture pack none, those in the public domain (cc0), or also those "
+      "that "
+      "require attribution (all; credits.txt); or a folder of your own models, textures and skies.");
     visit_fields(p.layout, v);
     visit_fields(p.trace, v);
     visit_fields(p.diffusion, v);

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "fastscene/base/is_one_of.h"
+#include "fastscene/rooms/pack.h"
 #include "fastscene/rooms/room_type.h"
 
 namespace fastscene {
@@ -57,6 +58,24 @@ Sky::View outlook_of(PromptSpec& spec, const Style& style, Random& rng) {
     return at == names.end() ? Sky::View::garden : static_cast<Sky::View>(at - names.begin());
 }
 
+// A photographed outside, its center where the main window looks to. It gives as much light as such an hour has.
+void show(const UserSky& users, const PhotographedSky& read, const Daylight& hour, Vec3f outlook, Sky& sky) {
+    constexpr float kStrongestSun = 2;  // times that of the hour, or 1 if that has none
+    const float azimuth = std::atan2(outlook.x, outlook.z) + users.turn_deg * kPi / 180;
+    const float level = users.brightness * 0.5f * (luminance(hour.zenith) + luminance(hour.horizon));
+    auto picture = std::make_shared<ImageColor>(turned_to(read.picture, azimuth));
+    for (Vec3f& c : picture->pixels) c = c * level;
+    sky.picture = std::move(picture);
+    sky.zenith = read.zenith * level, sky.horizon = read.horizon * level, sky.ground = read.ground * level;
+    sky.clouds = 0;
+    const Vec3f d = read.sun_dir;
+    sky.sun_dir = {d.x * std::cos(azimuth) + d.z * std::sin(azimuth), d.y,
+                   d.z * std::cos(azimuth) - d.x * std::sin(azimuth)};
+    sky.sun_irradiance = read.sun_irradiance * level;
+    const float most = kStrongestSun * std::max(0.5f, luminance(hour.sun)), found = luminance(sky.sun_irradiance);
+    if (found > most) sky.sun_irradiance = sky.sun_irradiance * (most / found);
+}
+
 }  // namespace
 
 Random light_draws(const PromptSpec& spec, std::uint64_t seed) { return Random(seed, "light:" + spec.text); }
@@ -100,6 +119,9 @@ Sky make_sky(PromptSpec& spec, const Plan& plan, const Mat3f& world_from_room, R
     const Vec3f side = cross(Vec3f{0, 1, 0}, out);
     const Vec3f level = out * std::cos(aside) + side * std::sin(aside);
     sky.sun_dir = world_from_room * normalize(level * std::cos(elevation) + Vec3f{0, std::sin(elevation), 0});
+    if (spec.pack)
+        if (const UserSky* users = spec.pack->choose_sky(spec.time, sky.seed))
+            show(*users, *spec.pack->sky(*users), *light, world_from_room * out, sky);
     return sky;
 }
 

@@ -99,7 +99,7 @@ TEST(RoomDocument, BuildsTheSameTrianglesOfWhatPromptsAskFor) {
 
 TEST(RoomDocument, NamesModelsOfTheFurniturePack) {
     std::vector<std::string> complaints;
-    const auto pack = FurniturePack::open(FurniturePack::default_folder(), Assets::cc0, complaints);
+    const auto pack = FurniturePack::open(FurniturePack::default_folder(), {Assets::cc0, {}}, complaints);
     if (!pack) GTEST_SKIP() << "no furniture pack is installed";
     expect_same_room("a living room with a grand piano and a dog", pack);
 }

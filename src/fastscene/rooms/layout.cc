@@ -146,8 +146,7 @@ bool hides(const Placed& floor, const Placed& hung) {
     const bool overhead = floor.piece.kind == "hanging_plant";
     const float before_m = overhead ? 0.4f : 0.15f;  // metres before it
     if (hung.piece.mount != Mount::wall || hung.sill >= 0 || (floor.piece.mount != Mount::floor && !overhead) ||
-        floor.flat || floor.on >= 0 || floor.piece.kind == "curtain" ||
-        has_role(hung.piece.kind, Role::covers_wall))
+        floor.flat || floor.on >= 0 || floor.piece.kind == "curtain" || has_role(hung.piece.kind, Role::covers_wall))
         return false;
     Footprint before = footprint_of(hung);
     before.half.y += before_m / 2;
@@ -272,7 +271,12 @@ PieceRequest Layout::request(std::string kind, const PromptObject* wish) {
     r.kind = std::move(kind);
     r.style = &plan_.style;
     r.seed = rng_.next_u64();
-    if (wish && spec_.pack)
+    if (spec_.pack)
+        r.model = spec_.pack->choose_users(r.kind,
+                                           wish ? hash_name(spec_.text) + static_cast<std::uint64_t>(wish->id) : r.seed,
+                                           wish ? wish->words : std::string{});
+    if (r.model) r.pack = spec_.pack;
+    if (wish && spec_.pack && !r.model)
         if ((r.model = spec_.pack->choose(r.kind, hash_name(spec_.text) + static_cast<std::uint64_t>(wish->id))))
             r.pack = spec_.pack;
     if (!r.model && !std::binary_search(piece_classes().begin(), piece_classes().end(), r.kind))

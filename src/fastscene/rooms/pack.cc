@@ -7,12 +7,14 @@
 #include <sstream>
 
 #include "fastscene/base/error.h"
+#include "fastscene/base/file.h"
 #include "fastscene/base/hash.h"
 #include "fastscene/base/leading_number.h"
 #include "fastscene/base/random.h"
 #include "fastscene/rooms/lexicon.h"
 #include "fastscene/rooms/pack_parts.h"
 #include "fastscene/rooms/prompt_text.h"
+#include "fastscene/rooms/user_model.h"
 
 namespace fastscene {
 namespace fs = std::filesystem;
@@ -78,13 +80,54 @@ std::optional<PackModel> model_from(const Properties& p, const std::string& numb
     return m;
 }
 
+// Whether a term of a prompt is that name, singular or plural.
+bool is_named(const std::string& words, const std::string& name) {
+    const auto forms = base_forms(words);
+    return words == name || std::find(forms.begin(), forms.end(), name) != forms.end();
+}
+
+// The names and contents of what a folder holds.
+std::string fingerprint_of(const fs::path& folder) {
+    std::vector<fs::path> files;
+    std::error_code code;
+    for (fs::recursive_directory_iterator at(folder, fs::directory_options::skip_permission_denied, code), end;
+         !code && at != end; at.increment(code))
+        if (at->is_regular_file(code)) files.push_back(at->path());
+    std::sort(files.begin(), files.end());
+    Hash hash;
+    for (const fs::path& file : files) try {
+            hash.add(file.lexically_relative(folder).generic_string()).add(read_file(file));
+        } catch (const Error&) {  // told where it is used
+        }
+    return hash.hex();
+}
+
 }  // namespace
 
-Assets assets_named(const std::string& name) {
-    if (name == "none") return Assets::none;
-    if (name == "cc0") return Assets::cc0;
-    if (name == "all") return Assets::all;
-    throw UsageError("assets: expected none, cc0 or all, found '{}'", name);
+AssetsChoice assets_named(const std::string& text) {
+    const auto pack_named = [](std::string_view word) -> std::optional<Assets> {
+        if (word == "none") return Assets::none;
+        if (word == "cc0") return Assets::cc0;
+        if (word == "all") return Assets::all;
+        return {};
+    };
+    AssetsChoice choice;
+    if (const auto pack = pack_named(text)) return {*pack, {}};
+    const auto comma = text.find(',');
+    const auto pack = comma == std::string::npos ? std::nullopt : pack_named(std::string_view(text).substr(0, comma));
+    if (pack) choice.pack = *pack;
+    choice.folder = pack ? text.substr(comma + 1) : text;
+    std::error_code code;
+    if (!fs::is_directory(choice.folder, code))
+        throw UsageError("--assets: expected none, cc0, all or a folder of models, found \"{}\"", text);
+    return choice;
+}
+
+std::string absolute_assets(const std::string& text) {
+    const AssetsChoice choice = assets_named(text);
+    if (choice.folder.empty()) return text;
+    const std::string folder = fs::weakly_canonical(choice.folder).string();
+    return choice.pack == Assets::none ? "none," + folder : choice.pack == Assets::all ? "all," + folder : folder;
 }
 
 fs::path FurniturePack::default_folder() {
@@ -121,9 +164,8 @@ void FurniturePack::read_archive(std::size_t archive, bool free_only) {
     }
 }
 
-std::shared_ptr<const FurniturePack> FurniturePack::open(const fs::path& folder, Assets assets,
-                                                         std::vector<std::string>& complaints) {
-    if (assets == Assets::none) return nullptr;
+void FurniturePack::open_archives(const fs::path& folder, Assets assets, std::vector<std::string>& complaints,
+                                  Hash& hash) {
     const std::string remedy = "install it with: apt-get install --no-install-recommends sweethome3d-furniture";
     std::error_code code;
     std::vector<fs::path> files;
@@ -133,25 +175,60 @@ std::shared_ptr<const FurniturePack> FurniturePack::open(const fs::path& folder,
     if (files.empty()) {
         complaints.push_back("no furniture pack in " + folder.string() + ": only the built-in pieces are used; " +
                              remedy);
-        return nullptr;
+        return;
     }
-    auto pack = std::make_shared<FurniturePack>();
-    Hash hash;
     for (const fs::path& file : files) try {
-            pack->archives_.emplace_back(file);
-            pack->read_archive(pack->archives_.size() - 1, assets == Assets::cc0);
+            archives_.emplace_back(file);
+            read_archive(archives_.size() - 1, assets == Assets::cc0);
             hash.add(file.filename().string()).add(std::to_string(fs::file_size(file, code)));
         } catch (const Error& error) {
             complaints.push_back("furniture pack: " + std::string(error.what()) + "; it goes on without this one");
         }
-    if (pack->models_.empty()) {
-        if (complaints.empty())
-            complaints.push_back("furniture pack: no usable model in " + folder.string() +
-                                 ": only the built-in pieces are used; " + remedy);
-        return nullptr;
-    }
-    pack->fingerprint_ = hash.add(assets == Assets::all ? "all" : "cc0").hex();
+    if (models_.empty() && complaints.empty())
+        complaints.push_back("furniture pack: no usable model in " + folder.string() +
+                             ": only the built-in pieces are used; " + remedy);
+}
+
+// Their sizes are needed before any of them is placed, and what is damaged is better told at once.
+void FurniturePack::open_users(const fs::path& folder, std::vector<std::string>& complaints, Hash& hash) {
+    users_folder_ = folder;
+    users_ = read_user_assets(folder);
+    complaints.insert(complaints.end(), users_.complaints.begin(), users_.complaints.end());
+    for (std::size_t i = 0; i < users_.models.size(); ++i) try {
+            const UserModel& user = users_.models[i];
+            const UserPiece made = load_user_model(folder, user, false);
+            PackModel m;
+            m.kind = user.kind;
+            m.name = user.names.front();
+            m.path = user.file.generic_string();
+            m.size_m = made.piece.size_m;
+            m.elevation_m = made.piece.mount == Mount::wall ? std::max(0.5f, made.piece.hang_height_m) : 0.f;
+            m.credit = made.piece.source;
+            m.user = static_cast<int>(i);
+            by_class_.emplace(m.kind, models_.size());
+            for (const std::string& name : user.names) by_name_.emplace(name, models_.size());
+            models_.push_back(std::move(m));
+        } catch (const Error& error) {
+            complaints.push_back(std::string(error.what()) + "; it goes on without this model");
+        }
+    hash.add(fingerprint_of(folder));
+}
+
+std::shared_ptr<const FurniturePack> FurniturePack::open(const fs::path& folder, const AssetsChoice& choice,
+                                                         std::vector<std::string>& complaints) {
+    auto pack = std::make_shared<FurniturePack>();
+    Hash hash;
+    // Names of the user's come first where the pack has the same.
+    if (!choice.folder.empty()) pack->open_users(choice.folder, complaints, hash);
+    if (choice.pack != Assets::none) pack->open_archives(folder, choice.pack, complaints, hash);
+    if (pack->models_.empty() && choice.folder.empty()) return nullptr;
+    pack->fingerprint_ = hash.add(choice.pack == Assets::all ? "all" : "cc0").hex();
     return pack;
+}
+
+std::shared_ptr<const FurniturePack> FurniturePack::open(const std::string& assets,
+                                                         std::vector<std::string>& complaints) {
+    return open(default_folder(), assets_named(assets), complaints);
 }
 
 std::optional<std::string> FurniturePack::class_named(const std::string& term) const {
@@ -166,18 +243,66 @@ std::optional<std::string> FurniturePack::class_named(const std::string& term) c
     return {};
 }
 
+const PackModel* FurniturePack::choose_users(const std::string& kind, std::uint64_t seed,
+                                             const std::string& words) const {
+    if (users_.models.empty()) return nullptr;
+    std::vector<const PackModel*> found, named;
+    const auto [begin, end] = by_class_.equal_range(kind);
+    for (auto at = begin; at != end; ++at) {
+        const PackModel& model = models_[at->second];
+        if (model.user < 0 || !is_sound(model)) continue;
+        found.push_back(&model);
+        const auto& names = users_.models[static_cast<std::size_t>(model.user)].names;
+        if (std::any_of(names.begin(), names.end(), [&](const std::string& name) { return is_named(words, name); }))
+            named.push_back(&model);
+    }
+    const auto& among = named.empty() ? found : named;
+    return among.empty() ? nullptr : among[mix64(seed) % among.size()];
+}
+
+bool FurniturePack::names_users(const std::string& term) const {
+    if (users_.models.empty() || term.find(' ') == std::string::npos) return false;
+    for (const std::string& form : base_forms(term)) {
+        const auto [begin, end] = by_name_.equal_range(form);
+        if (std::any_of(begin, end, [&](const auto& entry) { return models_[entry.second].user >= 0; })) return true;
+    }
+    return false;
+}
+
 const PackModel* FurniturePack::choose(const std::string& kind, std::uint64_t seed) const {
+    if (const PackModel* users = choose_users(kind, seed)) return users;
     if (packs::keeps_builder(kind)) return nullptr;
     for (const std::string& name : packs::catalogue_classes(kind)) {
         std::vector<std::size_t> found;
         const auto [begin, end] = by_class_.equal_range(name);
         for (auto at = begin; at != end; ++at)
-            if (packs::fits_a_room(models_[at->second])) found.push_back(at->second);
+            if (models_[at->second].user < 0 && packs::fits_a_room(models_[at->second])) found.push_back(at->second);
         std::sort(found.begin(), found.end());
         for (; !found.empty(); found.erase(found.begin() + static_cast<std::ptrdiff_t>(mix64(seed) % found.size())))
             if (const PackModel& model = models_[found[mix64(seed) % found.size()]]; is_sound(model)) return &model;
     }
     return nullptr;
+}
+
+const UserSky* FurniturePack::choose_sky(const std::string& time, std::uint64_t seed) const {
+    for (const bool of_the_hour : {true, false}) {
+        std::vector<const UserSky*> found;
+        for (const UserSky& s : users_.skies)
+            if (s.time == (of_the_hour ? time : "") && sky(s)) found.push_back(&s);
+        if (!found.empty()) return found[mix64(seed) % found.size()];
+    }
+    return nullptr;
+}
+
+std::shared_ptr<const PhotographedSky> FurniturePack::sky(const UserSky& sky) const {
+    const std::lock_guard lock(mutex_);
+    const auto [entry, is_new] = skies_.try_emplace(&sky);
+    if (is_new) try {
+            entry->second = std::make_shared<const PhotographedSky>(load_user_sky(users_folder_, sky));
+        } catch (const Error& error) {
+            damaged_files_.insert(error.what());
+        }
+    return entry->second;
 }
 
 bool FurniturePack::only_with_attribution(const std::string& kind) const {

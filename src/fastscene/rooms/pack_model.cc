@@ -6,8 +6,9 @@
 #include "fastscene/image/color.h"
 #include "fastscene/io/image_io.h"
 #include "fastscene/io/obj.h"
+#include "fastscene/rooms/model_materials.h"
 #include "fastscene/rooms/pack_parts.h"
-#include "fastscene/rooms/texture_image.h"
+#include "fastscene/rooms/user_model.h"
 
 namespace fastscene {
 namespace {
@@ -22,56 +23,7 @@ std::string sibling(const std::string& path, std::string name) {
 }
 
 // Nothing in these rooms is seen so close that more than 512 texels across a model's picture would show.
-std::shared_ptr<const TextureImage> texture_from(ImageRgb8 image) {
-    constexpr int kLargest = 512;
-    while (std::max(image.width, image.height) > kLargest) image = halved(image);
-    return texture_image(std::move(image));
-}
-
-// What an old MTL says, as our materials say it: colors are sRGB, Phong's exponent becomes a roughness.
-Material material_from(const ObjMaterial& m) {
-    Material out;
-    out.name = m.name;
-    for (std::size_t k = 0; k < 3; ++k)
-        out.color_a[k] = std::clamp(linear_from_srgb(std::clamp(m.diffuse[k], 0.f, 1.f)), 0.02f, 0.82f);
-    const float shine = std::max({m.specular.x, m.specular.y, m.specular.z}),
-                bright = std::max({m.diffuse.x, m.diffuse.y, m.diffuse.z});
-    out.roughness = std::clamp(std::sqrt(2.f / (std::max(m.shininess, 0.f) + 2.f)), 0.12f, 0.8f);
-    if (shine < 0.05f) out.roughness = std::max(out.roughness, 0.55f);
-    if (shine > 0.6f && bright < 0.35f && bright > 0.02f && m.diffuse_map.empty() && m.opacity > 0.9f &&
-        m.shininess > 90.f) {
-        out.metal = 1.f;
-        out.color_a = out.color_a + Vec3f{0.25f, 0.25f, 0.25f};
-    }
-    if (m.opacity < 0.6f && m.diffuse_map.empty()) {  // glass
-        out.color_a = {0.6f, 0.68f, 0.66f};
-        out.roughness = 0.05f;
-        out.specular = 0.08f;
-        out.transmission = 0.8f;
-    }
-    out.color_b = out.color_c = out.color_a;
-    return out;
-}
-
-// Metres that u = 1 spans, from the areas of the triangles in space and in the picture.
-float metres_per_uv(const ObjGroup& g, const std::vector<Vec3f>& positions) {
-    double space = 0, picture = 0;
-    for (std::size_t t = 0; t + 2 < g.triangles.size(); t += 3) {
-        const std::size_t a = g.triangles[t], b = g.triangles[t + 1], c = g.triangles[t + 2];
-        space += length(cross(positions[b] - positions[a], positions[c] - positions[a]));
-        const Vec2f p = g.uvs[b] - g.uvs[a], q = g.uvs[c] - g.uvs[a];
-        picture += std::abs(p.x * q.y - p.y * q.x);
-    }
-    return picture > 1e-9 ? std::clamp(static_cast<float>(std::sqrt(space / picture)), 0.005f, 20.f) : 1.f;
-}
-
-float area_of(const Mesh& m) {
-    double sum = 0;
-    for (std::size_t t = 0; t + 2 < m.triangles.size(); t += 3)
-        sum += length(cross(m.positions[m.triangles[t + 1]] - m.positions[m.triangles[t]],
-                            m.positions[m.triangles[t + 2]] - m.positions[m.triangles[t]]));
-    return static_cast<float>(sum / 2);
-}
+constexpr int kPackTexels = 512;
 
 bool is_table_like(const PackModel& model) {
     for (const char* word : {"table", "desk", "cabinet", "shelves", "bookcase", "cupboard", "chest", "crate", "barrel",
@@ -128,12 +80,11 @@ Piece load_model(const ZipFile& zip, const PackModel& model) {
         Material material = material_from(obj.materials[g.material]);
         if (const std::string& map = obj.materials[g.material].diffuse_map; !map.empty())
             if (const auto bytes = read_sibling(map)) {
-                g.triangles = mesh.triangles;
-                material.pattern = Pattern::image;
-                material.image = texture_from(decode_rgb8(*bytes, zip.path().string() + ": " + map));
-                material.scale_m = metres_per_uv(g, mesh.positions);
-                material.color_a = {1, 1, 1};
                 for (std::size_t i = 0; i < mesh.coords.size(); ++i) mesh.coords[i] = {g.uvs[i].x, g.uvs[i].y, 0};
+                material.pattern = Pattern::image;
+                material.image = texture_at_most(decode_rgb8(*bytes, zip.path().string() + ": " + map), kPackTexels);
+                material.scale_m = metres_per_uv(mesh);
+                material.color_a = {1, 1, 1};
             }
         mesh.material = static_cast<int>(piece.materials.size());
         if (const float area = area_of(mesh); area > largest) largest = area, piece.main_material = mesh.material;
@@ -148,11 +99,41 @@ Piece load_model(const ZipFile& zip, const PackModel& model) {
 
 }  // namespace packs
 
+namespace {
+
+// Extents that are asked for; the others go along.
+Vec3f scale_asked(Vec3f size, const PieceRequest& request) {
+    const float even = request.size_factor;
+    Vec3f scale{even, even, even};
+    float sum = 0, count = 0;
+    for (std::size_t k = 0; k < 3; ++k)
+        if (request.size_m[k] > 0) scale[k] = request.size_m[k] / std::max(size[k], 1e-3f), sum += scale[k], ++count;
+    for (std::size_t k = 0; k < 3; ++k)
+        if (count > 0 && request.size_m[k] == 0) scale[k] = sum / count;
+    return scale;
+}
+
+void resize(Piece& piece, Vec3f scale) {
+    piece.size_m = piece.size_m * scale;
+    for (Mesh& mesh : piece.meshes) {
+        for (Vec3f& p : mesh.positions) p = p * scale;
+        for (Vec3f& n : mesh.normals) n = normalize(Vec3f{n.x / scale.x, n.y / scale.y, n.z / scale.z});
+    }
+    for (Surface& s : piece.surfaces) s.center = s.center * scale, s.half = {s.half.x * scale.x, s.half.y * scale.z};
+}
+
+}  // namespace
+
 std::shared_ptr<const Piece> FurniturePack::loaded(const PackModel& model) const {
     const std::lock_guard lock(mutex_);
     auto& entry = loaded_[&model];
-    if (!entry) entry = std::make_shared<const Piece>(packs::load_model(archives_[model.archive], model));
+    if (!entry) entry = std::make_shared<const Piece>(load(model));
     return entry;
+}
+
+Piece FurniturePack::load(const PackModel& model) const {
+    if (model.user < 0) return packs::load_model(archives_[model.archive], model);
+    return load_user_model(users_folder_, users_.models[static_cast<std::size_t>(model.user)]).piece;
 }
 
 // One damaged file among eight hundred must not cost a room.
@@ -170,7 +151,8 @@ std::vector<std::string> FurniturePack::damage() const {
     const std::lock_guard lock(mutex_);
     std::vector<std::string> reasons;
     for (const auto& [model, reason] : damaged_)
-        reasons.push_back("furniture pack: " + reason + "; it goes on without this model");
+        reasons.push_back((model->user < 0 ? "furniture pack: " : "") + reason + "; it goes on without this model");
+    for (const std::string& reason : damaged_files_) reasons.push_back(reason + "; it goes on without it");
     std::sort(reasons.begin(), reasons.end());
     return reasons;
 }
@@ -192,13 +174,9 @@ Piece FurniturePack::piece(const PackModel& model, const PieceRequest& request) 
     } else if (!request.material.empty() && !main.image) {
         if (const auto material = material_named(request.material)) main = *material;
     }
-    if (request.size_factor != 1.f) {
-        piece.size_m = piece.size_m * request.size_factor;
-        for (Mesh& mesh : piece.meshes)
-            for (Vec3f& p : mesh.positions) p = p * request.size_factor;
-        for (Surface& s : piece.surfaces)
-            s.center = s.center * request.size_factor, s.half = s.half * request.size_factor;
-    }
+    if (model.user >= 0 && has_role(model.kind, Role::light))
+        for (Material& m : piece.materials) m.emission = m.emission * request.style->lamp_light;
+    if (const Vec3f scale = scale_asked(piece.size_m, request); scale != Vec3f{1, 1, 1}) resize(piece, scale);
     return piece;
 }
 

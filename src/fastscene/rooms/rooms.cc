@@ -301,7 +301,7 @@ Room room_of(PromptSpec& spec, const FurnishedRoom& furnished, const Run& run) {
     const Rigid world_from_room{rotation, -(rotation * camera)};
     turn_into_world(world_from_room, room);
     room.sky = make_sky(spec, plan, rotation, rng);
-    if (furnished.towards_sun) room.sky.sun_dir = rotation * *furnished.towards_sun;
+    if (furnished.towards_sun && !room.sky.picture) room.sky.sun_dir = rotation * *furnished.towards_sun;
     if (spec.mood == "cozy") room.look.white = {1.03f, 1.f, 0.95f};
 
     room.min_corner = {1e9f, 1e9f, 1e9f};

@@ -92,6 +92,9 @@ struct Material {
     std::uint32_t seed = 0;           // random variation of the pattern
     std::uint8_t variant = 0;         // Pattern::art: which of its kArtDesigns designs
     std::shared_ptr<const TextureImage> image{};  // Pattern::image: never null; scale_m = metres spanned by u = 1
+    // Pattern::image, over the same coordinates, may be null: normals in tangent space (rgb 0..255 is -1..1, green
+    // along v), and factors of `roughness` (green) and `metal` (blue). As glTF stores them.
+    std::shared_ptr<const TextureImage> normals{}, metallic_roughness{};
 };
 
 // A surface with one material. Open or closed; visible from both sides; normals point outward.
@@ -138,6 +141,9 @@ struct Sky {
     // minimum brightness of the ground as shown to cameras, 1 = white in the room's light (Look::outside_seen); 0: none
     float ground_least = 0.f;
     std::uint32_t seed = 0;  // of the scenery
+    // A photographed outside in place of all that: equirectangular radiance in the world frame (column of the center:
+    // +z), without the sun's disc. Null: none.
+    std::shared_ptr<const ImageColor> picture{};
 };
 
 // How scene light becomes display color (trace/film.h). photo: a photograph's contrast, with a toe into black and a

@@ -45,8 +45,9 @@ constexpr std::size_t kCellBytes = 66, kPatchBytes = 42, kPlaceBytes = 20;
 void IrradianceCache::know_surfaces(const Room& room) {
     for (const Material& m : room.materials) {
         const Vec3f albedo = mean_albedo(m);
-        reflectances_.push_back(is_clear(m) ? Vec3f{} : mean_reflectance(m, albedo));
-        coats_.push_back(is_clear(m) || m.mirror > 0.5f ? Coat{} : coat_of(m, albedo, m.roughness));
+        const float metal = mean_metal(m);
+        reflectances_.push_back(is_clear(m) ? Vec3f{} : mean_reflectance(m, albedo, metal));
+        coats_.push_back(is_clear(m) || m.mirror > 0.5f ? Coat{} : coat_of(m, albedo, m.roughness, metal));
     }
     for (const Mesh& mesh : room.meshes) closed_.push_back(is_closed(mesh));
 }

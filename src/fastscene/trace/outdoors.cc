@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 
 #include "fastscene/base/parallel.h"
 #include "fastscene/base/random.h"
@@ -80,6 +81,27 @@ Vec3f pixel_mean(const outdoors::Tracer& tracer, std::uint64_t key, float width,
     return sum / static_cast<float>(count);
 }
 
+Vec3f picture_at(const ImageColor& picture, Vec3f direction) {
+    const Vec2f p = pixel_of_direction(direction, {picture.width, picture.height}) - Vec2f{0.5f, 0.5f};
+    const int x = floor_int(p.x), y = std::clamp(floor_int(p.y), 0, picture.height - 2);
+    const float a = p.x - static_cast<float>(x), b = unit_clamp(p.y - static_cast<float>(y));
+    const int left = wrap_column(x, picture.width), right = wrap_column(x + 1, picture.width);
+    return lerp(lerp(picture.at(left, y), picture.at(right, y), a),
+                lerp(picture.at(left, y + 1), picture.at(right, y + 1), a), b);
+}
+
+// The mean of a photographed outside over a pixel.
+template <class Towards>
+Vec3f picture_mean(const ImageColor& picture, const Towards& towards) {
+    constexpr int kSide = 4;
+    Vec3f sum{};
+    for (int k = 0; k < kSide * kSide; ++k)
+        sum += picture_at(
+            picture,
+            towards(Vec2f{static_cast<float>(k % kSide) + 0.5f, static_cast<float>(k / kSide) + 0.5f} * (1.f / kSide)));
+    return sum / static_cast<float>(kSide * kSide);
+}
+
 }  // namespace
 
 float main_outlook(const std::vector<Portal>& portals) {
@@ -127,7 +149,11 @@ Outdoors::Outdoors(const Sky& sky, const std::vector<Portal>& portals, Vec3f roo
     : Outdoors(sky) {
     pixels_per_degree_ = pixels_per_degree;
     if (portals.empty()) return;
-    const outdoors::Tracer tracer(sky, outdoors::make_world(sky, main_outlook(portals)));
+    std::optional<outdoors::Tracer> tracer;
+    if (!sky.picture) tracer.emplace(sky, outdoors::make_world(sky, main_outlook(portals)));
+    const auto mean = [&](std::uint64_t key, float width, int fewest, int most, const auto& towards) {
+        return tracer ? pixel_mean(*tracer, key, width, fewest, most, towards) : picture_mean(*sky.picture, towards);
+    };
     const float per_radian = pixels_per_degree * 180 / kPi;
     if (pixels_per_degree > 0) {
         band_.stretch = kStretch, band_.top = kTop;
@@ -149,9 +175,8 @@ Outdoors::Outdoors(const Sky& sky, const std::vector<Portal>& portals, Vec3f roo
                     const Vec2f corner{static_cast<float>(shown[k]), static_cast<float>(y)};
                     const std::uint64_t key = mix64(sky.seed) ^ (static_cast<std::uint64_t>(y) << 32 |
                                                                  static_cast<std::uint64_t>(shown[k]));
-                    band_.pixels.at(static_cast<int>(k), y) = pixel_mean(
-                        tracer, key, 1 / per_radian, kFewest, kMost,
-                        [&](Vec2f at) { return band_.direction(corner + at); });
+                    band_.pixels.at(static_cast<int>(k), y) = mean(
+                        key, 1 / per_radian, kFewest, kMost, [&](Vec2f at) { return band_.direction(corner + at); });
                 }
         });
     }
@@ -172,7 +197,7 @@ Outdoors::Outdoors(const Sky& sky, const std::vector<Portal>& portals, Vec3f roo
                 }
                 const std::uint64_t key = mix64(sky.seed + 1) ^
                                           (static_cast<std::uint64_t>(y) << 32 | static_cast<std::uint64_t>(x));
-                table.at(x, y) = covered ? sum : pixel_mean(tracer, key, 2 * kPi / kTable.width, 2, 2, [&](Vec2f at) {
+                table.at(x, y) = covered ? sum : mean(key, 2 * kPi / kTable.width, 2, 2, [&](Vec2f at) {
                     return direction_at(corner + at, kTable);
                 });
             }
@@ -262,7 +287,7 @@ Vec3f Outdoors::seen(Vec3f direction) const {
     if (table_.pixels.empty()) return bare(direction);
     if (band_.width > 0)
         if (const Vec2f p = band_.position(direction); band_.covers(p)) return band_.at(p);
-    if (-direction.y > std::sin(kTop)) return dome_.at(direction);
+    if (!pictured_ && -direction.y > std::sin(kTop)) return dome_.at(direction);
     const Vec2f p = pixel_of_direction(direction, kTable) - Vec2f{0.5f, 0.5f};
     const int x = floor_int(p.x), y = std::clamp(floor_int(p.y), 0, kTable.height - 2);
     const float a = p.x - static_cast<float>(x), b = unit_clamp(p.y - static_cast<float>(y));

@@ -1,5 +1,6 @@
 // The outside as seen through the windows: a small world of plants, houses and hills under the sky, traced once per
-// room into a panorama. It is looked up by direction alone, as if it were far away.
+// room into a panorama, or a photographed one (Sky::picture). It is looked up by direction alone, as if it were far
+// away.
 #pragma once
 
 #include <memory>
@@ -49,13 +50,15 @@ class Outdoors {
     const Band& band() const { return band_; }
     const ImageColor& table() const { return table_; }  // 512 x 256; empty: bare sky and ground
     const SkyDome& dome() const { return dome_; }
+    bool pictured() const { return pictured_; }
 
   private:
-    explicit Outdoors(const Sky& sky) : dome_(sky), ground_(sky.ground) {}
+    explicit Outdoors(const Sky& sky) : dome_(sky), ground_(sky.ground), pictured_(sky.picture != nullptr) {}
     Vec3f bare(Vec3f direction) const;
 
     SkyDome dome_;
     Vec3f ground_;
+    bool pictured_ = false;  // Sky::picture: the dome is not what is seen above
     float pixels_per_degree_ = 0;
     float scale_ = 0;  // pixels times this are half precision numbers; 0: not rounded yet
     Band band_;

@@ -46,6 +46,28 @@ Vec3f through_window(const Radiance& radiance) {
     return sum;
 }
 
+// A photographed outside is what windows show, in every direction, and what lights the room.
+TEST(Outdoors, ShowsAPhotograph) {
+    auto picture = std::make_shared<ImageColor>(512, 256);
+    for (int y = 0; y < 256; ++y)
+        for (int x = 0; x < 512; ++x)
+            picture->at(x, y) = {1 + static_cast<float>(x) / 512, 2 - static_cast<float>(y) / 256, 0.5f};
+    Sky sky = day(Sky::View::garden);
+    sky.picture = picture;
+    const Outdoors outdoors(sky, one_window(), kRoomLow, kRoomHigh, 4);
+    for (const float azimuth : {-0.8f, -0.1f, 0.4f, 2.f})
+        for (const float up : {-0.7f, 0.f, 0.5f, 1.3f}) {
+            const Vec3f wanted{1 + azimuth / (2 * kPi) + 0.5f, 2 - (0.5f - up / kPi), 0.5f};
+            for (std::size_t a = 0; a < 3; ++a) {
+                EXPECT_NEAR(outdoors.seen(way(azimuth, up))[a], wanted[a], 0.01f) << azimuth << " " << up;
+                EXPECT_NEAR(outdoors.light(way(azimuth, up))[a], wanted[a], 0.01f) << azimuth << " " << up;
+            }
+        }
+    const std::string bytes = outdoors.bytes();
+    ByteReader in("outside", bytes);
+    EXPECT_EQ(Outdoors::from_bytes(in, sky).seen(way(0.3f, 1.3f)), outdoors.seen(way(0.3f, 1.3f)));
+}
+
 // Scattering gives the sky its course around the sun, but neither takes nor adds light at any height.
 TEST(SkyDome, IsBrighterTowardsTheSunAndKeepsItsMean) {
     Sky sky = day(Sky::View::garden);

@@ -204,9 +204,12 @@ TEST(Path, ASurfaceGrowsMattWithoutAStep) {
     for (const float steep : {1.f, 0.4f, 0.15f}) {
         const Vec3f normal{0, -1, 0}, in = normalize(Vec3f{1, steep, 0});
         const auto at = [&](float r) {
-            return response_of(
-                {.position = {}, .normal = normal, .bumped = normal, .material = &m, .texture = {m.color_a, r, 1.f}},
-                in);
+            return response_of({.position = {},
+                                .normal = normal,
+                                .bumped = normal,
+                                .material = &m,
+                                .texture = {m.color_a, r, 1.f, m.metal}},
+                               in);
         };
         const float glossy = at(0.3f).specular.x;
         EXPECT_GE(glossy, 0.04f);

@@ -17,9 +17,9 @@ bool is_flame(const Material& material);
 // Neither stops light: for the rays of illumination they do not exist.
 bool lets_light_pass(const Material& material);
 
-Coat coat_of(const Material& material, Vec3f albedo, float roughness);
+Coat coat_of(const Material& material, Vec3f albedo, float roughness, float metal);
 // Albedo of the surface including its coat under uniform light; for secondary bounces.
-Vec3f mean_reflectance(const Material& material, Vec3f albedo);
+Vec3f mean_reflectance(const Material& material, Vec3f albedo, float metal);
 
 // Samples a half vector of the GGX distribution about n; u in [0, 1)^2.
 Vec3f ggx_half(Vec3f n, float alpha, Vec2f u);

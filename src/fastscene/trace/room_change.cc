@@ -22,8 +22,9 @@ void add_material(Hash& hash, const Material& m) {
     for (const float value :
          {m.scale_m, m.bump_m, m.crease_m, m.sheen, m.roughness, m.specular, m.metal, m.transmission, m.mirror})
         hash.add(value);
-    if (m.image && !m.image->levels.empty())
-        hash.add_bytes(m.image->levels[0].pixels.data(), m.image->levels[0].pixels.size() * sizeof(Rgb8));
+    for (const auto& picture : {m.image, m.normals, m.metallic_roughness})
+        if (picture && !picture->levels.empty())
+            hash.add_bytes(picture->levels[0].pixels.data(), picture->levels[0].pixels.size() * sizeof(Rgb8));
 }
 
 std::string content_of(const Room& room, const Mesh& mesh) {
@@ -55,6 +56,7 @@ std::string outside_of(const Room& room) {
     for (const float value : {s.clouds, s.seen, s.sun_limit, s.ground_least}) hash.add(value);
     for (const Vec3f v : {s.sun_dir, s.sun_irradiance, s.zenith, s.horizon, s.ground, room.min_corner, room.max_corner})
         hash.add(v.x).add(v.y).add(v.z);
+    if (s.picture) hash.add_bytes(s.picture->pixels.data(), s.picture->pixels.size() * sizeof(Vec3f));
     for (const Portal& portal : room.portals)
         for (const Vec3f v : {portal.corner, portal.edge_u, portal.edge_v}) hash.add(v.x).add(v.y).add(v.z);
     return hash.hex();

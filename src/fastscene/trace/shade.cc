@@ -42,8 +42,8 @@ Mirrored mirrored_radiance(const ShadeScene& scene, Vec3f origin, Vec3f directio
     const IrradianceCache::Reading front = scene.light.read(s.position, s.normal),
                                    back = m.transmission > 0 ? scene.light.read(s.position, -s.normal)
                                                              : IrradianceCache::Reading{};
-    const Vec3f reflectance = mean_reflectance(m, s.texture.albedo);
-    const Coat coat = m.mirror > 0.5f ? Coat{} : coat_of(m, s.texture.albedo, s.texture.roughness);
+    const Vec3f reflectance = mean_reflectance(m, s.texture.albedo, s.texture.metal);
+    const Coat coat = m.mirror > 0.5f ? Coat{} : coat_of(m, s.texture.albedo, s.texture.roughness, s.texture.metal);
     const auto reflected = [&](bool behind) {
         return sun_reflected(scene.room.sky, reflectance, coat, m.transmission, s.normal, direction, behind);
     };

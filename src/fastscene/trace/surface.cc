@@ -56,7 +56,8 @@ SurfacePointInfo surface_at(const Room& room, const RayHit& hit, Vec3f origin, V
     point.footprint_m = footprint_m;
     s.texture = sample_texture(*s.material, point);
     s.bumped = s.normal;
-    if (!with_relief || !(s.material->bump_m > 0.f || s.material->crease_m > 0.f)) return s;
+    const bool is_uneven = s.material->bump_m > 0.f || s.material->crease_m > 0.f || s.material->normals;
+    if (!with_relief || !is_uneven) return s;
     const Vec2f slope = texture_with_slope(*s.material, point, axis, true).slope;
     if (slope.x == 0.f && slope.y == 0.f) return s;
     Vec3f du, dv;

@@ -10,6 +10,11 @@ constexpr float kFarAway = 1e6f;
 
 }  // namespace
 
+float mean_metal(const Material& material) {
+    if (!material.metallic_roughness) return material.metal;
+    return sample_texture(material, {{}, {}, kFarAway}).metal;
+}
+
 Vec3f mean_albedo(const Material& material) {
     if (material.pattern == Pattern::image)
         return sample_texture(material, {{}, {}, kFarAway}).albedo;  // the coarsest mip level

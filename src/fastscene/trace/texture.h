@@ -20,5 +20,6 @@ using kernel::TexturePoint, kernel::TextureValue, kernel::SurfaceTexture, kernel
 
 // Mean albedo over several units of the pattern: what bounced light sees.
 Vec3f mean_albedo(const Material& material);
+float mean_metal(const Material& material);
 
 }  // namespace fastscene

@@ -13,6 +13,8 @@
 #include "fastscene/trace/irradiance.h"
 #include "fastscene/trace/lights.h"
 #include "fastscene/trace/response.h"
+#include "fastscene/trace/scene_bvh.h"
+#include "fastscene/trace/surface.h"
 #include "fastscene/trace/test_room.h"
 #include "fastscene/trace/texture.h"
 #include "fastscene/trace/trace.h"
@@ -642,6 +644,48 @@ TEST(Texture, EveryPatternIsInRangeAndRepeats) {
             ASSERT_EQ(sample_texture(m, point).albedo, v.albedo);
         }
     }
+}
+
+std::shared_ptr<const TextureImage> texture_of(Rgb8 color) {
+    TextureImage texture;
+    texture.levels.push_back(ImageRgb8(1, 1, color));
+    return std::make_shared<const TextureImage>(std::move(texture));
+}
+
+// A quad in the plane z = 2 as seen from the origin, its u to the right (x) and its v up (-y).
+TEST(Texture, MapsOfNormalsAndMetalAreThoseOfGltf) {
+    Room room;
+    Material m;
+    m.pattern = Pattern::image;
+    m.image = texture_of({188, 188, 188});
+    m.metal = 0.5f, m.roughness = 0.8f;
+    Mesh quad;
+    quad.positions = {{-1, 1, 2}, {1, 1, 2}, {1, -1, 2}, {-1, -1, 2}};
+    quad.normals.assign(4, {0, 0, -1});
+    quad.coords = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
+    quad.triangles = {0, 2, 1, 0, 3, 2};
+    room.meshes.push_back(quad);
+    const auto seen = [&] {
+        room.materials = {m};
+        const SceneBvh bvh(room);
+        const RayHit hit = bvh.first_hit({}, {0, 0, 1});
+        EXPECT_TRUE(hit);
+        return surface_at(room, hit, {}, {0, 0, 1}, 0.001f, true);
+    };
+    EXPECT_EQ(seen().bumped, (Vec3f{0, 0, -1}));
+    EXPECT_EQ(seen().texture.metal, 0.5f);
+    m.normals = texture_of({128, 128, 255});  // flat, as nearly as a byte can say it
+    EXPECT_GT(dot(seen().bumped, Vec3f{0, 0, -1}), 0.9999f);
+    // Tilted by asin(0.5) towards u, then towards v.
+    m.normals = texture_of({191, 128, 238});
+    EXPECT_NEAR(seen().bumped.x, 0.5f, 0.01f);
+    EXPECT_NEAR(seen().bumped.y, 0, 0.01f);
+    m.normals = texture_of({128, 191, 238});
+    EXPECT_NEAR(seen().bumped.y, -0.5f, 0.01f);
+    m.metallic_roughness = texture_of({0, 51, 102});
+    EXPECT_NEAR(seen().texture.roughness, 0.8f * 0.2f, 1e-5f);
+    EXPECT_NEAR(seen().texture.metal, 0.5f * 0.4f, 1e-5f);
+    EXPECT_NEAR(mean_metal(m), 0.2f, 1e-5f);
 }
 
 // From a distance a pattern fades to its mean, so walls keep their color and bounced light matches what the camera

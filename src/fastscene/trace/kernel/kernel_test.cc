@@ -132,6 +132,8 @@ TEST_F(Kernels, TexturesAreTheProcessors) {
             Random r(5, "test.textures", static_cast<std::uint64_t>(p * kMaterials + k));
             Material m = random_material(r);
             m.pattern = static_cast<Pattern>(p), m.image = picture;
+            if (k % 2 == 0) m.normals = picture;
+            if (k % 3 == 0) m.metallic_roughness = picture;
             // Half a motif more or less makes another number of motifs.
             if (m.pattern == Pattern::rug) m.scale_m = 0.15f * static_cast<float>(1 + r.index(12));
             const bool whole = m.pattern == Pattern::art || m.pattern == Pattern::book;  // does not repeat
@@ -152,7 +154,7 @@ TEST_F(Kernels, TexturesAreTheProcessors) {
         Vec3f albedo;
         float roughness, height;
         Vec2f slope;
-        float unused;
+        float metal;
     };
     struct Push {
         std::uint64_t materials, queries, answers;
@@ -172,9 +174,9 @@ TEST_F(Kernels, TexturesAreTheProcessors) {
         const Answer& got = found[i];
         const Vec3f color = got.albedo - wanted.value.albedo;
         const Vec2f slope = got.slope - wanted.slope;
-        const float off = std::max({std::abs(color.x), std::abs(color.y), std::abs(color.z),
-                                    std::abs(got.roughness - wanted.value.roughness),
-                                    0.1f * std::abs(got.height - wanted.value.height)});
+        const float off = std::max(
+            {std::abs(color.x), std::abs(color.y), std::abs(color.z), std::abs(got.roughness - wanted.value.roughness),
+             std::abs(got.metal - wanted.value.metal), 0.1f * std::abs(got.height - wanted.value.height)});
         const bool same = off < (has_boards(m.pattern) ? kToleranceOfBoards : kTolerance) &&
                           length(slope) < kSlopeTolerance;  // false for NaN
         if (same) sum += static_cast<double>(off), ++values;
@@ -215,7 +217,7 @@ TEST_F(Kernels, ResponsesAndSamplesAreTheProcessors) {
         const auto [a, b, c, d, e, f, g] = u;
         SurfacePointInfo p;
         p.normal = p.bumped = direction_of(a, b), p.material = &m;
-        p.texture = {m.color_b, m.roughness, 0};
+        p.texture = {m.color_b, m.roughness, 0, m.metal};
         const Vec3f direction = direction_of(c, d);
         Sky sky;
         sky.sun_dir = direction_of(e, f), sky.seen = 0.2f;
@@ -229,12 +231,12 @@ TEST_F(Kernels, ResponsesAndSamplesAreTheProcessors) {
         put(fastscene::flame_as_seen(look, p, direction));
         const Pane pane = fastscene::pane_of(p, direction);
         put(pane.through), wanted.push_back(pane.mirrored);
-        put(mean_reflectance(m, m.color_a));
+        put(mean_reflectance(m, m.color_a, m.metal));
         put(ggx_half(p.normal, response.alpha, g));
         wanted.push_back(ggx_pdf(p.normal, response.alpha, direction, sky.sun_dir));
         put(fastscene::sun_glint(sky, p, response, direction, {3, 2, 1}, kSharpestSun));
-        put(fastscene::sun_reflected(sky, m.color_a, coat_of(m, m.color_a, m.roughness), m.transmission, p.normal,
-                                     direction, f.y > 0.5f));
+        put(fastscene::sun_reflected(sky, m.color_a, coat_of(m, m.color_a, m.roughness, m.metal), m.transmission,
+                                     p.normal, direction, f.y > 0.5f));
         put(cosine_direction(p.normal, g));
         put(fastscene::outside_as_seen(sky, look, m.emission));
         wanted.push_back(is_clear(m)), wanted.push_back(is_flame(m)), wanted.push_back(power_heuristic(g.x, g.y));

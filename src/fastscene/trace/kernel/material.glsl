@@ -42,8 +42,10 @@ struct Material {
     uint pattern, seed, variant;
     TextureWords image;  // of Pattern_image only
     uint burns;
-    uint unused;
+    uint maps;                                // kHasNormals, kHasMetallicRoughness: which of these there are
+    TextureWords normals, metallic_roughness;
 };
+const uint kHasNormals = 1, kHasMetallicRoughness = 2;
 layout(buffer_reference, std430, buffer_reference_align = 16) readonly buffer Materials { Material at[]; };
 
 #endif

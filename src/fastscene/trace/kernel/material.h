@@ -27,6 +27,7 @@ struct TextureValue {
     Vec3f albedo;     // linear, each channel in [0, 1]
     float roughness;  // in [0.02, 1]
     float height;     // relief, in units of Material::bump_m
+    float metal;      // 1: the albedo is the mirror's color
 };
 
 struct SurfaceTexture {
@@ -39,6 +40,7 @@ inline TextureValue texture_value(Vec3f albedo, float roughness, float height) {
     v.albedo = albedo;
     v.roughness = roughness;
     v.height = height;
+    v.metal = 1;  // of the material's own; sample_texture multiplies
     return v;
 }
 

@@ -24,13 +24,16 @@ struct MaterialData {
     float mirror;
     std::uint32_t pattern, seed, variant;
     std::uint64_t image;  // address of its TextureWords; 0: none
-    std::uint32_t burns, unused;
+    std::uint32_t burns, maps;
+    std::uint64_t normals, metallic_roughness;  // as image; `maps` says which there are
 };
-static_assert(sizeof(MaterialData) == 112);
+inline constexpr std::uint32_t kHasNormals = 1, kHasMetallicRoughness = 2;
+static_assert(sizeof(MaterialData) == 128);
 static_assert(offsetof(MaterialData, scale_m) == 12 && offsetof(MaterialData, color_b) == 16 &&
               offsetof(MaterialData, color_c) == 32 && offsetof(MaterialData, emission) == 48 &&
               offsetof(MaterialData, roughness) == 64 && offsetof(MaterialData, mirror) == 80 &&
-              offsetof(MaterialData, image) == 96 && offsetof(MaterialData, burns) == 104);
+              offsetof(MaterialData, image) == 96 && offsetof(MaterialData, burns) == 104 &&
+              offsetof(MaterialData, normals) == 112);
 
 // The pictures of all materials as TextureWords, one after the other; each picture once.
 struct TextureWords {

@@ -69,6 +69,7 @@ TextureValue peeling(IN(Material) m, IN(TexturePoint) p);
 
 // A picture (picture.h).
 TextureValue image(IN(Material) m, IN(TexturePoint) p);
+Vec2f normal_map_slope(IN(Material) m, IN(TexturePoint) p);
 
 // Other materials (things.h).
 TextureValue metal(IN(Material) m, IN(TexturePoint) p);

@@ -25,20 +25,20 @@ static Vec3f coat_at(IN(Coat) c, float facing) { return c.across + (c.grazing - 
 // Cosine-weighted mean over the hemisphere: the fifth power integrates to 1/21.
 static Vec3f coat_mean(IN(Coat) c) { return c.across + (c.grazing - c.across) * (1.f / 21); }
 
-Coat coat_of(IN(Material) m, Vec3f albedo, float roughness) {
-    const Vec3f across = lerp(vec3(m.specular, m.specular, m.specular), albedo, m.metal);
+Coat coat_of(IN(Material) m, Vec3f albedo, float roughness, float metal) {
+    const Vec3f across = lerp(vec3(m.specular, m.specular, m.specular), albedo, metal);
     const float smoothness = 1.f - roughness, alpha = roughness * roughness;
     Coat c;
     c.across = across;
     c.grazing = vec3(max(smoothness, across.x), max(smoothness, across.y), max(smoothness, across.z));
-    c.sharp = mirrored_share(roughness, m.metal);
+    c.sharp = mirrored_share(roughness, metal);
     c.alpha = alpha > 1e-3f ? alpha : 0.f;
     return c;
 }
 
 Response response_of(IN(Material) m, IN(TextureValue) texture, Vec3f bumped, Vec3f direction) {
     const float facing = clamp(-dot(bumped, direction), 0.02f, 1.f);
-    const Coat coat = coat_of(m, texture.albedo, texture.roughness);
+    const Coat coat = coat_of(m, texture.albedo, texture.roughness, texture.metal);
     Vec3f fresnel = coat_at(coat, facing);
     if (m.mirror > 0) fresnel = lerp(fresnel, mirror_tone(), m.mirror);
 
@@ -47,7 +47,7 @@ Response response_of(IN(Material) m, IN(TextureValue) texture, Vec3f bumped, Vec
     r.specular = fresnel;
     r.alpha = 0;
     if (m.mirror > 0.5f) return r;
-    Vec3f base = texture.albedo * (1.f - m.metal);
+    Vec3f base = texture.albedo * (1.f - texture.metal);
     base = base * (1.f - max_component(fresnel) * lerp(kKeptUnderMatt, 1.f, coat.sharp));
     r.diffuse = base * (1.f - m.transmission) + fresnel * (kMattCoat * (1.f - coat.sharp));
     if (m.sheen > 0) {
@@ -93,12 +93,12 @@ Pane pane_of(Vec3f albedo, Vec3f normal, Vec3f direction) {
     return p;
 }
 
-Vec3f mean_reflectance(IN(Material) m, Vec3f albedo) {
+Vec3f mean_reflectance(IN(Material) m, Vec3f albedo, float metal) {
     if (m.mirror > 0.5f) return mirror_tone();
-    const Coat coat = coat_of(m, albedo, m.roughness);
+    const Coat coat = coat_of(m, albedo, m.roughness, metal);
     const Vec3f fresnel = coat_mean(coat),
                 base = albedo *
-                       ((1.f - m.metal) * (1.f - max_component(fresnel) * lerp(kKeptUnderMatt, 1.f, coat.sharp)));
+                       ((1.f - metal) * (1.f - max_component(fresnel) * lerp(kKeptUnderMatt, 1.f, coat.sharp)));
     return base + fresnel * lerp(kMattCoat, 1.f, coat.sharp);
 }
 

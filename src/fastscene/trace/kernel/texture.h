@@ -95,13 +95,14 @@ static TexturePoint moved(IN(TexturePoint) p, int axis, float du, float dv) {
     return q;
 }
 
-static TextureValue in_range(TextureValue v) {
+static TextureValue in_range(IN(Material) m, TextureValue v) {
+    v.metal = m.metal * v.metal;
     v.albedo = vec3(unit_clamp(v.albedo.x), unit_clamp(v.albedo.y), unit_clamp(v.albedo.z));
     v.roughness = clamp(v.roughness, 0.02f, 1.f);
     return v;
 }
 
-TextureValue sample_texture(IN(Material) m, IN(TexturePoint) p) { return in_range(raw_texture(m, p)); }
+TextureValue sample_texture(IN(Material) m, IN(TexturePoint) p) { return in_range(m, raw_texture(m, p)); }
 
 // The pattern's value and, if `relief`, the slope of the surface: of the pattern's relief and the creases of soft
 // things. Relief finer than the footprint fades, as in the pattern itself.
@@ -117,7 +118,7 @@ SurfaceTexture texture_with_slope(IN(Material) m, IN(TexturePoint) p, int axis, 
         float height = 0;
         if (i == 0 || bumps) {
             const TextureValue v = raw_texture(m, q);
-            if (i == 0) s.value = in_range(v);
+            if (i == 0) s.value = in_range(m, v);
             if (bumps) height += m.bump_m * v.height;
         }
         if (creases) height += m.crease_m * crease(q.coords, q.footprint_m, m.seed);
@@ -125,6 +126,7 @@ SurfaceTexture texture_with_slope(IN(Material) m, IN(TexturePoint) p, int axis, 
         if (i == 1) s.slope.x = (height - here) / step_m;
         if (i == 2) s.slope.y = (height - here) / step_m;
     }
+    if (relief && IN_USE(image)) s.slope = s.slope + normal_map_slope(m, p);
     // Limited, since steep flanks of joints would turn the normal below the horizon.
     const float l = length(s.slope);
     if (l > 0.7f) s.slope = s.slope * (0.7f / l);

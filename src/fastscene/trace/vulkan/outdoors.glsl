@@ -1,6 +1,7 @@
 // The outside (trace/outdoors.cc, sky.cc).
 const vec2 kTableSize = vec2(512, 256);
 const float kBandTop = 0.96;
+const uint kPictured = 2;  // has_table: the outside is a photograph
 
 float azimuth_of(vec3 d) { return d.x == 0 && d.z == 0 ? 0 : atan(d.x, d.z); }
 vec2 table_position(vec3 d) {
@@ -105,7 +106,7 @@ vec3 outside_of(World w, vec3 direction, bool sharp) {
             }
         }
     }
-    if (!bare && !(-direction.y > sin(kBandTop))) {
+    if (!bare && (w.has_table == kPictured || !(-direction.y > sin(kBandTop)))) {
         const vec2 p = table_position(direction) - 0.5f;
         const int x = int(floor(p.x)), y = clamp(int(floor(p.y)), 0, 254);
         const float a = p.x - float(x), b = unit_clamp(p.y - float(y));

@@ -133,7 +133,7 @@ void CardScene::add_lights(const Room& room, const Lights& lights) {
 
 void CardScene::add_outside(const Room& room, const Outdoors& outdoors) {
     const Outdoors::Band& band = outdoors.band();
-    world_.has_table = outdoors.table().pixels.empty() ? 0 : 1;
+    world_.has_table = outdoors.table().pixels.empty() ? 0 : outdoors.pictured() ? kPictured : 1;
     world_.outside_table = keep(padded(outdoors.table().pixels), "the view through the windows");
     world_.band = {static_cast<float>(band.width), static_cast<float>(band.height), band.stretch, band.top};
     world_.band_pitch = static_cast<std::uint32_t>(band.pixels.width);

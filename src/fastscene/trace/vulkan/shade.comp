@@ -131,9 +131,10 @@ void main() {
             for (int side = 0; side < sides; ++side)
                 readings[side] = read_cache(w, s.position, side == 0 ? s.normal : -s.normal);
             if (!is_view) {
-                const vec3 reflectance = mean_reflectance(m, s.texture.albedo);
+                const vec3 reflectance = mean_reflectance(m, s.texture.albedo, s.texture.metal);
                 Coat coat = Coat(vec3(0), vec3(0), 0, 0);
-                if (!(m.mirror > 0.5f)) coat = coat_of(m, s.texture.albedo, s.texture.roughness);
+                if (!(m.mirror > 0.5f))
+                    coat = coat_of(m, s.texture.albedo, s.texture.roughness, s.texture.metal);
                 const vec3 even = reflectance *
                                   (readings[0].irradiance * (1 - m.transmission) +
                                    readings[1].irradiance * m.transmission) * (1.f / kPi),

@@ -25,6 +25,7 @@ struct World {
 };
 static_assert(offsetof(World, nodes) == 160 && sizeof(World) == 352);
 
+inline constexpr std::uint32_t kPictured = 2;  // World::has_table: the outside is a photograph (Sky::picture)
 enum MeshFlag : std::uint32_t { kClosed = 1, kLarge = 2 };
 enum EmitterFlag : std::uint32_t { kWindow = 1, kSolid = 2, kFlame = 4 };
 enum RayKind : std::uint32_t { kLit = 1, kAny = 2 };

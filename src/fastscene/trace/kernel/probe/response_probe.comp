@@ -38,7 +38,8 @@ void main() {
     put(vec3(a, b.x));
     put(vec3(b.y, u));
     const vec3 normal = direction_of(a, b), direction = direction_of(c, d), sun = direction_of(e, f);
-    const TextureValue texture = texture_value(m.color_b, m.roughness, 0);
+    TextureValue texture = texture_value(m.color_b, m.roughness, 0);
+    texture.metal = m.metal;
     const Response r = response_of(m, texture, normal, direction);
     put(r.diffuse);
     put(r.behind);
@@ -48,12 +49,12 @@ void main() {
     const Pane pane = pane_of(m.color_b, normal, direction);
     put(pane.through);
     put(pane.mirrored);
-    put(mean_reflectance(m, m.color_a));
+    put(mean_reflectance(m, m.color_a, m.metal));
     const vec3 halfway = ggx_half(normal, r.alpha, u);
     put(halfway);
     put(ggx_pdf(normal, r.alpha, direction, sun));
     put(sun_glint(sun, normal, r, direction, vec3(3, 2, 1), kSharpestSun));
-    put(sun_reflected(sun, m.color_a, coat_of(m, m.color_a, m.roughness), m.transmission, normal, direction,
+    put(sun_reflected(sun, m.color_a, coat_of(m, m.color_a, m.roughness, m.metal), m.transmission, normal, direction,
                       f.y > 0.5f));
     put(cosine_direction(normal, u));
     put(outside_as_seen(0.2f, 3, m.emission));
