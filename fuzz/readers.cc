@@ -18,6 +18,7 @@
 #include "fastscene/io/camera_path_io.h"
 #include "fastscene/io/capture_io.h"
 #include "fastscene/io/exif.h"
+#include "fastscene/io/gltf_model.h"
 #include "fastscene/io/gpano.h"
 #include "fastscene/io/image_io.h"
 #include "fastscene/io/mat_file.h"
@@ -94,7 +95,21 @@ void read_picture(std::string_view b) {
     constexpr int kLarge = 4096;  // whoever opens pictures refuses larger ones by their header
     if (info.width > kLarge || info.height > kLarge) return;
     if (info.light) decode_light(b, "picture");
-    else decode_rgb8(b, "picture"), decode_alpha(b, "picture");
+    else decode_rgb8(b, "picture"), decode_alpha(b, "picture"), decode_color_and_alpha(b, "picture");
+}
+
+void read_gltf_model(std::string_view b) {
+    const fs::path folder = as_folder(b, {"model.gltf", "model.bin", "picture.png"});
+    const bool is_folder = fs::exists(folder / "model.gltf");
+    const GltfLimits limits{100'000, 1024, std::size_t{1} << 22};
+    (void)read_gltf_bytes(
+        is_folder ? read_file(folder / "model.gltf") : std::string(b), "model.gltf",
+        [&](const std::string& name) -> std::optional<std::string> {
+            const bool is_ours = name == "model.bin" || name == "picture.png";
+            if (!is_ours || !fs::exists(folder / name)) return {};
+            return read_file(folder / name);
+        },
+        limits);
 }
 
 void read_room(std::string_view b) { (void)read_document(b, "room.json"); }
@@ -145,6 +160,7 @@ const std::map<std::string, Read>& readers() {
                            return read_file(folder / name);
                        });
          }},
+        {"gltf", read_gltf_model},
         {"room", read_room},
         {"prompt", read_prompt},
         {"prompt_room", make_of_prompt},

@@ -5,8 +5,10 @@
 #include <filesystem>
 #include <string>
 
+#include "fastscene/base/bytes.h"
 #include "fastscene/base/file.h"
 #include "fastscene/io/camera_path_io.h"
+#include "fastscene/io/glb_container.h"
 #include "fastscene/io/image_io.h"
 #include "fastscene/io/npy.h"
 #include "fastscene/io/splat_io.h"
@@ -98,6 +100,33 @@ void write_paths(const fs::path& to) {
     save_camera_path(to / "path_chan/blender.chan", path, PathFormat::blender);
 }
 
+// A triangle with a texture, normals left to the reader, in a node with a transform.
+void write_gltf(const fs::path& to) {
+    make_directories(to);
+    save_png(to / "picture.png", picture(4, 4));
+    std::string data;
+    for (const float v : {0.f, 0.f, 0.f, 1.f, 0.f, 0.f, 0.f, 1.f, 0.f, 0.f, 0.f, 1.f, 0.f, 0.f, 1.f}) append(data, v);
+    for (const std::uint16_t i : {0, 1, 2, 0}) append(data, i);
+    const std::string png = read_file(to / "picture.png");
+    fs::remove(to / "picture.png");
+    Json json = Json::parse(R"({"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0]}],
+"nodes": [{"children": [1], "rotation": [0, 0, 0, 1], "scale": [1, -2, 1]}, {"mesh": 0, "translation": [1, 2, 3]}],
+"meshes": [{"primitives": [{"attributes": {"POSITION": 0, "TEXCOORD_0": 1}, "indices": 2, "material": 0}]}],
+"materials": [{"pbrMetallicRoughness": {"baseColorTexture": {"index": 0}, "roughnessFactor": 0.5}, "alphaMode": "MASK"}],
+"textures": [{"source": 0}], "images": [{"bufferView": 3, "mimeType": "image/png"}],
+"accessors": [{"bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3"},
+{"bufferView": 1, "componentType": 5126, "count": 3, "type": "VEC2"},
+{"bufferView": 2, "componentType": 5123, "count": 3, "type": "SCALAR"}],
+"bufferViews": [{"buffer": 0, "byteLength": 36}, {"buffer": 0, "byteOffset": 36, "byteLength": 24},
+{"buffer": 0, "byteOffset": 60, "byteLength": 8}, {"buffer": 0, "byteOffset": 68}]})");
+    json["bufferViews"][3]["byteLength"] = png.size();
+    data += png;
+    json["buffers"] = {{{"byteLength", data.size()}}};
+    write_file(to / "triangle.glb", glb_bytes(json, data));
+    json["buffers"][0]["uri"] = "model.bin";
+    write_file(to / "triangle", "=== model.gltf\n" + json.dump() + "\n=== model.bin\n" + data);
+}
+
 }  // namespace
 
 int main(int count, char** arguments) try {
@@ -107,6 +136,7 @@ int main(int count, char** arguments) try {
     write_pictures(to);
     write_models(to);
     write_paths(to);
+    write_gltf(to / "gltf");
     make_directories(to / "npy");
     write_file(to / "npy/labels.npy", npy_bytes(std::vector<std::uint16_t>{1, 2, 3}));
     return 0;

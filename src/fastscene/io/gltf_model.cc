@@ -250,7 +250,7 @@ class ModelReader {
         }
         if (model_.groups.empty()) document_.refuse("expected triangles with an area, found none");
         if (turned_ > 0)
-            notes_.add(fmt::format("{} triangles that faced away from their normals are turned around.", turned_));
+            notes_.add(fmt::format("Triangles that faced away from their normals are turned around: {}.", turned_));
         model_.images = images_.take();
         model_.notes = notes_.take();
     }

@@ -265,7 +265,7 @@ TEST(GltfModel, WindingsAgainstTheirNormalsAreTurned) {
     const GltfModel model = model_of(maker);
     expect_cube(model);
     ASSERT_EQ(model.notes.size(), 1u);
-    EXPECT_EQ(model.notes[0], "1 triangles that faced away from their normals are turned around.");
+    EXPECT_EQ(model.notes[0], "Triangles that faced away from their normals are turned around: 1.");
 }
 
 TEST(GltfModel, MissingNormalsAreSmoothBelow40Degrees) {
