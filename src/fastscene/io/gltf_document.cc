@@ -114,8 +114,7 @@ std::optional<std::string> GltfDocument::content(const std::string& uri) const {
     std::string name = percent_decoded(uri);
     std::replace(name.begin(), name.end(), '\\', '/');
     if (!stays_inside(name))
-        refuse(
-            fmt::format("expected a URI of data or of a file in the model's folder, found \"{}\"", uri.substr(0, 80)));
+        refuse(fmt::format("expected a URI of data or of a file in the model's folder, found \"{}\"", brief(uri)));
     return read_sibling_(name);
 }
 
@@ -127,7 +126,7 @@ std::string_view GltfDocument::buffer(std::size_t index) {
         auto file = files_.find(uri);
         if (file == files_.end()) {
             std::optional<std::string> content = this->content(uri);
-            if (!content) refuse(fmt::format("buffers[{}]: expected a file {}, found none", index, uri.substr(0, 80)));
+            if (!content) refuse(fmt::format("buffers[{}]: expected a file {}, found none", index, brief(uri)));
             file = files_.emplace(uri, std::move(*content)).first;
             bytes_ += file->second.size();
         }
@@ -159,7 +158,7 @@ std::string_view GltfDocument::view(std::size_t index) {
 std::string_view GltfDocument::unpacked(std::size_t index, const Json& how) {
     if (const auto known = unpacked_.find(index); known != unpacked_.end()) return known->second;
     const std::string_view packed = part(how, whole(how, "buffer"), 0);
-    const MeshoptStream stream{text(how, "mode"), text(how, "filter", "NONE"), whole(how, "count"),
+    const MeshoptStream stream{brief(text(how, "mode")), brief(text(how, "filter", "NONE")), whole(how, "count"),
                                whole(how, "byteStride")};
     // A byte holds 64 at most; views may share bytes.
     constexpr std::size_t kMostBytesPerByte = 64;
@@ -197,7 +196,7 @@ GltfAccessor GltfDocument::made(const Json& of, const std::string& use) {
     GltfAccessor accessor;
     const std::string type = text(of, "type");
     accessor.width_ = type == "SCALAR" ? 1 : type == "VEC2" ? 2 : type == "VEC3" ? 3 : type == "VEC4" ? 4 : 0;
-    if (accessor.width_ == 0) refuse(fmt::format("{}: expected a scalar or vector, found \"{}\"", use, type));
+    if (accessor.width_ == 0) refuse(fmt::format("{}: expected a scalar or vector, found \"{}\"", use, brief(type)));
     accessor.component_ = whole(of, "componentType");
     if (accessor.component_ < 5120 || accessor.component_ > kFloatComponent || accessor.component_ == 5124)
         refuse(fmt::format("{}: expected a component type of glTF, found {}", use, accessor.component_));

@@ -78,7 +78,7 @@ std::optional<GltfImage> GltfImages::load(std::size_t source) {
     GltfImage image;
     image.name = GltfJson::text(of, "name", uri.starts_with("data:") ? "" : uri);
     if (image.name.empty()) image.name = fmt::format("image {}", source);
-    const std::string label = image.name.substr(0, 60);
+    const std::string label = GltfJson::brief(image.name);
     const auto leave = [&](const std::string& why) {
         notes_.add(fmt::format("Picture \"{}\" is left out: {}.", label, why));
         return std::nullopt;

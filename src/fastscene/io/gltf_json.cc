@@ -43,6 +43,17 @@ std::string GltfJson::text(const Json& owner, const char* name, const std::strin
     return found != owner.end() && found->is_string() ? found->get<std::string>() : otherwise;
 }
 
+std::string GltfJson::brief(std::string_view text) {
+    constexpr std::size_t kMostBytes = 80;
+    std::size_t size = std::min(text.size(), kMostBytes);
+    const auto continues = [&](std::size_t i) { return (static_cast<unsigned char>(text[i]) & 0xc0) == 0x80; };
+    while (size > 0 && size < text.size() && continues(size)) --size;
+    std::string out(text.substr(0, size));
+    std::replace_if(
+        out.begin(), out.end(), [](unsigned char c) { return c < ' ' || c == 0x7f; }, '?');
+    return out;
+}
+
 std::size_t GltfJson::whole(const Json& owner, const char* name, std::optional<std::size_t> otherwise) const {
     if (!owner.is_object() || !owner.contains(name)) {
         if (otherwise) return *otherwise;

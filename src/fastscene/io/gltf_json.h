@@ -27,6 +27,8 @@ class GltfJson {
     static const Json* object(const Json& owner, const char* name);
     static const Json* extension(const Json& owner, const char* name);
     static std::string text(const Json& owner, const char* name, const std::string& otherwise = {});
+    // The beginning of a text of the file, fit to be shown: whole characters, none that controls a terminal.
+    static std::string brief(std::string_view text);
     // A nonnegative integer.
     std::size_t whole(const Json& owner, const char* name, std::optional<std::size_t> otherwise = {}) const;
     // An object of one of the document's lists.

@@ -63,6 +63,7 @@ class Surface {
         out_.material.base_color = {bounded(c[0]), bounded(c[1]), bounded(c[2])};
         out_.material.alpha = bounded(c[3]);
         out_.base_color = texture(owner, texture_name, "base color");
+        if (out_.base_color >= 0) out_.repeats = repeats(static_cast<std::size_t>(out_.base_color));
     }
     void read_metallic_roughness(const Json& pbr) {
         read_base_color(pbr, "baseColorFactor", "baseColorTexture");
@@ -105,10 +106,11 @@ class Surface {
     void leave_textures(const Json& owner) {
         for (const auto& [name, value] : owner.items())
             if (value.is_object() && name.ends_with("Texture"))
-                notes_.add(fmt::format("Material {}: {} is left out; its factor is used.", label(), name));
+                notes_.add(
+                    fmt::format("Material {}: {} is left out; its factor is used.", label(), GltfJson::brief(name)));
     }
 
-    std::string label() const { return fmt::format("\"{}\"", GltfJson::text(of_, "name", name_).substr(0, 60)); }
+    std::string label() const { return fmt::format("\"{}\"", GltfJson::brief(GltfJson::text(of_, "name", name_))); }
 
     GltfUvUse uv_use(const Json& info) const {
         GltfUvUse use;
@@ -134,6 +136,15 @@ class Surface {
         notes_.add(fmt::format("Material {}: its picture of {} is left out: it has texture coordinates of its own.",
                                label(), meaning));
         return -1;
+    }
+
+    bool repeats(std::size_t texture) const {
+        const Json& of = document_.item("textures", texture);
+        if (!of.contains("sampler")) return true;
+        const Json& sampler = document_.item("samplers", document_.whole(of, "sampler"));
+        constexpr std::size_t kRepeat = 10497;
+        return document_.whole(sampler, "wrapS", kRepeat) == kRepeat &&
+               document_.whole(sampler, "wrapT", kRepeat) == kRepeat;
     }
 
     const GltfDocument& document_;

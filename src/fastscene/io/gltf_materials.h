@@ -39,7 +39,8 @@ struct GltfSurface {
     int base_color = -1, metallic_roughness = -1, normal = -1, emission = -1;
     int glossiness = -1;  // its alpha, times `glossiness_factor`
     float glossiness_factor = 1;
-    GltfUvUse uv;  // of all of them
+    GltfUvUse uv;         // of all of them
+    bool repeats = true;  // the base color's picture, beyond its border
     bool has_textures() const {
         return base_color >= 0 || metallic_roughness >= 0 || normal >= 0 || emission >= 0 || glossiness >= 0;
     }

@@ -292,6 +292,12 @@ TEST(GltfMaterials, WhatCannotBeReadIsNoted) {
                 [](GltfMaker& m) { m.json["textures"][0] = Json::object(); });
     EXPECT_NOTE("Material \"material 0\" has pictures, but not all its triangles have texture coordinates.",
                 [](GltfMaker& m) { only_primitive(m)["attributes"].erase("TEXCOORD_0"); });
+    EXPECT_NOTE(
+        "Material \"material 0\": its picture is repeated where it should be mirrored or end.", [](GltfMaker& m) {
+            m.json["samplers"] = {{{"wrapS", 33071}}};
+            m.json["textures"][0]["sampler"] = 0;
+            only_primitive(m)["attributes"]["TEXCOORD_0"] = m.add_accessor<float>({0, 0, 2, 0, 2, 1, 0, 1}, "VEC2");
+        });
     EXPECT_NOTE("What KHR_lights_punctual adds is left out.", [](GltfMaker& m) {
         m.json["extensionsUsed"] = {"KHR_lights_punctual", "KHR_materials_ior"};
     });
@@ -311,6 +317,16 @@ TEST(GltfMaterials, WhatCannotBeReadIsNoted) {
     EXPECT_NOTE("Texture coordinates that are no numbers, or huge, are set to 0.", [](GltfMaker& m) {
         only_primitive(m)["attributes"]["TEXCOORD_0"] = m.add_accessor<float>({0, 0, NAN, 0, 1, 1, 0, 1}, "VEC2");
     });
+}
+
+// They are shown on terminals, and go into JSON.
+TEST(GltfMaterials, NotesAreWholeCharacters) {
+    const auto notes = notes_of([](GltfMaker& m) {
+        std::string name = "\x1b[2J" + std::string(77 - 4, 'x');
+        for (int i = 0; i < 20; ++i) name += "\xc3\xa4";
+        m.json["extensionsUsed"] = {name};
+    });
+    EXPECT_EQ(notes, std::vector{"What ?[2J" + std::string(73, 'x') + "\xc3\xa4 adds is left out."});
 }
 
 TEST(GltfMaterials, ManyNotesEnd) {

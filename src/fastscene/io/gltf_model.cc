@@ -64,7 +64,7 @@ class ModelReader {
         GltfSurface surface;
         GltfGroup group;
         std::optional<GltfColor> color;  // that its vertices have
-        bool colors_differ = false, some_without_uvs = false;
+        bool colors_differ = false, some_without_uvs = false, uvs_beyond = false;
     };
     using MaterialIndex = std::optional<std::size_t>;  // nothing: the default material
 
@@ -72,7 +72,8 @@ class ModelReader {
         const Json* asset = GltfJson::object(document_.root(), "asset");
         const std::string version = asset ? GltfJson::text(*asset, "version") : "";
         if (!version.starts_with("2."))
-            document_.refuse(fmt::format("expected glTF 2.0, found {}", version.empty() ? "no version" : version));
+            document_.refuse(
+                fmt::format("expected glTF 2.0, found {}", version.empty() ? "no version" : GltfJson::brief(version)));
     }
 
     void check_extensions() {
@@ -81,14 +82,14 @@ class ModelReader {
         for (const Json& name : GltfJson::list(document_.root(), "extensionsUsed"))
             if (name.is_string() && !is_among(kReadExtensions, name.get<std::string>()) &&
                 !is_among(kUnseenExtensions, name.get<std::string>()))
-                notes_.add(fmt::format("What {} adds is left out.", name.get<std::string>().substr(0, 60)));
+                notes_.add(fmt::format("What {} adds is left out.", GltfJson::brief(name.get<std::string>())));
     }
     [[noreturn]] void refuse_extension(const std::string& name) const {
         const char* advice = name == "KHR_draco_mesh_compression" ? ": save it without Draco compression"
                              : name == "KHR_texture_basisu"       ? ": save it with PNG or JPEG textures"
                                                                   : "";
         document_.refuse(fmt::format("expected a model that can be read without {0}, found that it requires {0}{1}",
-                                     name.substr(0, 60), advice));
+                                     GltfJson::brief(name), advice));
     }
 
     void read_asset() {
@@ -127,7 +128,7 @@ class ModelReader {
         for (const Json& child : GltfJson::list(owner, name)) {
             if (!child.is_number_unsigned())
                 document_.refuse(
-                    fmt::format("expected numbers of nodes in \"{}\", found {}", name, child.dump().substr(0, 40)));
+                    fmt::format("expected numbers of nodes in \"{}\", found {}", name, GltfJson::brief(child.dump())));
             out.push_back(child.get<std::size_t>());
         }
         return out;
@@ -222,6 +223,7 @@ class ModelReader {
             group.uvs.resize(group.positions.size());
         }
         to.some_without_uvs = to.some_without_uvs || shape.uvs.empty();
+        to.uvs_beyond = to.uvs_beyond || shape.uvs_beyond;
         to.colors_differ = to.colors_differ || shape.has_colors || (to.color && *to.color != shape.color);
         to.color = shape.color;
         turned_ += shape.turned;
@@ -231,10 +233,13 @@ class ModelReader {
     void finish() {
         for (auto& [index, made] : groups_) {
             if (made.group.triangles.empty()) continue;
-            const std::string name = made.surface.material.name.substr(0, 60);
+            const std::string name = GltfJson::brief(made.surface.material.name);
             if (made.some_without_uvs && made.surface.has_textures())
                 notes_.add(fmt::format(
                     "Material \"{}\" has pictures, but not all its triangles have texture coordinates.", name));
+            if (made.uvs_beyond && !made.surface.repeats)
+                notes_.add(
+                    fmt::format("Material \"{}\": its picture is repeated where it should be mirrored or end.", name));
             GltfMaterial material = images_.with_images(made.surface);
             if (made.colors_differ) {
                 notes_.add(fmt::format("Material \"{}\": colors of vertices are left out.", name));

@@ -138,6 +138,7 @@ class ShapeReader {
             const Vec2d uv = use(Vec2d{uvs->at(row, 0), uvs->at(row, 1)});
             const bool fine = std::fabs(uv.x) < 1e6 && std::fabs(uv.y) < 1e6;
             shape_.odd_uvs = shape_.odd_uvs || !fine;
+            shape_.uvs_beyond = shape_.uvs_beyond || std::max(std::fabs(uv.x - 0.5), std::fabs(uv.y - 0.5)) > 0.501;
             shape_.uvs.push_back(fine ? Vec2f{static_cast<float>(uv.x), static_cast<float>(1 - uv.y)} : Vec2f{});
         }
     }

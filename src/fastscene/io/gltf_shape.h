@@ -21,6 +21,7 @@ struct GltfShape {
     bool has_colors = false;      // they differ: `color` says nothing
     std::size_t turned = 0;       // triangles whose winding contradicted their normals
     bool odd_uvs = false;         // some were not finite
+    bool uvs_beyond = false;      // some are beyond the picture's border
 };
 
 // How many triangles a primitive has by its accessors' counts, for modes that have triangles.
