@@ -205,6 +205,8 @@ TEST(GltfMaterials, TextureTransformsAndSets) {
     const auto turned = uvs(transform({{"rotation", kPi / 2}}));
     EXPECT_NEAR(turned[2].x, 0, 1e-6);  // (1, 0) becomes (0, -1)
     EXPECT_NEAR(turned[2].y, 2, 1e-6);
+    EXPECT_NEAR(turned[0].x, 1, 1e-6);  // (0, 1), (1, 0)
+    EXPECT_NEAR(turned[0].y, 1, 1e-6);
 }
 
 TEST(GltfMaterials, SpecularGlossiness) {
