@@ -118,7 +118,7 @@ SceneRequest starting_request(const CLI::App& verb, const RequestFlags& flags, c
         throw UsageError("--panorama-backend image: expected --panorama FILE, found none");
     panorama.backend = panorama_backend(request.source);
     if (flags.strict) panorama.strict = true;
-    if (!flags.assets.empty()) panorama.assets = absolute_assets(flags.assets);
+    panorama.assets = absolute_assets(flags.assets.empty() ? panorama.assets : flags.assets);
     request.last_stage = last_stage;
     request.start_over = flags.force;
     return request;

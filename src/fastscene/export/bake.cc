@@ -201,7 +201,7 @@ auto key_of(const Material& m) {
     return std::tuple(m.name, m.pattern, v(m.color_a), v(m.color_b), v(m.color_c), v(m.emission),
                       std::tuple(m.scale_m, m.bump_m, m.roughness, m.specular, m.metal, m.transmission, m.mirror,
                                  m.crease_m, m.sheen),
-                      m.burns, m.seed, m.variant, m.image.get());
+                      m.burns, m.seed, m.variant, m.image.get(), m.normals.get(), m.metallic_roughness.get());
 }
 
 }  // namespace

@@ -16,7 +16,7 @@ namespace fastscene {
 namespace {
 
 constexpr const char* kExtension = "EXT_meshopt_compression";
-constexpr int kShort = 5123;  // component type
+constexpr int kShortIndex = 5123;  // component type
 // Bits of a number with its sign, by what an attribute means; a vector has one exponent. Other attributes
 // are compressed without loss.
 const std::map<std::string, int, std::less<>> kBits{{"POSITION", 17}, {"NORMAL", 13}, {"TEXCOORD_0", 17}};
@@ -122,7 +122,7 @@ std::string with_meshopt(const std::string& glb) {
         Json how{{"buffer", 0}, {"byteOffset", packed.size()}};
         std::string bytes;
         if (use == "indices") {
-            bytes = encoded_indices(raw, count, accessor.at("componentType") == kShort);
+            bytes = encoded_indices(raw, count, accessor.at("componentType") == kShortIndex);
             how["mode"] = "TRIANGLES";
         } else {
             std::string values = raw;

@@ -9,6 +9,7 @@
 #include "fastscene/export/shell.h"
 #include "fastscene/io/image_io.h"
 #include "fastscene/trace/response.h"
+#include "fastscene/trace/texture.h"
 
 namespace fastscene {
 namespace {
@@ -141,7 +142,7 @@ class Builder {
                 out.texture = static_cast<int>(model_.textures.size());
                 model_.textures.push_back(std::move(baked.texture));
             }
-            out.metal = mirror ? 1.f : share(m.metal);
+            out.metal = mirror ? 1.f : share(mean_metal(m));
             out.roughness = mirror ? 0.f : share(baked.roughness);
             if (is_clear(m)) out.opacity = kClearOpacity;
             if (!mirror && m.metal < 1 && std::fabs(m.specular - kUsualSpecular) > 0.005f) {

@@ -31,7 +31,7 @@ constexpr std::int64_t kEvaluatedHeight = 546, kEvaluatedWidth = 1092;
 constexpr const char* kFirstKey = "dino.patch_embed.proj.weight";
 
 // The published file has no metadata; smaller networks of ours say their shape there.
-nn::Da2Shape shape_of(const Weights& weights) {
+nn::Da2Shape da2_shape(const Weights& weights) {
     nn::Da2Shape shape;
     const auto read = [&](const char* name, std::int64_t unit, std::int64_t& value) {
         const auto found = weights.metadata.find(name);
@@ -83,7 +83,7 @@ Da2 Da2::load(const std::filesystem::path& file, const DeviceChoice& choice, boo
     const at::NoGradGuard no_gradients;
     use_our_threads();
     Weights weights = unwrapped(load_weights(file), kFirstKey);
-    const nn::Da2Shape shape = shape_of(weights);
+    const nn::Da2Shape shape = da2_shape(weights);
     const at::Device device = nn::device_named(choice.name, choice.flag);
     nn::check_fits(nn::da2_parameters(shape), weights, nn::da2_unused(shape));
     return Da2(std::make_unique<State>(State{

@@ -22,7 +22,7 @@ struct Egformer::State {
 namespace {
 
 // The width of the first stage follows from the file; our files also state the training resolution.
-EgformerShape shape_of(const Weights& weights) {
+EgformerShape egformer_shape(const Weights& weights) {
     const WeightTensor& first = weights.at("patch_embed.0.weight");
     if (first.shape.size() != 4 || first.shape[0] < 4 || first.shape[0] > 256 || first.shape[0] % 4 != 0)
         throw Error("{}: patch_embed.0.weight: expected the shape [C, 3, 3, 3] with C a multiple of 4, found {}",
@@ -65,7 +65,7 @@ Egformer Egformer::shipped(std::string_view name, const DeviceChoice& device) {
 Egformer Egformer::of(Weights weights, const DeviceChoice& choice) {
     const at::NoGradGuard no_gradients;
     use_our_threads();
-    const EgformerShape shape = shape_of(weights);
+    const EgformerShape shape = egformer_shape(weights);
     const at::Device device = nn::device_named(choice.name, choice.flag);
     auto state = std::make_unique<State>(
         State{device, nn::LoadedWeights(std::move(weights), at::TensorOptions(device).dtype(at::kFloat)),

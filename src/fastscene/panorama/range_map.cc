@@ -13,7 +13,7 @@
 namespace fastscene {
 namespace {
 
-constexpr float kFar = std::numeric_limits<float>::infinity();
+constexpr float kUnknown = std::numeric_limits<float>::infinity();
 constexpr double kSpeckShare = 1.5e-4;  // share of the sphere: a patch 3 degrees across
 
 using Pixels = std::vector<std::pair<int, int>>;
@@ -51,7 +51,7 @@ float median_beside(const ImageF& range, const Pixels& patch, Of of) {
             const float r = range.at(wrap_column(i, range.width), j);
             if (r > 0.f && std::isfinite(r)) beside.push_back(of(r, j));
         }
-    if (beside.empty()) return kFar;
+    if (beside.empty()) return kUnknown;
     const auto middle = beside.begin() + static_cast<std::ptrdiff_t>(beside.size() / 2);
     std::nth_element(beside.begin(), middle, beside.end());
     return *middle;
@@ -90,7 +90,7 @@ ImageF completed_range(ImageF range, RangeGaps& gaps) {
             const float floor = tripod ? median_beside(range, patch,
                                                        [&](float r, int j) { return r * down_of(j, range.height); })
                                        : 0;
-            const float beside = speck && !tripod ? median_beside(range, patch, [](float r, int) { return r; }) : kFar;
+            const float beside = speck && !tripod ? median_beside(range, patch, [](float r, int) { return r; }) : kUnknown;
             for (const auto& [px, py] : patch) out.at(px, py) = tripod ? floor / down_of(py, range.height) : beside;
             (tripod || speck ? gaps.closed : gaps.far) += static_cast<std::int64_t>(patch.size());
         }

@@ -15,6 +15,7 @@
 #include "fastscene/rooms/pack_parts.h"
 #include "fastscene/rooms/prompt_text.h"
 #include "fastscene/rooms/user_model.h"
+#include "fastscene/rooms/user_texture.h"
 
 namespace fastscene {
 namespace fs = std::filesystem;
@@ -262,10 +263,10 @@ const PackModel* FurniturePack::choose_users(const std::string& kind, std::uint6
 
 bool FurniturePack::names_users(const std::string& term) const {
     if (users_.models.empty() || term.find(' ') == std::string::npos) return false;
-    for (const std::string& form : base_forms(term)) {
-        const auto [begin, end] = by_name_.equal_range(form);
-        if (std::any_of(begin, end, [&](const auto& entry) { return models_[entry.second].user >= 0; })) return true;
-    }
+    for (const UserModel& model : users_.models)
+        if (std::any_of(model.names.begin(), model.names.end(),
+                        [&](const std::string& n) { return is_named(term, n); }))
+            return true;
     return false;
 }
 
@@ -282,6 +283,22 @@ const PackModel* FurniturePack::choose(const std::string& kind, std::uint64_t se
             if (const PackModel& model = models_[found[mix64(seed) % found.size()]]; is_sound(model)) return &model;
     }
     return nullptr;
+}
+
+std::optional<std::string> FurniturePack::texture_named(const std::string& term) const {
+    for (const UserTexture& t : users_.textures)
+        for (const std::string& name : t.names)
+            if (is_named(term, name)) return t.names.front();
+    return {};
+}
+
+Material FurniturePack::texture(const std::string& name) const {
+    const std::lock_guard lock(mutex_);
+    if (const auto known = textures_.find(name); known != textures_.end()) return known->second;
+    for (const UserTexture& t : users_.textures)
+        if (t.names.front() == name) return textures_[name] = load_user_texture(users_folder_, t);
+    throw Error("texture \"{}\": expected a texture of the folder in use (--assets DIR), found none of that name",
+                name);
 }
 
 const UserSky* FurniturePack::choose_sky(const std::string& time, std::uint64_t seed) const {

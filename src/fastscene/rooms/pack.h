@@ -83,6 +83,11 @@ class FurniturePack {
     const UserSky* choose_sky(const std::string& time, std::uint64_t seed) const;
     std::shared_ptr<const PhotographedSky> sky(const UserSky& sky) const;
 
+    // Whether a folded term names a texture of the user's; the name by which its material is known.
+    std::optional<std::string> texture_named(const std::string& term) const;
+    // Throws Error if it cannot be read, or there is none of that name.
+    Material texture(const std::string& name) const;
+
     // Models that were chosen and could not be read, each with its reason; choose() takes others in their place.
     std::vector<std::string> damage() const;
 
@@ -112,6 +117,7 @@ class FurniturePack {
     mutable std::map<const PackModel*, std::shared_ptr<const Piece>> loaded_;
     mutable std::map<const PackModel*, std::string> damaged_;
     mutable std::set<std::string> damaged_files_;  // skies and textures, by their errors
+    mutable std::map<std::string, Material> textures_;
     mutable std::map<const UserSky*, std::shared_ptr<const PhotographedSky>> skies_;
 };
 

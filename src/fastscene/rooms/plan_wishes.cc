@@ -6,6 +6,7 @@
 #include "fastscene/base/is_one_of.h"
 #include "fastscene/rooms/plan_parts.h"
 #include "fastscene/rooms/prints.h"
+#include "fastscene/rooms/user_texture.h"
 
 namespace fastscene {
 
@@ -18,6 +19,8 @@ void apply_wish(Material& m, const PromptObject& wish, bool boarded, std::span<c
         m = *material;
         if (boarded && m.pattern == Pattern::wood)
             m.pattern = herringbone ? Pattern::herringbone : Pattern::planks, m.scale_m = herringbone ? 0.08f : 0.12f;
+    } else if (!wish.material.empty()) {
+        m = texture_called(wish.material);  // all other names of the lexicon are materials
     }
     if (!(m.scale_m > 0.f)) m.scale_m = scale;
     if (const auto color = wish.color.empty() ? std::nullopt : color_named(wish.color)) {

@@ -84,11 +84,15 @@ class Matcher {
         for (std::size_t n = pack_ ? longest : 0; n > 1; --n)
             if (const std::string term = joined(tokens_, at_, n); pack_->names_users(term))
                 return take({.words = term, .word = Word{WordKind::object, *pack_->class_named(term)}}, n);
+            else if (const auto texture = pack_->texture_named(term))
+                return take({.words = term, .word = Word{WordKind::material, *texture}}, n);
         for (std::size_t n = longest; n > 0; --n)
             if (n == 1 && is_owner(tokens_[at_])) return take(owner_at(tokens_, at_, tongue_.language), 1);
             else if (take_term(n)) return;
         for (std::size_t n = pack_ ? longest : 0; n > 0; --n) {
             const std::string term = joined(tokens_, at_, n);
+            if (const auto texture = n == 1 ? pack_->texture_named(term) : std::nullopt)
+                return take({.words = term, .word = Word{WordKind::material, *texture}}, n);
             if (const auto kind = pack_->class_named(term))
                 return take({.words = term, .word = Word{WordKind::object, *kind}}, n);
         }

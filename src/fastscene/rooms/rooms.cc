@@ -8,12 +8,15 @@
 #include <optional>
 #include <utility>
 
+#include "fastscene/base/error.h"
 #include "fastscene/base/is_one_of.h"
 #include "fastscene/rooms/catalogue.h"
 #include "fastscene/rooms/daylight.h"
 #include "fastscene/rooms/layout.h"
 #include "fastscene/rooms/layout_relations.h"
+#include "fastscene/rooms/pack.h"
 #include "fastscene/rooms/room_type.h"
+#include "fastscene/rooms/user_texture.h"
 #include "fastscene/scene/pose_json.h"
 
 namespace fastscene {
@@ -280,14 +283,48 @@ FurnishedRoom furnish_room(PromptSpec& spec, const Run& run, const AnnealParams&
 
 Room make_room(PromptSpec& spec, const Run& run) { return room_of(spec, furnish_room(spec, run), run); }
 
+namespace {
+
+// The pictures of the user's textures.
+void add_pictures(Style& style, const FurniturePack* pack) {
+    for (Material* m : {&style.floor, &style.wall, &style.accent_wall, &style.ceiling}) {
+        if (!lacks_pictures(*m)) continue;
+        if (!pack) throw Error("texture \"{}\": expected --assets with the folder that holds it, found none", m->name);
+        const Vec3f tint = m->color_a;
+        *m = pack->texture(m->name);
+        m->color_a = tint;
+    }
+}
+Plan with_pictures(const Plan& plan, const FurniturePack* pack) {
+    Plan out = plan;
+    add_pictures(out.style, pack);
+    if (!out.next) return out;
+    auto next = std::make_shared<NextRoom>(*out.next);
+    add_pictures(next->plan.style, pack);
+    out.next = std::move(next);
+    return out;
+}
+
+// Pictures are looked up by shares of their width.
+void scale_pictures(Room& room) {
+    for (Mesh& mesh : room.meshes) {
+        const Material& m = room.materials[static_cast<std::size_t>(mesh.material)];
+        if (m.pattern == Pattern::image)
+            for (Vec3f& c : mesh.coords) c = c / m.scale_m;
+    }
+}
+
+}  // namespace
+
 Room room_of(PromptSpec& spec, const FurnishedRoom& furnished, const Run& run) {
-    const Plan& plan = furnished.plan;
+    const Plan plan = with_pictures(furnished.plan, spec.pack.get());
     Random rng = light_draws(spec, run.seed);
     Room room;
     room.type = spec.room;
     room.style = plan.style.name;
     room.seed = mix64(run.seed ^ hash_name(spec.text));
     build_shell(plan, room);
+    scale_pictures(room);
     const float lamps = furnished.lamps.value_or(lamp_level(spec, plan));
     for (Material& material : room.materials)  // of the shell: recessed lights
         if (material.name != kNeon) material.emission = material.emission * lamps;

@@ -11,6 +11,7 @@
 #include "fastscene/base/file.h"
 #include "fastscene/geometry/sphere.h"
 #include "fastscene/io/glb_container.h"
+#include "fastscene/io/image_io.h"
 #include "fastscene/rooms/cutout.h"
 #include "fastscene/rooms/document.h"
 #include "fastscene/rooms/model_tops.h"
@@ -18,6 +19,7 @@
 #include "fastscene/rooms/user_inventory.h"
 #include "fastscene/rooms/user_model.h"
 #include "fastscene/rooms/user_sky.h"
+#include "fastscene/rooms/user_texture.h"
 
 namespace fastscene {
 namespace {
@@ -209,8 +211,14 @@ TEST_F(UserAssets, StandInRoomsAndAreCredited) {
         glb_of({block({0.7f, 1.1f, 0.7f})}, {{"author", "A"}, {"license", "CC BY 4.0"}, {"title", "W"}}));
     put("teleporter_gate.glb", glb_of({block({0.9f, 1.5f, 0.6f})}));
     put(kAssetsFile, "[[model]]\nfile = \"Wingback.glb\"\nclass = \"armchair\"\nnames = [\"reading throne\"]\n");
+    put("monkey_idol.glb", glb_of({block({0.5f, 1.2f, 0.5f})}));
     const auto own = pack();
     EXPECT_EQ(complaints_, std::vector<std::string>{});
+    // Words that are known by themselves are no obstacle to a name.
+    const PromptSpec idols = understand_prompt("a study with two monkey idols", true, own);
+    ASSERT_EQ(idols.objects.size(), 1u);
+    EXPECT_EQ(idols.objects[0].kind, "monkey_idol");
+    EXPECT_EQ(idols.objects[0].count, 2);
     for (const char* prompt : {"a study with an armchair and a teleporter gate", "a study with a reading throne"}) {
         PromptSpec spec = understand_prompt(prompt, true, own);
         const Room room = make_room(spec, kRun);
@@ -239,6 +247,58 @@ TEST_F(UserAssets, StandInRoomsAndAreCredited) {
     EXPECT_EQ(document_json(document_of(again)).dump(), document_json(document).dump());
     EXPECT_NE(refusal([&] { furnish_document(document, "room.json", nullptr, kRun); }).find("Wingback.glb"),
               std::string::npos);
+}
+
+TEST_F(UserAssets, TexturesCoverFloorsAndWalls) {
+    ImageRgb8 color(64, 32, Rgb8{200, 100, 50});
+    save_png(root_ / "c.png", color);
+    put("old_tiles_2k/old_tiles_Color.png", read_file(root_ / "c.png"));
+    put("old_tiles_2k/old_tiles_Roughness.png", read_file(root_ / "c.png"));
+    fs::remove(root_ / "c.png");
+    put(kAssetsFile, "[[texture]]\nfolder = \"old_tiles_2k\"\nwidth_m = 1.5\n");
+    const auto own = pack();
+    EXPECT_EQ(complaints_, std::vector<std::string>{});
+    PromptSpec spec = understand_prompt("a kitchen with an old tiles floor", true, own);
+    const Room room = make_room(spec, kRun);
+    const auto material = std::find_if(room.materials.begin(), room.materials.end(),
+                                       [](const Material& m) { return m.name == "old tiles"; });
+    ASSERT_NE(material, room.materials.end());
+    ASSERT_NE(material->image, nullptr);
+    EXPECT_EQ(material->image->levels[0].width, 64);
+    EXPECT_EQ(material->scale_m, 1.5f);
+    ASSERT_NE(material->metallic_roughness, nullptr);
+    EXPECT_EQ(material->metallic_roughness->levels[0].at(0, 0), (Rgb8{0, 100, 255}));
+    // Its pictures span 1.5 m, wherever it lies.
+    for (const Mesh& mesh : room.meshes) {
+        if (&room.materials[static_cast<std::size_t>(mesh.material)] != &*material) continue;
+        for (std::size_t t = 0; t + 1 < mesh.triangles.size(); t += 3) {
+            const std::uint32_t a = mesh.triangles[t], b = mesh.triangles[t + 1];
+            EXPECT_NEAR(length(mesh.positions[a] - mesh.positions[b]), 1.5f * length(mesh.coords[a] - mesh.coords[b]),
+                        1e-3f);
+        }
+    }
+    // The document names it, and needs the folder.
+    const FurnishedRoom furnished = furnish_room(spec, kRun, {});
+    const RoomDocument document = document_of(spec, furnished, kRun.seed);
+    ASSERT_TRUE(document.surfaces.floor);
+    EXPECT_EQ(document.surfaces.floor->name, "old tiles");
+    const RoomDocument read = read_document(document_json(document).dump(), "room.json");
+    DocumentRoom again = furnish_document(read, "room.json", own, kRun);
+    EXPECT_TRUE(std::any_of(room_of(again).materials.begin(), room_of(again).materials.end(),
+                            [](const Material& m) { return m.name == "old tiles" && m.image; }));
+    DocumentRoom without = furnish_document(read, "room.json", nullptr, kRun);
+    EXPECT_NE(refusal([&] { room_of(without); }).find("texture \"old tiles\""), std::string::npos);
+}
+
+TEST(NormalsOfHeight, AreThoseOfAPlane) {
+    ImageRgb8 slope(64, 64);  // 1/64 of the depth a pixel, to the right
+    for (int y = 0; y < 64; ++y)
+        for (int x = 0; x < 64; ++x) slope.at(x, y).g = static_cast<std::uint8_t>(4 * x);
+    // 0.5 m deep over 1 m: it rises by half of what it runs.
+    const Rgb8 n = normals_of_height(slope, 0.5f * 255 / 256, 1).at(32, 32);
+    EXPECT_NEAR(n.r / 127.5 - 1, -0.5 / std::hypot(0.5, 1), 0.01);
+    EXPECT_NEAR(n.g / 127.5 - 1, 0, 0.01);
+    EXPECT_NEAR(n.b / 127.5 - 1, 1 / std::hypot(0.5, 1), 0.01);
 }
 
 TEST_F(UserAssets, WhatIsWrongIsNamedAndTheRestGoesOn) {

@@ -32,8 +32,6 @@ class Occupied {
     std::unordered_set<std::uint64_t> cells_;
 };
 
-constexpr float kOutside_m = 100.f;  // larger than any room: farther splats are scenery, which stays
-
 template <class T>
 void append_of(std::vector<T>& to, const std::vector<T>& from, std::size_t i, std::size_t each = 1) {
     to.insert(to.end(), from.begin() + static_cast<std::ptrdiff_t>(i * each),

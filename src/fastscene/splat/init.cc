@@ -6,6 +6,7 @@
 #include "fastscene/base/random.h"
 #include "fastscene/image/color.h"
 #include "fastscene/math/morton.h"
+#include "fastscene/splat/continued.h"
 #include "fastscene/splat/splat.h"
 
 namespace fastscene {
@@ -18,8 +19,6 @@ bool usable(const SurfacePoint& p) {
     return reach < 1e6f && p.radius_m > 0.f && p.radius_m < 1e3f && dot(p.normal, p.normal) < 4.f;
 }
 
-// Larger than any room: farther points are scenery.
-constexpr float kOutside_m = 100.f;
 bool is_scenery(const SurfacePoint& p) { return length(p.position_m) >= kOutside_m; }
 
 // Numbers of Gaussians.

@@ -22,8 +22,8 @@ namespace fs = std::filesystem;
 namespace {
 
 using namespace std::chrono_literals;
-constexpr auto kLogEvery = 300ms;
-constexpr int kNiceness = 10;          // of a film: scenes in the making go first
+constexpr auto kFilmLogEvery = 300ms;
+constexpr int kFilmNiceness = 10;      // of a film: scenes in the making go first
 constexpr float kTrackEvery_s = 0.1f;  // of the line on the plan
 constexpr int kJpegQuality = 85;
 constexpr int kTracedWidth = 960, kTracedSamples = 32;  // a picture within a minute, to compare with the splats
@@ -264,7 +264,7 @@ void Films::work(const std::string& scene, std::vector<std::string> arguments, c
     Job job;  // what the program says, as of a scene
     std::string state = "failed";
     std::jthread follower([&](std::stop_token end) {
-        for (std::streamoff read = 0; !end.stop_requested(); std::this_thread::sleep_for(kLogEvery)) {
+        for (std::streamoff read = 0; !end.stop_requested(); std::this_thread::sleep_for(kFilmLogEvery)) {
             if (!read_more_of_log(log, read, job)) continue;
             {
                 const std::lock_guard lock(mutex_);
@@ -277,7 +277,7 @@ void Films::work(const std::string& scene, std::vector<std::string> arguments, c
         arguments.insert(arguments.end(), {"--progress", "json"});
         const int code = run_program(
             program_, arguments,
-            {log, {}, stop, [](int pid) { ::setpriority(PRIO_PROCESS, static_cast<id_t>(pid), kNiceness); }});
+            {log, {}, stop, [](int pid) { ::setpriority(PRIO_PROCESS, static_cast<id_t>(pid), kFilmNiceness); }});
         if (code == 0) state = "finished";
     } catch (const Stopped&) {
         state = "stopped";
