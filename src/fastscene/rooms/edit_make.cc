@@ -161,7 +161,7 @@ std::vector<std::string> make_one(Talk& talk, const Words& subject, const Value&
         return has_role(talk.editor.placed(id).piece.kind, Role::light);
     });
     if (lamps && value.shines)
-        throw UsageError("the lamps of a room shine alike: \"turn the lamps on\", \"dim the lamps\", \"more light\"");
+        step.kind = EditStep::Kind::shine, step.value = value.brighter > 1 ? "brighter" : "darker";
     suit_cloth(talk, step);
     if (says_any(subject, {"worktop", "worktops", "countertop", "countertops"})) of_the_top(step.wish);
     if (value.by == Vec3f{}) {
@@ -256,6 +256,7 @@ bool like_another(Talk& talk, const Words& words) {
 
 void make(Talk& talk, const Words& words) {
     if (const std::string lamps = lamps_said(words); !lamps.empty()) return light(talk, lamps);
+    if (shine_said(talk, words)) return;
     if (says_any(words, {"face", "facing"})) return face(talk, words);
     if (brightness_said(talk, words)) return;
     if (like_another(talk, words)) return;

@@ -1,4 +1,4 @@
-// "the armchair to the window", "the sofa towards the tv": things that stand already, moved and turned.
+// "the armchair to the window", "the sofa towards the tv", "put it there": things moved and turned.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -45,10 +45,14 @@ bool shifted(Talk& talk, const std::vector<std::string>& ids, const Words& place
     return true;
 }
 
-bool put_at(Talk& talk, const std::vector<std::string>& ids, const Words& words) {
+bool put_at(Talk& talk, const std::vector<std::string>& ids, const Words& words,
+            const std::vector<std::string>& spoken) {
     std::string why_not;
+    // "closer to it"
+    Words way = words;
+    if (is_one_of(way.back(), {"it", "them"}) && !spoken.empty()) way.back() = spoken.front();
     try {
-        if (shifted(talk, ids, words)) return true;
+        if (shifted(talk, ids, way)) return true;
     } catch (const UsageError&) {
         throw;
     } catch (const Error& e) {  // "closer to the window", with no free way there: a place at the window
@@ -58,7 +62,7 @@ bool put_at(Talk& talk, const std::vector<std::string>& ids, const Words& words)
     }
     std::optional<Place> place;
     try {
-        place = place_of(talk.editor, words, asked_kind(talk.editor.placed(ids.front())), ids.front());
+        place = place_of(talk.editor, words, asked_kind(talk.editor.placed(ids.front())), ids.front(), spoken);
     } catch (const UsageError&) {
         if (why_not.empty()) throw;
     }
@@ -76,7 +80,15 @@ bool put_at(Talk& talk, const std::vector<std::string>& ids, const Words& words)
 
 void move_one(Talk& talk, const std::vector<Words>& before, const Words& words) {
     std::string wrong;
-    for (const Split& split : splits_of(words)) {
+    const std::vector<std::string> spoken = talk.last;
+    // "the vase from the wardrobe to the desk" stands on it.
+    Words all = words;
+    const std::size_t from = find_word(words, {"from"}, 1);
+    const bool source = from + 1 < words.size() && !is_one_of(words[from - 1], {"away", "further", "farther", "out"}) &&
+                        next_place(words, from + 1) < words.size();
+    if (source) all[from] = "on";
+    for (const Split& split : splits_of(all)) {
+        if (source && split.thing.size() <= from) continue;
         std::vector<std::string> ids;
         try {
             for (const Words& part : before) add_new(ids, talk.things(part));
@@ -86,7 +98,7 @@ void move_one(Talk& talk, const std::vector<Words>& before, const Words& words) 
             continue;
         }
         talk.last = ids;
-        if (put_at(talk, ids, split.place)) return;
+        if (put_at(talk, ids, split.place, spoken)) return;
         if (wrong.empty()) wrong = fmt::format("expected a place in the room, found \"{}\"", text_of(split.place));
     }
     if (wrong.empty())
@@ -163,6 +175,17 @@ void move(Talk& talk, const Words& words) {
         move_one(talk, before, part);
         before.clear();
     }
+    if (!before.empty() && talk.there && (talk.last_gone || !talk.last_place.wish.relation.empty())) {
+        // "remove the shelf and move the plant there"
+        EditStep step = talk.last_gone ? EditStep{} : talk.last_place;
+        step.kind = EditStep::Kind::place;
+        step.position = talk.last_gone;
+        for (const Words& part : before) {
+            step.ids = talk.things(part);
+            talk.editor.apply(step);
+        }
+        return;
+    }
     if (!before.empty())
         throw UsageError("expected where to move \"{}\", for example \"to the window\"", text_of(before.front()));
 }
@@ -184,9 +207,7 @@ void turn(Talk& talk, const Words& words) {
     if (towards < words.size()) return face(talk, words);
     if (find_word(words, {"upside", "over"}) < words.size())
         throw UsageError("things are turned about the vertical only, found \"{}\"", text_of(words));
-    if (is_one_of(words.back(), {"on", "off"}) || is_one_of(words.front(), {"on", "off"}))
-        throw UsageError("only lamps are turned on and off, all at once (\"turn the lamps off\"), found \"{}\"",
-                         text_of(words));
+    if (shine_said(talk, words)) return;
     EditStep step;
     step.kind = EditStep::Kind::turn;
     if (!angle) {
@@ -214,6 +235,7 @@ void face(Talk& talk, const Words& words) {
         throw UsageError("expected what \"{}\" is to face, for example \"to the window\"", text_of(words));
     EditStep step;
     step.kind = EditStep::Kind::face;
+    const std::vector<std::string> spoken = talk.last;
     step.ids = talk.things_of_parts(thing);
     const std::string text = text_of(target);
     if (text == "each other" || text == "one another") {
@@ -228,7 +250,9 @@ void face(Talk& talk, const Words& words) {
         return;
     }
     const std::string noun = target.back();
-    if (noun == "it" && !talk.last_place.wish.relation_to.empty()) {
+    // "move it before the fire, facing it"; "move the tv to the window and turn the sofa towards it"
+    const bool placed_there = spoken.empty() || spoken == step.ids;
+    if (noun == "it" && placed_there && !talk.last_place.wish.relation_to.empty()) {
         step.wish.relation_to = talk.last_place.wish.relation_to;
         step.at = things_at(talk.editor, talk.last_place);
     } else if (is_one_of(noun, {"me", "us", "camera", "viewer"})) step.wish.relation_to = "viewer";
@@ -236,13 +260,89 @@ void face(Talk& talk, const Words& words) {
     else {
         Words at{"opposite"};
         at.insert(at.end(), target.begin(), target.end());
-        const auto place = place_of(talk.editor, at, asked_kind(talk.editor.placed(step.ids.front())),
-                                    step.ids.front());
+        const auto place = place_of(talk.editor, at, asked_kind(talk.editor.placed(step.ids.front())), step.ids.front(),
+                                    spoken);
         if (!place) throw UsageError("expected a thing or an opening to face, found \"{}\"", text);
         step.wish.relation_to = place->step.wish.relation_to;
         step.at = things_at(talk.editor, place->step);
     }
     talk.editor.apply(step);
+}
+
+namespace {
+
+// "the armchair by the window and a side table beside it": one stands there, the other comes new. False: all of them
+// stand there, or all come new.
+bool put_one_by_one(Talk& talk, const Words& words) {
+    std::vector<Words> each;  // with all before it that have no place of their own
+    bool open = false;
+    for (const Words& part : parts_of(words)) {
+        if (part.front() == "facing") return false;
+        if (!open) each.emplace_back();
+        else each.back().push_back("and");
+        each.back().insert(each.back().end(), part.begin(), part.end());
+        open = next_place(part) == part.size();
+    }
+    if (open && each.size() > 1) return false;
+    if (std::none_of(each.begin(), each.end(), [&](const Words& w) { return begins_anew(w) != begins_anew(each[0]); }))
+        return false;
+    for (const Words& one : each) put(talk, one);
+    return true;
+}
+
+}  // namespace
+
+void put(Talk& talk, const Words& words) {
+    if (const std::string lamps = lamps_said(words); !lamps.empty()) return make(talk, words);
+    if (is_one_of(words.front(), {"the", "a"}) && words.size() > 1 &&
+        is_one_of(words[1], {"time", "style", "weather", "hour", "light", "lighting", "color"}))
+        return make(talk, words);
+    // "the walls to white"
+    const std::size_t to = find_word(words, {"to"}, 1);
+    if (to < words.size() && value_of(part_of(words, to + 1))) return make(talk, words);
+    if (put_one_by_one(talk, words)) return;
+    const std::size_t end = next_place(words);
+    const std::string thing = text_of(words, 0, end);
+    const bool id = end > 1 && words[end - 1].find_first_not_of("0123456789") == std::string::npos;
+    // "sofa at the window": that which is there.
+    const bool bare = begins_anew(words) && !number_said(words.front()) && !thing.ends_with("s") && end < words.size();
+    if (!begins_anew(words) || id || (bare && all_named(talk.editor, thing).size() == 1)) return move(talk, words);
+    add(talk, words);
+}
+
+// "three lamps over the table instead of the one": of those.
+Words instead_of(const Words& old, const Words& by) {
+    if (!is_one_of(old.back(), {"one", "ones", "it"}) || old.size() > 3) return old;
+    Words out{"the"};
+    for (std::size_t i = 0; i < next_place(by) && by[i] != "instead"; ++i)
+        if (!number_said(by[i]) && !is_definite(by[i])) out.push_back(by[i]);
+    if (old.back() != "ones" && out.back().size() > 2 && out.back().ends_with("s")) out.back().pop_back();
+    return out;
+}
+
+// "a plant where the pouf is": in its place; "the lamp to where the plant stands": they change places.
+bool put_where(Talk& talk, const Clause& clause) {
+    const Words& words = clause.words;
+    const std::size_t where = find_word(words, {"where"}, 1);
+    if (where + 2 >= words.size() || (clause.verb != Verb::put && clause.verb != Verb::add &&
+                                      clause.verb != Verb::want && clause.verb != Verb::move))
+        return false;
+    Words there = part_of(words, where + 1), thing = part_of(words, 0, where);
+    if (!is_one_of(there.back(), {"is", "are", "stands", "stand", "hangs", "hang", "sits", "lies", "was", "stood"}))
+        return false;
+    there.pop_back();
+    if (thing.size() > 1 && is_one_of(thing.back(), {"to", "at"})) thing.pop_back();
+    if (begins_anew(thing)) return replace(talk, there, thing), true;
+    thing.push_back("and");
+    thing.insert(thing.end(), there.begin(), there.end());
+    return swap(talk, thing), true;
+}
+
+// "the desk so that it faces the window": a turn, where no place was said.
+bool says_so_that(const Words& words) {
+    const std::size_t so = find_word(words, {"so"}, 1);
+    return so < words.size() && find_word(words, {"faces", "looks"}, so) < words.size() &&
+           next_place(part_of(words, 0, so)) == so;
 }
 
 }  // namespace fastscene::editing

@@ -22,9 +22,8 @@ namespace {
 
 std::string joined(const std::vector<std::string>& words) { return fmt::format("{}", fmt::join(words, " ")); }
 
-bool has_word(const std::vector<std::string>& words, std::initializer_list<std::string_view> any) {
-    return std::any_of(words.begin(), words.end(),
-                       [&](const std::string& w) { return std::find(any.begin(), any.end(), w) != any.end(); });
+bool has_word(const Words& words, std::initializer_list<std::string_view> any) {
+    return find_word(words, any) < words.size();
 }
 
 // "coffee_table" and "dining_table_round" are tables, "table_lamp" and "picture_ledge" are no table and no picture.
@@ -350,6 +349,7 @@ PromptSpec read_in_room(const Editor& editor, const std::string& words) {
 
 std::vector<int> all_named(const Editor& editor, const std::string& words) {
     if (const auto id = id_said(editor.document(), words)) return {*id};
+    if (const auto near = by_distance(editor, tokens_of(words))) return *near;
     return meaning_of(editor, words).found;
 }
 
@@ -357,7 +357,8 @@ std::vector<std::string> named(const Editor& editor, const std::string& words) {
     if (const auto id = id_said(editor.document(), words))
         return {editor.document().things[static_cast<std::size_t>(*id)].id};
     const std::vector<std::string> tokens = tokens_of(words);
-    Meaning meant = meaning_of(editor, words);
+    const auto near = by_distance(editor, tokens);
+    Meaning meant = near ? Meaning{{}, *near} : meaning_of(editor, words);
     std::vector<int>& found = meant.found;
     const PromptObject& said = meant.said;
     if (found.empty() && (is_shell(said.kind) || has_role(said.kind, Role::opening))) refuse_shell();
@@ -368,7 +369,8 @@ std::vector<std::string> named(const Editor& editor, const std::string& words) {
     const auto number = number_said(tokens.front());
     const bool all = has_word(tokens, {"all", "both", "every", "each"}) || says_several(tokens, said);
     // "Two chairs" of four, "a chair", "one of the chairs": the last ones.
-    const std::size_t count = tokens.front() == "half"                     ? found.size() / 2
+    const std::size_t count = near                                         ? 0
+                              : tokens.front() == "half"                   ? found.size() / 2
                               : number && *number >= 1                     ? static_cast<std::size_t>(*number)
                               : said.counted && said.count > 1             ? static_cast<std::size_t>(said.count)
                               : is_one_of(tokens.front(), {"some", "any"}) ? 1
@@ -379,7 +381,7 @@ std::vector<std::string> named(const Editor& editor, const std::string& words) {
         throw UsageError("there {} only {} of \"{}\" in the room", found.size() == 1 ? "is" : "are", found.size(),
                          words);
     if (count > 0) found.erase(found.begin(), found.end() - static_cast<std::ptrdiff_t>(count));
-    else if (found.size() > 1 && !all) {
+    else if (found.size() > 1 && !all && !near) {
         const std::vector<int> main = is_bare(tokens) ? main_of(editor, found) : std::vector<int>{};
         if (main.empty()) refuse_many(said.words, editor, found);
         found = main;
