@@ -259,8 +259,8 @@ void add(Talk& talk, const Words& words) {
         } catch (const Error&) {
             // Two that do not fit into one corner: one by the other.
             const bool beside = shared && shared->step.wish.relation == "in the corner" && !together.empty();
-            if (!beside && (own || !shared)) throw;
-            add_wish(talk, first, beside ? std::optional(beside_those(talk, together)) : std::nullopt);
+            if (!beside) throw;
+            add_wish(talk, first, beside_those(talk, together));
         }
         together = own ? std::vector<std::string>{} : part_of(talk.last, spoken);
         shape_as_asked(talk, part_of(talk.last, spoken), all[k].shape);

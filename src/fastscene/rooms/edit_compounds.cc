@@ -70,8 +70,12 @@ std::vector<int> beside(const Editor& editor, const std::vector<int>& beds, cons
     std::vector<int> out;
     for (const int i : found)
         if (std::any_of(beds.begin(), beds.end(), [&](int bed) {
-                return distance_to(footprint_of(placed_at(editor, bed)), footprint_of(placed_at(editor, i)).center) <
-                       kReach;
+                const Placed& b = placed_at(editor, bed);
+                // At its head, where that has one.
+                const bool foot = !has_role(b.piece.kind, Role::along_wall) &&
+                                  dot(placed_at(editor, i).position - b.position, front_of(b.yaw)) > 0;
+                return !foot && distance_to(footprint_of(placed_at(editor, bed)),
+                                            footprint_of(placed_at(editor, i)).center) < kReach;
             }))
             out.push_back(i);
     return out;

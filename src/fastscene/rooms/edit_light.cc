@@ -92,7 +92,8 @@ void Editor::shine(const EditStep& step) {
         float to = step.value == "on" ? 1.f : 0.f;
         if (step.value == "brighter") to = now > kOut ? std::min(1.f, now / kDimmed) : 1.f;
         if (step.value == "darker") to = kDimmed * now > kOut ? kDimmed * now : 0.f;
-        if (known && to == now) throw Error("{}: it is {} already", id, now > kFull ? "on" : "off");
+        const bool more = step.value == "brighter", less = step.value == "darker";
+        if (known && to == now && (more || less)) throw Error("{}: it is {} already", id, more ? "on" : "off");
         thing(i).lit = to;
         tell(id, to > kFull ? "light: on" : to > 0 ? fmt::format("light: {:.0f} percent", 100 * to) : "light: off");
     }

@@ -272,8 +272,12 @@ void Talk::act(const Clause& clause) {
     if (words.empty())
         throw UsageError("expected what to change after \"{}\", found the end of the sentence", clause.said);
     const std::size_t end = next_place(words), instead = find_word(words, {"instead"}, 1);
-    if (instead + 2 < words.size() && words[instead + 1] == "of")
-        return replace(*this, instead_of(part_of(words, instead + 2), words), part_of(words, 0, instead));
+    if (instead + 2 < words.size() && words[instead + 1] == "of") {
+        const Words old = instead_of(part_of(words, instead + 2), words), by = part_of(words, 0, instead);
+        if (next_place(by) == by.size()) return replace(*this, old, by);
+        remove(*this, old);
+        return add(*this, by);
+    }
     if (put_where(*this, clause)) return;
     switch (clause.verb) {
         case Verb::remove:

@@ -55,7 +55,7 @@ std::optional<std::vector<int>> by_distance(const Editor& editor, const Words& w
     const Words target = part_of(words, to < words.size() ? to + 1 : at + 1);
     if (target.empty() || (to == words.size() && !after.empty())) return {};
     std::vector<Vec2f> places;
-    if (is_one_of(target.back(), {"me", "us", "camera"})) places.push_back(flat(editor.room().furnished.camera));
+    if (is_one_of(target.back(), {"me", "us", "viewer"})) places.push_back(flat(editor.room().furnished.camera));
     else if (const auto part = room_part(target, 0)) {
         for (const Opening& o : editor.plan().openings)
             if (is_opening_of(o, part->noun))
