@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 
 #include "fastscene/base/error.h"
 #include "fastscene/base/is_one_of.h"
@@ -58,6 +59,7 @@ std::vector<PromptObject> wishes_of(const Editor& editor, const Words& words) {
         PromptObject& o = spec.objects[k];
         o.relation_to = first.kind;
         o.relation = furnishing::is_small(o.kind)                                             ? "on"
+                     : has_role(o.kind, Role::seat) && has_role(first.kind, Role::work_place) ? "in front of"
                      : has_role(o.kind, Role::seat) && has_role(first.kind, Role::lamp_above) ? "around"
                                                                                               : "next to";
     }
@@ -317,7 +319,28 @@ void replace(Talk& talk, const Words& old, const Words& by) {
     }
 }
 
+namespace {
+
+// "the colors of the sofa and the rug"; false: no such words.
+bool swap_colors(Talk& talk, const Words& words) {
+    const std::size_t colors = find_word(words, {"colors", "color", "colours"});
+    if (colors + 2 >= words.size() || words[colors + 1] != "of") return false;
+    const std::vector<std::string> ids = talk.things_of_parts(part_of(words, colors + 2));
+    if (ids.size() != 2) throw UsageError("expected two things to exchange their colors, found {}", ids.size());
+    std::array<std::string, 2> seen{talk.editor.color_seen(ids[1]), talk.editor.color_seen(ids[0])};
+    for (const std::size_t k : {0u, 1u}) {
+        EditStep step;
+        step.kind = EditStep::Kind::recolor;
+        step.ids = {ids[k]}, step.wish.color = seen[k];
+        talk.editor.apply(step);
+    }
+    return true;
+}
+
+}  // namespace
+
 void swap(Talk& talk, Words words) {
+    if (swap_colors(talk, words)) return;
     for (const char* name : {"positions", "position", "places", "place"})
         if (const std::size_t at = find_word(words, {name}); at + 1 < words.size() && words[at + 1] == "of")
             words = part_of(words, at + 2);

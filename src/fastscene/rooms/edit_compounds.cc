@@ -151,6 +151,30 @@ void at_support(const Editor& editor, const Words& words, std::vector<int>& foun
         }
 }
 
+bool beside_as_seen(const Editor& editor, const PromptObject& where, std::vector<int>& found) {
+    if (!is_one_of(where.relation, {"left of", "right of"}) || where.relation_to.empty() || where.count < 3)
+        return false;
+    constexpr float kMiddle = 0.2f, kNear = 1.2f;  // metres
+    const FurnishedRoom& room = editor.room().furnished;
+    const auto to_the_right = [&](const Placed& p) {
+        return dot(p.position - room.camera, cross(room.looks, Vec3f{0, 1, 0}));
+    };
+    std::vector<int> there;
+    for (const Placed& at : room.placed) {
+        if (at.piece.kind != where.relation_to && at.wish.kind != where.relation_to) continue;
+        for (const int i : found) {
+            const Placed& p = placed_at(editor, i);
+            const float aside = to_the_right(p) - to_the_right(at);
+            if ((where.relation == "left of" ? -aside : aside) > kMiddle &&
+                distance_to(footprint_of(at), footprint_of(p).center) < kNear)
+                there.push_back(i);
+        }
+    }
+    if (there.empty()) return false;
+    found = there;
+    return true;
+}
+
 void at_anchors(const Editor& editor, const std::string& relation, const std::vector<int>& anchors,
                 std::vector<int>& found) {
     std::vector<Placed> all = editor.room().furnished.placed;

@@ -39,6 +39,14 @@ struct Group {
     Words by;                   // "into a rocking chair": another thing
 };
 
+// "a rocking chair", "brass lanterns"
+bool names_things(const Words& words) {
+    if (is_one_of(words.front(), {"a", "an", "two", "three"})) return true;
+    for (const std::string& form : base_forms(words.back()))
+        if (const auto word = look_up(form); word && word->kind == WordKind::object) return true;
+    return false;
+}
+
 // Cuts "the sofa dark green", "the sofa to dark green"; no value: all of it is the subject.
 void cut(const Words& part, Words& subject, Words& value, Words& by) {
     subject = part;
@@ -47,14 +55,13 @@ void cut(const Words& part, Words& subject, Words& value, Words& by) {
         return;
     }
     for (std::size_t i = part.size(); i-- > 1;) {
-        if (!is_one_of(part[i], {"to", "into", "in", "with"})) continue;
+        if (!is_one_of(part[i], {"to", "into"})) continue;
         const Words rest = part_of(part, i + 1);
         if (value_of(rest)) {
             value = rest, subject = part_of(part, 0, i);
             return;
         }
-        if (is_one_of(part[i], {"to", "into"}) && !rest.empty() &&
-            is_one_of(rest.front(), {"a", "an", "two", "three"})) {
+        if (!rest.empty() && begins_anew(rest) && names_things(rest)) {
             by = rest, subject = part_of(part, 0, i);
             return;
         }

@@ -38,7 +38,23 @@ std::vector<Split> splits_of(const Words& words) {
 // "to the left of the bed": as far as there is room, when that is not a place.
 bool shifted(Talk& talk, const std::vector<std::string>& ids, const Words& place) {
     std::vector<EditStep> steps;
-    for (const std::string& id : ids)
+    if (ids.size() > 1 && is_one_of(place.back(), {"together", "apart"})) {
+        Vec3f middle{};
+        for (const std::string& id : ids) middle += talk.editor.placed(id).position;
+        middle = middle * (1.f / static_cast<float>(ids.size()));
+        constexpr float kStep = 0.4f;  // metres
+        for (const std::string& id : ids) {
+            Vec3f way = middle - talk.editor.placed(id).position;
+            way.y = 0;
+            if (!(length(way) > 0)) continue;
+            EditStep step;
+            step.kind = EditStep::Kind::shift;
+            step.ids = {id};
+            step.by = way * ((place.back() == "apart" ? -kStep : std::min(kStep, length(way) / 2)) / length(way));
+            steps.push_back(step);
+        }
+    }
+    for (const std::string& id : steps.empty() ? ids : std::vector<std::string>{})
         if (const auto step = shift_of(talk.editor, place, id)) steps.push_back(*step);
     if (steps.size() < ids.size() || steps.empty()) return false;
     for (const EditStep& step : steps) talk.editor.apply(step);
@@ -114,7 +130,10 @@ std::optional<float> angle_said(const Words& words, std::size_t& end) {
     end = words.size();
     for (std::size_t i = 1; i < words.size(); ++i) {
         const std::string& w = words[i];
-        const bool side = is_one_of(w, {"left", "right"}) && !(is_definite(words[i - 1]) && i + 1 < words.size());
+        // "to the right a little", but "the right chair"
+        const bool ends = i + 1 == words.size() || number_said(words[i + 1]) ||
+                          is_one_of(words[i + 1], {"by", "slightly", "little"});
+        const bool side = is_one_of(w, {"left", "right"}) && (ends || !is_definite(words[i - 1]));
         const auto number = number_said(w);
         if (is_one_of(w, {"around", "round", "backwards", "about"})) degrees = 180.f;
         else if (is_one_of(w, {"slightly", "bit", "little"})) degrees = kABit;
@@ -192,6 +211,14 @@ void move(Talk& talk, const Words& words) {
 
 // "the armchair around", "the sofa towards the tv", "the walls green", "the armchair into a sofa"
 void turn(Talk& talk, const Words& words) {
+    // "so that it stands against the wall"
+    if (const std::size_t so = find_word(words, {"so"}, 1), stands = find_word(words, {"stands", "is", "hangs"}, so);
+        stands + 1 < words.size()) {
+        Words all = part_of(words, 0, so);
+        const Words to = part_of(words, stands + 1);
+        all.insert(all.end(), to.begin(), to.end());
+        return move(talk, all);
+    }
     // "so that it faces the door"
     if (const std::size_t so = find_word(words, {"faces", "looks"}, 1); so < words.size()) {
         Words all = part_of(words, 0, so);

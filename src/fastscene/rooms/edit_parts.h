@@ -179,6 +179,8 @@ std::vector<int> all_named(const Editor& editor, const std::string& words);
 // Throws UsageError for none, or for several where one is meant.
 std::vector<std::string> named(const Editor& editor, const std::string& words);
 [[noreturn]] void refuse_shell();
+// "The table near the door", where none is close to it: the nearest.
+void nearest_to(const Editor& editor, const std::string& kind, std::vector<int>& found);
 
 // ---- edit_which.cc: by distance; none, or several
 
@@ -194,6 +196,8 @@ std::optional<std::vector<int>> by_distance(const Editor& editor, const Words& w
 
 // Of what words of several nouns mean, those that stand where the first of them says: the lamps on the desk.
 void at_support(const Editor& editor, const Words& words, std::vector<int>& found);
+// Of several, those on the left or the right side of a thing as the camera sees it; false: the words say no such place.
+bool beside_as_seen(const Editor& editor, const PromptObject& where, std::vector<int>& found);
 // Of those found, the ones that stand as `relation` says at those very things.
 void at_anchors(const Editor& editor, const std::string& relation, const std::vector<int>& anchors,
                 std::vector<int>& found);

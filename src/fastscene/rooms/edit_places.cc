@@ -156,7 +156,7 @@ class Reader {
                 if (auto place = at_part(short_one->name, *part)) return place;
         }
         if (!relation) return {};
-        if (relation->next < words_.size())
+        if (relation->next < words_.size() && relation->name != "between")
             if (const auto part = room_part(words_, relation->next))
                 if (auto place = at_part(relation->name, *part)) return place;
         return at_thing(*relation);

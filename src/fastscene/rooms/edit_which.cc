@@ -84,6 +84,23 @@ std::optional<std::vector<int>> by_distance(const Editor& editor, const Words& w
     return found;
 }
 
+void nearest_to(const Editor& editor, const std::string& kind, std::vector<int>& found) {
+    const FurnishedRoom& room = editor.room().furnished;
+    std::vector<Vec2f> places;
+    for (const Opening& o : room.plan.openings)
+        if (is_opening_of(o, kind)) places.push_back(flat(room.plan.wall(o.wall).point((o.u0 + o.u1) / 2, 0)));
+    for (const Placed& p : room.placed)
+        if (p.piece.kind == kind || p.wish.kind == kind) places.push_back(footprint_of(p).center);
+    const auto far = [&](int i) {
+        float least = 1e9f;
+        for (const Vec2f at : places)
+            least = std::min(least, distance_to(footprint_of(room.placed[static_cast<std::size_t>(i)]), at));
+        return least;
+    };
+    if (!places.empty())
+        found = {*std::min_element(found.begin(), found.end(), [&](int a, int b) { return far(a) < far(b); })};
+}
+
 void refuse_shell() {
     throw UsageError(
         "sentences do not change the room's shape, its windows or doors; \"plan\" in the document does: width_m, "

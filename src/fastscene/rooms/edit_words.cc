@@ -172,24 +172,6 @@ std::vector<int> with_part(const Editor& editor, const std::vector<std::string>&
     return out;
 }
 
-// "The table near the door", where none is close to it: the nearest.
-void nearest_to(const Editor& editor, const std::string& kind, std::vector<int>& found) {
-    const FurnishedRoom& room = editor.room().furnished;
-    std::vector<Vec2f> places;
-    for (const Opening& o : room.plan.openings)
-        if (is_opening_of(o, kind)) places.push_back(flat(room.plan.wall(o.wall).point((o.u0 + o.u1) / 2, 0)));
-    for (const Placed& p : room.placed)
-        if (p.piece.kind == kind || p.wish.kind == kind) places.push_back(footprint_of(p).center);
-    const auto far = [&](int i) {
-        float least = 1e9f;
-        for (const Vec2f at : places)
-            least = std::min(least, distance_to(footprint_of(room.placed[static_cast<std::size_t>(i)]), at));
-        return least;
-    };
-    if (!places.empty())
-        found = {*std::min_element(found.begin(), found.end(), [&](int a, int b) { return far(a) < far(b); })};
-}
-
 // Whether the phrase is in the words, in the plural as well.
 bool says_phrase(const Words& words, const Words& phrase) {
     for (std::size_t i = 0; i + phrase.size() <= words.size(); ++i) {
@@ -233,6 +215,7 @@ void with_place(const Editor& editor, const PromptSpec& spec, std::vector<int>& 
             where.relation_to = editor.document().things[static_cast<std::size_t>(at.front())].kind;
     std::vector<int> there;
     const FurnishedRoom& furnished = editor.room().furnished;
+    if (beside_as_seen(editor, where, found)) return;
     const bool several = where.count > 1 && spec.objects.front().count > 1;
     for (const int i : found)
         if (stands_as_asked(furnished.plan, furnished.placed, furnished.placed[static_cast<std::size_t>(i)], where)
@@ -313,7 +296,9 @@ Meaning meaning_of(const Editor& editor, const std::string& words) {
         const auto anchors = anchors_said(editor, part_of(tokens, place), out.found);
         if (anchors) at_anchors(editor, anchors->relation, anchors->things, out.found);
         else if (compound.empty() || place < tokens.size()) with_place(editor, spec, out.found);
-        pick(anchors ? part_of(tokens, 0, place) : tokens, out.said, editor, out.found);
+        // "the chairs on the left side of the table": the left is the table's.
+        const bool of_place = anchors || (says_several(tokens, out.said) && place + 2 < tokens.size());
+        pick(of_place ? part_of(tokens, 0, place) : tokens, out.said, editor, out.found);
         if (!out.found.empty()) return out;
     }
     out.unknown = out.said.kind.empty();
