@@ -230,8 +230,16 @@ bool add_like_another(Talk& talk, const Words& words) {
 
 // "a floor lamp beside the bed and two plants in the corner"; a place holds for those before it that name none.
 void add(Talk& talk, const Words& words) {
-    if (brightness_said(talk, words) || paint_wanted(talk, words) || add_like_another(talk, words)) return;
     const std::vector<Words> parts = parts_of(words);
+    // "brick walls and a concrete floor"
+    if (parts.size() > 1 && std::all_of(parts.begin(), parts.end(), [&](const Words& w) {
+            return is_one_of(noun_of(w.back()), {"wall", "floor", "ceiling"});
+        })) {
+        for (const Words& part : parts)
+            if (!paint_wanted(talk, part)) throw UsageError("expected how to make it, found \"{}\"", text_of(part));
+        return;
+    }
+    if (brightness_said(talk, words) || paint_wanted(talk, words) || add_like_another(talk, words)) return;
     // "a desk, and a lamp on it": first what that is.
     for (std::size_t k = 1; k < parts.size(); ++k) {
         if (!is_one_of(parts[k].back(), {"it", "them"}) || next_place(parts[k]) == parts[k].size()) continue;

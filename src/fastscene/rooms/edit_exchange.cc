@@ -180,7 +180,17 @@ void Editor::replace(const EditStep& step) {
     }
     const Standing standing = without(with_riders(roots));
     std::vector<Placed> all = standing.placed;
-    const int count = std::max(1, step.wish.count);
+    int count = std::max(1, step.wish.count);
+    // Of "benches for the chairs", nobody said how many: fewer, where they are much wider.
+    constexpr float kWider = 1.6f;
+    if (!step.wish.counted && count == static_cast<int>(olds.size()) && count % 2 == 0) {
+        PromptSpec spec = room_.spec;
+        Random rng(room_.seed, "wide");
+        Layout layout(plan(), spec, rng);
+        if (layout.why_not(step.wish.kind).empty() && olds.front().piece.mount == Mount::floor &&
+            make_piece(layout.request(step.wish.kind, &step.wish)).size_m.x > kWider * olds.front().piece.size_m.x)
+            count /= 2;
+    }
     if (riders.empty()) olds = shared_out(std::move(olds), count);
     const int places = static_cast<int>(olds.size());
     std::vector<int> place_of_new;

@@ -261,7 +261,48 @@ bool like_another(Talk& talk, const Words& words) {
 
 }  // namespace
 
+namespace {
+
+// "the chairs alternately black and white"; false: no such words.
+bool make_by_turns(Talk& talk, const Words& words) {
+    const std::size_t at = find_word(words, {"alternate", "alternately", "alternating"}, 1);
+    if (at + 1 >= words.size()) return false;
+    Words rest = part_of(words, at + 1);
+    const auto value = value_of(rest);
+    if (!value || value->looks.color2.empty())
+        throw UsageError("expected two colors, for example \"alternately black and white\", found \"{}\"",
+                         text_of(rest));
+    const std::vector<std::string> ids = talk.things_of_parts(part_of(words, 0, at));
+    for (std::size_t k = 0; k < ids.size(); ++k) {
+        EditStep step;
+        step.kind = EditStep::Kind::recolor;
+        step.ids = {ids[k]};
+        step.wish.color = k % 2 == 0 ? value->looks.color : value->looks.color2;
+        talk.editor.apply(step);
+    }
+    return true;
+}
+
+bool says_on_or_off(const Words& words) {
+    return is_one_of(words.front(), {"on", "off"}) || is_one_of(words.back(), {"on", "off"});
+}
+
+}  // namespace
+
+bool each_on_or_off(const Words& words) {
+    const std::vector<Words> parts = parts_of(words);
+    return parts.size() > 1 && std::all_of(parts.begin(), parts.end(), says_on_or_off);
+}
+
 void make(Talk& talk, const Words& words) {
+    // "the ceiling lights off and the desk lamp on"
+    if (each_on_or_off(words)) {
+        for (const Words& part : parts_of(words)) make(talk, part);
+        return;
+    }
+    // "the room brick walls and a concrete floor"
+    if (talk.said == "give" && words.size() > 3 && noun_of(words[1]) == "room") return add(talk, part_of(words, 2));
+    if (make_by_turns(talk, words)) return;
     if (const std::string lamps = lamps_said(words); !lamps.empty()) return light(talk, lamps);
     if (shine_said(talk, words)) return;
     if (says_any(words, {"face", "facing"})) return face(talk, words);

@@ -168,8 +168,14 @@ std::vector<std::string> things_at(const Editor& editor, const EditStep& place) 
 
 // "the armchair and the plant to the window", "the vase to the desk and the lamp to the shelf"
 void move(Talk& talk, const Words& words) {
-    std::vector<Words> before;
+    std::vector<Words> before, parts;
     for (const Words& part : parts_of(words)) {
+        // "the sideboard to the left and the mirror along with it"
+        const std::size_t with = find_word(part, {"with"}, 1);
+        if (with + 2 != part.size() || !is_one_of(part.back(), {"it", "them"})) parts.push_back(part);
+        else before.push_back(part_of(part, 0, is_one_of(part[with - 1], {"along", "together"}) ? with - 1 : with));
+    }
+    for (const Words& part : parts) {
         // "in front of the fireplace, facing it"
         if (part.front() == "facing" && !talk.last.empty()) {
             Words all{"them"};
@@ -222,6 +228,10 @@ void turn(Talk& talk, const Words& words) {
     // "so that it faces the door"
     if (const std::size_t so = find_word(words, {"faces", "looks"}, 1); so < words.size()) {
         Words all = part_of(words, 0, so);
+        // "so that the chair faces the door" is no turn of the desk.
+        if (const std::size_t that = find_word(words, {"so"}, 1);
+            that < so && so - that > 2 && !is_one_of(words[so - 1], {"it", "they", "that"}))
+            throw UsageError("expected what is turned to face something itself, found \"{}\"", text_of(words));
         while (all.size() > 1 && is_one_of(all.back(), {"so", "that", "it", "and"})) all.pop_back();
         all.push_back("facing");
         const Words to = part_of(words, so + 1);
@@ -298,6 +308,21 @@ void face(Talk& talk, const Words& words) {
 
 namespace {
 
+// "Set the table for six": as many places as are missing; false: no such words.
+bool set_for_guests(Talk& talk, const Words& words) {
+    const std::size_t at = find_word(words, {"for"}, 1);
+    if (talk.said != "set" || at + 1 >= words.size() || !is_definite(words.front())) return false;
+    const auto guests = number_said(words[at + 1]);
+    if (!guests || *guests < 1) return false;
+    const std::string table = talk.things(part_of(words, 0, at)).front();
+    int missing = static_cast<int>(*guests);
+    for (const DocumentThing& t : talk.editor.document().things)
+        if (t.on == table && in_words(t.kind) == "place setting") --missing;
+    if (missing < 1) throw Error("{}: it is set for as many already", table);
+    add(talk, {std::to_string(missing), "place", missing > 1 ? "settings" : "setting", "on", table});
+    return true;
+}
+
 // "the armchair by the window and a side table beside it": one stands there, the other comes new. False: all of them
 // stand there, or all come new.
 bool put_one_by_one(Talk& talk, const Words& words) {
@@ -327,7 +352,7 @@ void put(Talk& talk, const Words& words) {
     // "the walls to white"
     const std::size_t to = find_word(words, {"to"}, 1);
     if (to < words.size() && value_of(part_of(words, to + 1))) return make(talk, words);
-    if (put_one_by_one(talk, words)) return;
+    if (set_for_guests(talk, words) || put_one_by_one(talk, words)) return;
     const std::size_t end = next_place(words);
     const std::string thing = text_of(words, 0, end);
     const bool id = end > 1 && words[end - 1].find_first_not_of("0123456789") == std::string::npos;

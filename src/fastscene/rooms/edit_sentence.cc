@@ -264,6 +264,22 @@ bool says_value(const Words& words) {
 
 }  // namespace
 
+namespace {
+
+// "take the vase off the table and put it on the cabinet": nothing goes; false: no such words.
+bool picked_up(Talk& talk, const Clause& clause, const Clause& next) {
+    if (clause.said != "take" || (next.verb != Verb::put && next.verb != Verb::move) || next.words.empty() ||
+        !is_one_of(next.words.front(), {"it", "them"}))
+        return false;
+    Words words = clause.words;
+    for (std::size_t i = 1; i < words.size(); ++i)
+        if (is_one_of(words[i], {"off", "from"})) words[i] = "on";
+    talk.things_of_parts(words);
+    return true;
+}
+
+}  // namespace
+
 void Talk::act(const Clause& clause) {
     const Words& words = clause.words;
     if (clause.verb == Verb::refuse) refuse(clause);
@@ -306,12 +322,13 @@ void Talk::act(const Clause& clause) {
         }
         case Verb::swap: return swap(*this, words);
         case Verb::turn:
-            if (!lamps_said(words).empty()) return make(*this, words);
+            if (!lamps_said(words).empty() || each_on_or_off(words)) return make(*this, words);
             return turn(*this, words);
         case Verb::face: return face(*this, words);
         case Verb::make:
             // "switch the sofa and the armchair"
-            if (clause.said == "switch" && parts_of(words).size() == 2 && !says_value(words)) return swap(*this, words);
+            if (clause.said == "switch" && parts_of(words).size() == 2 && !says_value(words) && !each_on_or_off(words))
+                return swap(*this, words);
             return make(*this, words);
         case Verb::color: return make(*this, covered(clause));
         case Verb::larger: return make(*this, with_word(words, "larger"));
@@ -343,7 +360,9 @@ EditResult edit_by_sentence(const RoomDocument& document, const std::string& sen
     check_prompt(sentence);
     editing::Editor editor(document, std::move(pack), run);
     editing::Talk talk{editor};
-    for (const auto& clause : editing::clauses_of(sentence)) talk.act(clause);
+    const std::vector<editing::Clause> clauses = editing::clauses_of(sentence);
+    for (std::size_t i = 0; i < clauses.size(); ++i)
+        if (i + 1 == clauses.size() || !editing::picked_up(talk, clauses[i], clauses[i + 1])) talk.act(clauses[i]);
     return editor.result();
 }
 

@@ -108,7 +108,18 @@ void pick(const std::vector<std::string>& words, const PromptObject& said, const
     const auto all = [&](int i) -> const DocumentThing& {
         return editor.document().things[static_cast<std::size_t>(i)];
     };
-    if (left != right) extreme([&](int i) { return to_the_right(editor.room(), all(i)); }, right);
+    if (left != right && several > 1 && several < found.size()) {  // "the two shelves on the right"
+        std::stable_sort(found.begin(), found.end(), [&](int a, int b) {
+            return (to_the_right(editor.room(), all(a)) > to_the_right(editor.room(), all(b))) == right;
+        });
+        found.resize(several);
+        std::sort(found.begin(), found.end());
+    } else if (find_word(words, {"middle"}) < next_place(words) && found.size() % 2 != 0) {
+        std::stable_sort(found.begin(), found.end(), [&](int a, int b) {
+            return to_the_right(editor.room(), all(a)) < to_the_right(editor.room(), all(b));
+        });
+        found = {found[found.size() / 2]};
+    } else if (left != right) extreme([&](int i) { return to_the_right(editor.room(), all(i)); }, right);
     else if (said.size == "large" || said.size == "small")
         extreme([&](int i) { return volume_of(editor.placed(all(i).id)); }, said.size == "large");
 }
