@@ -2,7 +2,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 
 #include "fastscene/base/error.h"
 #include "fastscene/base/is_one_of.h"
@@ -58,10 +57,12 @@ std::vector<PromptObject> wishes_of(const Editor& editor, const Words& words) {
     for (std::size_t k = 1; k < spec.objects.size(); ++k) {
         PromptObject& o = spec.objects[k];
         o.relation_to = first.kind;
-        o.relation = furnishing::is_small(o.kind)                                             ? "on"
-                     : has_role(o.kind, Role::seat) && has_role(first.kind, Role::work_place) ? "in front of"
-                     : has_role(o.kind, Role::seat) && has_role(first.kind, Role::lamp_above) ? "around"
-                                                                                              : "next to";
+        // Chairs stand around tables, one before a desk.
+        const bool table = has_role(first.kind, Role::lamp_above), desk = has_role(first.kind, Role::work_place);
+        o.relation = furnishing::is_small(o.kind)                        ? "on"
+                     : !has_role(o.kind, Role::seat) || !(table || desk) ? "next to"
+                     : desk && !has_role(first.kind, Role::laid)         ? "in front of"
+                                                                         : "around";
     }
     return spec.objects;
 }
@@ -200,6 +201,22 @@ void add_wish(Talk& talk, const PromptObject& wish, const std::optional<Place>& 
     for (std::size_t i = before; i < things.size(); ++i) talk.last.push_back(things[i].id);
 }
 
+// What comes with what was added: "two nightstands with a lamp on each" are two lamps.
+void add_with(Talk& talk, const std::vector<std::string>& ids, const std::vector<PromptObject>& wishes) {
+    for (std::size_t w = 1; w < wishes.size(); ++w) {
+        if (wishes[w].relation != "on" || wishes[w].count > 1 || ids.empty()) {
+            add_wish(talk, wishes[w], {});
+            continue;
+        }
+        for (const std::string& id : ids) {
+            Place on;
+            on.step.wish.relation = "on", on.step.wish.relation_to = asked_kind(talk.editor.placed(id));
+            on.step.at = {id};
+            add_wish(talk, wishes[w], on);
+        }
+    }
+}
+
 Place beside_those(const Talk& talk, const std::vector<std::string>& ids) {
     Place out;
     out.step.wish.relation = "next to", out.step.wish.relation_to = talk.editor.placed(ids.back()).piece.kind;
@@ -274,7 +291,7 @@ void add(Talk& talk, const Words& words) {
         }
         together = own ? std::vector<std::string>{} : part_of(talk.last, spoken);
         shape_as_asked(talk, part_of(talk.last, spoken), all[k].shape);
-        for (std::size_t w = 1; w < all[k].wishes.size(); ++w) add_wish(talk, all[k].wishes[w], {});
+        add_with(talk, part_of(talk.last, spoken), all[k].wishes);
     }
 }
 
@@ -326,26 +343,6 @@ void replace(Talk& talk, const Words& old, const Words& by) {
         add_wish(talk, wish, {});
     }
 }
-
-namespace {
-
-// "the colors of the sofa and the rug"; false: no such words.
-bool swap_colors(Talk& talk, const Words& words) {
-    const std::size_t colors = find_word(words, {"colors", "color", "colours"});
-    if (colors + 2 >= words.size() || words[colors + 1] != "of") return false;
-    const std::vector<std::string> ids = talk.things_of_parts(part_of(words, colors + 2));
-    if (ids.size() != 2) throw UsageError("expected two things to exchange their colors, found {}", ids.size());
-    std::array<std::string, 2> seen{talk.editor.color_seen(ids[1]), talk.editor.color_seen(ids[0])};
-    for (const std::size_t k : {0u, 1u}) {
-        EditStep step;
-        step.kind = EditStep::Kind::recolor;
-        step.ids = {ids[k]}, step.wish.color = seen[k];
-        talk.editor.apply(step);
-    }
-    return true;
-}
-
-}  // namespace
 
 void swap(Talk& talk, Words words) {
     if (swap_colors(talk, words)) return;

@@ -118,7 +118,19 @@ std::string lamps_said(const Words& words) {
 
 bool shine_said(Talk& talk, const Words& words) {
     const auto tells = [](const std::string& w) { return is_one_of(w, {"on", "off", "out"}); };
-    if (words.size() < 2 || (!tells(words.front()) && !tells(words.back()))) return false;
+    const std::size_t last = words.size() - (words.back() == "only" && words.size() > 1 ? 2 : 1);
+    if (words.size() < 2 || (!tells(words.front()) && !tells(words[last]))) return false;
+    // "the floor lamp only on": no other one
+    if (const std::size_t only = find_word(words, {"only", "just"}); only < words.size()) {
+        Words rest = words;
+        rest.erase(rest.begin() + static_cast<std::ptrdiff_t>(only));
+        if (rest.front() == "on" || rest.back() == "on") {
+            EditStep others;
+            others.kind = EditStep::Kind::light, others.value = "lamps off";
+            talk.editor.apply(others);
+        }
+        return shine_said(talk, rest);
+    }
     const bool first = tells(words.front());
     EditStep step;
     step.kind = EditStep::Kind::shine;

@@ -185,6 +185,24 @@ std::vector<std::string> make_one(Talk& talk, const Words& subject, const Value&
     return step.ids;
 }
 
+// "The bed frame oak and the bedding white": a thing has one color.
+void check_one_look(Talk& talk, const std::vector<Group>& groups) {
+    std::vector<std::string> seen;
+    for (const Group& group : groups) {
+        std::vector<std::string> ids;
+        for (const Words& subject : group.subjects)
+            for (const Words& words : group.values)
+                if (const auto value = value_of(words); value && !value->resizes() && surface_said(subject).empty() &&
+                                                        !says_any(subject, {"it", "them", "other"}))
+                    for (const int i : all_named(talk.editor, text_of(subject)))
+                        ids.push_back(talk.editor.document().things[static_cast<std::size_t>(i)].id);
+        for (const std::string& id : ids)
+            if (groups.size() > 1 && ids.size() == 1 && std::find(seen.begin(), seen.end(), id) != seen.end())
+                throw UsageError("{}: its parts have one color, found two", id);
+        add_new(seen, ids);
+    }
+}
+
 void apply(Talk& talk, const Group& group) {
     std::vector<std::string> spoken;
     for (const Words& subject : group.subjects) {
@@ -309,7 +327,24 @@ void make(Talk& talk, const Words& words) {
     if (brightness_said(talk, words)) return;
     if (like_another(talk, words)) return;
     if (of_the_room(talk, words)) return;
-    for (const Group& group : groups_of(as_made(words))) apply(talk, group);
+    const std::vector<Group> groups = groups_of(as_made(words));
+    check_one_look(talk, groups);
+    for (const Group& group : groups) apply(talk, group);
+}
+
+bool swap_colors(Talk& talk, const Words& words) {
+    const std::size_t colors = find_word(words, {"colors", "color", "colours"});
+    if (colors + 2 >= words.size() || words[colors + 1] != "of") return false;
+    const std::vector<std::string> ids = talk.things_of_parts(part_of(words, colors + 2));
+    if (ids.size() != 2) throw UsageError("expected two things to exchange their colors, found {}", ids.size());
+    std::array<std::string, 2> seen{talk.editor.color_seen(ids[1]), talk.editor.color_seen(ids[0])};
+    for (const std::size_t k : {0u, 1u}) {
+        EditStep step;
+        step.kind = EditStep::Kind::recolor;
+        step.ids = {ids[k]}, step.wish.color = seen[k];
+        talk.editor.apply(step);
+    }
+    return true;
 }
 
 }  // namespace fastscene::editing

@@ -318,6 +318,7 @@ void swap(Talk& talk, Words words);
 // "the sofa green", "it night", "the walls sage", "the rug larger", "the style to japandi"
 void make(Talk& talk, const Words& words);
 bool each_on_or_off(const Words& words);
+bool swap_colors(Talk& talk, const Words& words);  // "the colors of the sofa and the rug"; false: no such words
 // ---- edit_want.cc: "I want a plant", "the sofa should be green", "it is too dark"
 void want(Talk& talk, const Words& words);
 // "a wooden floor", "blue walls": how surfaces are to look; false: the words are about none.

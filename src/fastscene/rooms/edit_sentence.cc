@@ -216,7 +216,10 @@ namespace {
 // "lower the lamp": down.
 Words lowered(const Clause& clause) {
     Words out = clause.words;
-    if (is_one_of(clause.said, {"lower", "raise", "lift"}) && next_place(out) == out.size())
+    Words bare = out;
+    const bool by_length = take_length(bare).has_value();  // "by 20 cm"
+    if (by_length && !bare.empty() && bare.back() == "by") bare.pop_back();
+    if (is_one_of(clause.said, {"lower", "raise", "lift"}) && next_place(bare) == bare.size())
         out.push_back(clause.said == "lower" ? "down" : "up");
     return out;
 }

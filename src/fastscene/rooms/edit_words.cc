@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numeric>
 
 #include "fastscene/base/error.h"
 #include "fastscene/base/is_one_of.h"
@@ -120,7 +119,11 @@ void pick(const std::vector<std::string>& words, const PromptObject& said, const
         });
         found = {found[found.size() / 2]};
     } else if (left != right) extreme([&](int i) { return to_the_right(editor.room(), all(i)); }, right);
-    else if (said.size == "large" || said.size == "small")
+    else if (said.size == "large" && says_several(words, said) && !has_word(words, {"biggest", "largest"})) {
+        float most = 0;
+        for (const int i : found) most = std::max(most, volume_of(editor.placed(all(i).id)));
+        std::erase_if(found, [&](int i) { return volume_of(editor.placed(all(i).id)) < 0.5f * most; });
+    } else if (said.size == "large" || said.size == "small")
         extreme([&](int i) { return volume_of(editor.placed(all(i).id)); }, said.size == "large");
 }
 
