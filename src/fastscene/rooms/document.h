@@ -39,6 +39,7 @@ struct DocumentThing {
     std::string model;                   // path within the furniture pack
     std::optional<Mount> mount;          // where it differs from what such things are: a picture that leans on a top
     std::optional<bool> flat, overhead;  // rugs, and what hangs from the ceiling: one may stand there
+    std::optional<float> lit;            // 0 … 1: the share of its light that it gives; nothing: as the room's lamps
     std::optional<PromptObject> asked;   // what of a prompt or an edit it is
 };
 

@@ -138,6 +138,8 @@ void visit_fields(DocumentThing& t, V&& v) {
     v("mount", t.mount, Rule{}, "How it stands or hangs, where that is not as usual.");
     v("flat", t.flat, Rule{}, "One may stand on it; without it, rugs.");
     v("overhead", t.overhead, Rule{}, "One may stand below it; without it, what hangs from the ceiling.");
+    v("lit", t.lit, Rule{.low = 0, .high = 1},
+      "Share of its light that a lamp, a candle or a fire gives; without it, as the room's lamps do.");
     v("asked", t.asked, Rule{}, "What of a prompt or an edit it is.");
 }
 template <class V>

@@ -13,6 +13,7 @@
 #include "fastscene/rooms/footprint.h"
 #include "fastscene/rooms/pack.h"
 #include "fastscene/rooms/room_type.h"
+#include "fastscene/rooms/tops.h"
 
 namespace fastscene {
 namespace {
@@ -45,6 +46,7 @@ DocumentThing thing_of(const Placed& p, const std::vector<std::string>& ids, std
     if (p.piece.mount != p.piece.made_mount) t.mount = p.piece.mount;
     if (p.flat != (t.kind == "rug")) t.flat = p.flat;
     if (p.overhead != (p.piece.mount == Mount::ceiling)) t.overhead = p.overhead;
+    t.lit = p.lit;
     if (!p.wish.kind.empty()) t.asked = p.wish;
     return t;
 }
@@ -230,10 +232,14 @@ class Builder {
             p.sill = t.window;
             p.flat = t.flat.value_or(t.kind == "rug");
             p.overhead = t.overhead.value_or(p.piece.mount == Mount::ceiling);
+            p.lit = t.lit;
             if (t.asked) p.wish = *t.asked;
             p.wish.id = -1;
             out.push_back(std::move(p));
         }
+        // An edit may set things down on what was built without a top.
+        for (std::size_t i = 0; i < out.size(); ++i)
+            if (out[i].on >= 0) add_flat_top(out[static_cast<std::size_t>(out[i].on)].piece);
         return out;
     }
 

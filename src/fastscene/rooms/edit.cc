@@ -203,6 +203,7 @@ void Editor::apply(const EditStep& step) {
         case EditStep::Kind::replace: return replace(step);
         case EditStep::Kind::restyle: return restyle(step.value);
         case EditStep::Kind::light: return light(step.value);
+        case EditStep::Kind::shine: return shine(step);
     }
 }
 

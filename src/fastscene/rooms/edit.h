@@ -26,6 +26,7 @@ struct EditStep {
         replace,  // by `wish`, as many as it says, each where one of `ids` stood
         restyle,  // the room, by `value`
         light,    // hour, weather or lamps, by `value`
+        shine,    // of `ids`, each what shines: on, off, brighter or darker, by `value`
     } kind = Kind::remove;
     std::vector<std::string> ids;  // of things; none for add, restyle and light
     std::string surface;
@@ -36,11 +37,13 @@ struct EditStep {
     bool elsewhere = false;           // … not where it is now: another wall, another corner
     bool opposite = false;            // … but at the wall that faces it
     bool each = false;                // add: in as many corners as have room
+    bool on_floor = false;            // … and small things there stand on the floor
+    bool centered = false;            // … in the middle of its top
     std::optional<Vec2f> position{};  // x, z in the room
     std::optional<float> yaw{};       // radians
     Vec3f by{};                       // metres: as much of it as there is room for, or `exactly`
     bool exactly = false;
-    bool about = false;  // of a shift: any way will do that leads about there, as "away from the wall"
+    bool about = false;     // of a shift: any way will do that leads about there, as "away from the wall"
     Vec3f factor{1, 1, 1};  // of width, height, depth
     float brighter = 1;     // recolor: the color that it has, so many times as bright
     std::string value;

@@ -8,6 +8,7 @@
 #include "fastscene/rooms/catalogue.h"
 #include "fastscene/rooms/edit_parts.h"
 #include "fastscene/rooms/layout_parts.h"
+#include "fastscene/rooms/lexicon.h"
 #include "fastscene/rooms/plan.h"
 
 namespace fastscene::editing {
@@ -48,22 +49,62 @@ std::vector<PromptObject> wishes_of(const Editor& editor, const Words& words) {
         if (!o.counted && has_role(o.kind, Role::heap)) o.count = 1;
     }
     PromptObject& first = spec.objects.front();
+    // "a bowl of lemons" is a bowl.
+    for (std::size_t i = 1; i + 1 < words.size() && spec.objects.size() > 1; ++i)
+        if (words[i] == "of" && text_of(words, i + 1).starts_with(spec.objects[1].words) &&
+            furnishing::is_small(spec.objects[1].kind))
+            spec.objects.erase(spec.objects.begin() + 1);
     for (std::size_t k = 1; k < spec.objects.size(); ++k) {
         PromptObject& o = spec.objects[k];
         o.relation_to = first.kind;
-        o.relation = furnishing::is_small(o.kind)                                             ? "on"
-                     : has_role(o.kind, Role::seat) && has_role(first.kind, Role::lamp_above) ? "around"
-                                                                                              : "next to";
+        // Chairs stand around tables, one before a desk.
+        const bool table = has_role(first.kind, Role::lamp_above), desk = has_role(first.kind, Role::work_place);
+        o.relation = furnishing::is_small(o.kind)                        ? "on"
+                     : !has_role(o.kind, Role::seat) || !(table || desk) ? "next to"
+                     : desk && !has_role(first.kind, Role::laid)         ? "in front of"
+                                                                         : "around";
     }
     return spec.objects;
+}
+
+// The shape that words ask for. Throws UsageError for one that nothing has: "star shaped".
+std::string shape_asked(const Words& words) {
+    std::string out;
+    for (std::size_t i = 0; i < words.size(); ++i) {
+        if (const std::string one = shape_said({words[i]}); !one.empty() && out.empty()) out = one;
+        const bool shaped = i > 0 && is_one_of(words[i], {"shaped", "shape"});
+        const std::string of = shaped ? words[i - 1] : words[i].ends_with("-shaped") ? words[i] : "";
+        if (of.empty() || !shape_said({of}).empty() || is_one_of(of, {"a", "the", "in", "good"})) continue;
+        // "an l shaped sofa" is a word of the lexicon.
+        const auto word = look_up(text_of(words, i - (shaped ? 1 : 0), i + 2));
+        if (word && word->kind == WordKind::object) continue;
+        throw UsageError("nothing can be made {}; shapes are round, oval, square and rectangular",
+                         shaped ? of + " " + words[i] : of);
+    }
+    return out;
+}
+
+// What came new has the shape that was said, or there is no such thing.
+void shape_as_asked(Talk& talk, const std::vector<std::string>& ids, const std::string& shape) {
+    if (shape.empty()) return;
+    for (const std::string& id : ids) {
+        if (shape_of(talk.editor.placed(id).piece) == shape) continue;
+        EditStep step;
+        step.kind = EditStep::Kind::reshape;
+        step.ids = {id};
+        step.value = shape;
+        talk.editor.apply(step);
+    }
 }
 
 struct Addition {
     std::vector<PromptObject> wishes;
     std::optional<Place> place;
+    std::string shape{};  // of the first
 };
 
-Addition addition_of(const Editor& editor, const Words& words) {
+Addition addition_of(const Editor& editor, const Words& words, const std::vector<std::string>& spoken) {
+    const std::string shape = shape_asked(words);
     for (std::size_t end = next_place(words); end < words.size(); end = next_place(words, end + 1)) {
         const Words there = part_of(words, end);
         // "a table in oak"
@@ -75,15 +116,16 @@ Addition addition_of(const Editor& editor, const Words& words) {
             if (rest.size() > 2 && rest.back() == "it") rest.resize(rest.size() - 2);
             all.insert(all.end(), rest.begin(), rest.end());
             const auto both = wishes_of(editor, all);
-            if (auto place = place_of(editor, part_of(there, 0, with), both.front().kind, "")) return {both, place};
+            if (auto place = place_of(editor, part_of(there, 0, with), both.front().kind, "", spoken))
+                return {both, place, shape};
         }
         const auto wishes = wishes_of(editor, part_of(words, 0, end));
-        if (auto place = place_of(editor, there, wishes.front().kind, "")) return {wishes, place};
+        if (auto place = place_of(editor, there, wishes.front().kind, "", spoken)) return {wishes, place, shape};
     }
     const auto wishes = wishes_of(editor, words);
     if (furnishing::is_small(wishes.front().kind))
-        if (const auto step = on_support(editor, words)) return {wishes, Place{*step, {}}};
-    return {wishes, {}};
+        if (const auto step = on_support(editor, words)) return {wishes, Place{*step, {}, 0}, shape};
+    return {wishes, {}, shape};
 }
 
 // What lies on a table as others do: there, if it has room for one more. Where all of them lie on tables, nowhere else.
@@ -128,6 +170,16 @@ bool drawn_up(Talk& talk, EditStep step) {
     return false;
 }
 
+// "remove the vase and put a lamp there": where that stood.
+void stand_there(Talk& talk, EditStep& step) {
+    if (talk.last_gone_from.empty() || !furnishing::is_small(step.wish.kind)) {
+        if (talk.last_gone) step.position = talk.last_gone;
+        return;
+    }
+    step.wish.relation = "on", step.wish.relation_to = asked_kind(talk.editor.placed(talk.last_gone_from));
+    step.at = {talk.last_gone_from};
+}
+
 void add_wish(Talk& talk, const PromptObject& wish, const std::optional<Place>& place) {
     const std::size_t before = talk.editor.document().things.size();
     EditStep step = place ? place->step : EditStep{};
@@ -137,8 +189,9 @@ void add_wish(Talk& talk, const PromptObject& wish, const std::optional<Place>& 
     if (place)
         step.wish.relation = where.relation, step.wish.relation_to = where.relation_to,
         step.wish.relation_and = where.relation_and;
+    if (place && place->count > step.wish.count) step.wish.count = place->count, step.wish.counted = true;
     if (step.each) step.wish.count = std::max(4, wish.count), step.wish.counted = false;
-    if (!place && talk.there) step.position = talk.last_gone;
+    if (!place && talk.there) stand_there(talk, step);
     if (!place && (drawn_up(talk, step) || with_its_like(talk, step))) {
         // with its like, at their table
     } else if (place && !place->each_at.empty())
@@ -148,27 +201,97 @@ void add_wish(Talk& talk, const PromptObject& wish, const std::optional<Place>& 
     for (std::size_t i = before; i < things.size(); ++i) talk.last.push_back(things[i].id);
 }
 
+// What comes with what was added: "two nightstands with a lamp on each" are two lamps.
+void add_with(Talk& talk, const std::vector<std::string>& ids, const std::vector<PromptObject>& wishes) {
+    for (std::size_t w = 1; w < wishes.size(); ++w) {
+        if (wishes[w].relation != "on" || wishes[w].count > 1 || ids.empty()) {
+            add_wish(talk, wishes[w], {});
+            continue;
+        }
+        for (const std::string& id : ids) {
+            Place on;
+            on.step.wish.relation = "on", on.step.wish.relation_to = asked_kind(talk.editor.placed(id));
+            on.step.at = {id};
+            add_wish(talk, wishes[w], on);
+        }
+    }
+}
+
+Place beside_those(const Talk& talk, const std::vector<std::string>& ids) {
+    Place out;
+    out.step.wish.relation = "next to", out.step.wish.relation_to = talk.editor.placed(ids.back()).piece.kind;
+    out.step.at = {ids.back()};
+    return out;
+}
+
+}  // namespace
+
+namespace {
+
+// "curtains in the same color as the rug"; false: no such words.
+bool add_like_another(Talk& talk, const Words& words) {
+    const std::size_t same = find_word(words, {"same"}, 1), as = find_word(words, {"as"}, same);
+    if (as + 1 >= words.size() || find_word(words, {"color", "shade"}, same) > as) return false;
+    Words bare = part_of(words, 0, same);
+    while (bare.size() > 1 && is_one_of(bare.back(), {"in", "of", "with", "the"})) bare.pop_back();
+    EditStep step;
+    step.kind = EditStep::Kind::recolor;
+    step.wish.color = talk.editor.color_seen(talk.things(part_of(words, as + 1)).front());
+    add(talk, bare);
+    step.ids = talk.last;
+    talk.editor.apply(step);
+    return true;
+}
+
 }  // namespace
 
 // "a floor lamp beside the bed and two plants in the corner"; a place holds for those before it that name none.
 void add(Talk& talk, const Words& words) {
-    if (brightness_said(talk, words) || paint_wanted(talk, words)) return;
+    const std::vector<Words> parts = parts_of(words);
+    // "brick walls and a concrete floor"
+    if (parts.size() > 1 && std::all_of(parts.begin(), parts.end(), [&](const Words& w) {
+            return is_one_of(noun_of(w.back()), {"wall", "floor", "ceiling"});
+        })) {
+        for (const Words& part : parts)
+            if (!paint_wanted(talk, part)) throw UsageError("expected how to make it, found \"{}\"", text_of(part));
+        return;
+    }
+    if (brightness_said(talk, words) || paint_wanted(talk, words) || add_like_another(talk, words)) return;
+    // "a desk, and a lamp on it": first what that is.
+    for (std::size_t k = 1; k < parts.size(); ++k) {
+        if (!is_one_of(parts[k].back(), {"it", "them"}) || next_place(parts[k]) == parts[k].size()) continue;
+        for (const bool first : {true, false}) {
+            Words some;
+            for (std::size_t i = first ? 0 : k; i < (first ? k : parts.size()); ++i) {
+                if (!some.empty()) some.push_back("and");
+                some.insert(some.end(), parts[i].begin(), parts[i].end());
+            }
+            add(talk, some);
+        }
+        return;
+    }
     std::vector<Addition> all;
-    for (const Words& part : parts_of(words)) all.push_back(addition_of(talk.editor, part));
+    for (const Words& part : parts) all.push_back(addition_of(talk.editor, part, talk.last));
     if (all.empty()) throw UsageError("expected a thing to add, found the end of the sentence");
     talk.last.clear();
+    std::vector<std::string> together;  // those that share the place of the next one
     for (std::size_t k = 0; k < all.size(); ++k) {
         const auto own = all[k].place;
         std::optional<Place> shared;
         for (std::size_t next = k; next < all.size() && !shared; ++next) shared = all[next].place;
         const PromptObject& first = all[k].wishes.front();
+        const std::size_t spoken = talk.last.size();
         try {
             add_wish(talk, first, shared);
         } catch (const Error&) {
-            if (own || !shared) throw;
-            add_wish(talk, first, {});
+            // Two that do not fit into one corner: one by the other.
+            const bool beside = shared && shared->step.wish.relation == "in the corner" && !together.empty();
+            if (!beside) throw;
+            add_wish(talk, first, beside_those(talk, together));
         }
-        for (std::size_t w = 1; w < all[k].wishes.size(); ++w) add_wish(talk, all[k].wishes[w], {});
+        together = own ? std::vector<std::string>{} : part_of(talk.last, spoken);
+        shape_as_asked(talk, part_of(talk.last, spoken), all[k].shape);
+        add_with(talk, part_of(talk.last, spoken), all[k].wishes);
     }
 }
 
@@ -206,10 +329,14 @@ void replace(Talk& talk, const Words& old, const Words& by) {
     step.wish = wishes_of(talk.editor, parts.front()).front();
     const bool one = is_one_of(parts.front().front(), {"a", "an", "another", "one"});
     if (!step.wish.counted && !one) step.wish.count = static_cast<int>(step.ids.size());
+    const std::size_t told = talk.editor.result().changes.size();
     talk.editor.apply(step);
     talk.last = {};
-    for (const EditChange& change : talk.editor.result().changes)
-        if (change.what.starts_with("added in place of")) talk.last.push_back(change.id);
+    const auto& changes = talk.editor.result().changes;
+    for (std::size_t i = told; i < changes.size(); ++i)
+        if (const EditChange& change = changes[i]; change.what.starts_with("added in place of"))
+            talk.last.push_back(change.id);
+    shape_as_asked(talk, talk.last, shape_asked(parts.front()));
     for (std::size_t k = 1; k < parts.size(); ++k) {
         PromptObject wish = wishes_of(talk.editor, parts[k]).front();
         wish.relation = "next to", wish.relation_to = step.wish.kind;
@@ -218,9 +345,15 @@ void replace(Talk& talk, const Words& old, const Words& by) {
 }
 
 void swap(Talk& talk, Words words) {
+    if (swap_colors(talk, words)) return;
     for (const char* name : {"positions", "position", "places", "place"})
         if (const std::size_t at = find_word(words, {name}); at + 1 < words.size() && words[at + 1] == "of")
             words = part_of(words, at + 2);
+    // "the two armchairs' places"
+    while (words.size() > 1 && is_one_of(words.back(), {"places", "positions", "place", "position", "around", "over"}))
+        words.pop_back();
+    for (std::string& w : words)
+        if (const std::size_t mark = w.find('\''); mark != std::string::npos && mark > 1) w.resize(mark);
     const std::size_t with = find_word(words, {"with", "for", "by", "and"});
     if (const auto two = with == words.size() ? talk.things(words) : std::vector<std::string>{}; two.size() == 2) {
         EditStep step;

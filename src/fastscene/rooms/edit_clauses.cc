@@ -18,14 +18,14 @@ struct Row {
     Verb verb;
     std::string_view beginnings;  // with "|" between them
 };
-constexpr std::array<Row, 20> kBeginnings{{
+constexpr std::array<Row, 22> kBeginnings{{
     {Verb::remove,
      "remove|delete|erase|take away|take out|take|drop|get rid of|throw out|throw away|throw|"
      "lose|discard|ditch|hide|clear away|clear out|without|no more|no|i dont like|"
      "i do not like|i dont want|i do not want|i dont need|we dont need|there should be no"},
     {Verb::clear, "clear|empty"},
     {Verb::move, "move|shift|bring|push|pull|slide|drag|relocate|lower|raise|lift|carry"},
-    {Verb::put, "put|place|set|stand|hang|lay|position|mount|lean"},
+    {Verb::put, "put|place|set|stand|hang|lay|position|mount|lean|put down|put up|lay down|set down|hang up"},
     {Verb::make, "make|change|switch|give"},
     {Verb::refuse, "open|close|shut|rearrange|reorganize|arrange|redecorate|improve|fix|undo|redo|keep|leave"},
     {Verb::tidy, "tidy|tidy up|clean|clean up|declutter|straighten up"},
@@ -43,10 +43,12 @@ constexpr std::array<Row, 20> kBeginnings{{
     {Verb::swap, "swap|interchange"},
     {Verb::turn, "turn|rotate|spin|flip"},
     {Verb::face, "face|point|orient|aim"},
-    {Verb::color, "paint|color|recolor|dye|tint|repaint|reupholster|cover"},
+    {Verb::color, "paint|color|recolor|dye|tint|repaint|reupholster|cover|tile|carpet|plaster"},
     {Verb::larger, "enlarge|scale up"},
     {Verb::smaller, "shrink|scale down|reduce"},
     {Verb::copy, "duplicate|copy|clone"},
+    {Verb::kindle, "light|ignite|kindle"},
+    {Verb::quench, "put out|blow out|extinguish|snuff out|snuff"},
 }};
 
 struct Beginning {
@@ -136,9 +138,18 @@ std::size_t past_polite(const Words& words, std::size_t at) {
 
 const Beginning* beginning_at(const Words& words, std::size_t at) {
     const Beginning* best = nullptr;
-    for (const Beginning& b : beginnings())
-        if (part_of(words, at, at + b.words.size()) == b.words && (!best || b.words.size() > best->words.size()))
-            best = &b;
+    // "Light the candles", but "light blue walls"; "tile the floor", but "tile on the floor".
+    const auto is_of_those = [&](std::size_t next) {
+        return next < words.size() &&
+               (is_definite(words[next]) || is_one_of(words[next], {"all", "both", "every", "each"}));
+    };
+    for (const Beginning& b : beginnings()) {
+        if (part_of(words, at, at + b.words.size()) != b.words || (best && b.words.size() <= best->words.size()))
+            continue;
+        const bool of_those = b.verb == Verb::kindle || b.verb == Verb::quench ||
+                              is_one_of(b.words.front(), {"tile", "carpet", "plaster"});
+        if (!of_those || is_of_those(at + b.words.size())) best = &b;
+    }
     return best;
 }
 

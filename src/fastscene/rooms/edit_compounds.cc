@@ -70,8 +70,12 @@ std::vector<int> beside(const Editor& editor, const std::vector<int>& beds, cons
     std::vector<int> out;
     for (const int i : found)
         if (std::any_of(beds.begin(), beds.end(), [&](int bed) {
-                return distance_to(footprint_of(placed_at(editor, bed)), footprint_of(placed_at(editor, i)).center) <
-                       kReach;
+                const Placed& b = placed_at(editor, bed);
+                // At its head, where that has one.
+                const bool foot = !has_role(b.piece.kind, Role::along_wall) &&
+                                  dot(placed_at(editor, i).position - b.position, front_of(b.yaw)) > 0;
+                return !foot && distance_to(footprint_of(placed_at(editor, bed)),
+                                            footprint_of(placed_at(editor, i)).center) < kReach;
             }))
             out.push_back(i);
     return out;
@@ -145,6 +149,30 @@ void at_support(const Editor& editor, const Words& words, std::vector<int>& foun
             if (others) found.clear();
             return;
         }
+}
+
+bool beside_as_seen(const Editor& editor, const PromptObject& where, std::vector<int>& found) {
+    if (!is_one_of(where.relation, {"left of", "right of"}) || where.relation_to.empty() || where.count < 3)
+        return false;
+    constexpr float kMiddle = 0.2f, kNear = 1.2f;  // metres
+    const FurnishedRoom& room = editor.room().furnished;
+    const auto to_the_right = [&](const Placed& p) {
+        return dot(p.position - room.camera, cross(room.looks, Vec3f{0, 1, 0}));
+    };
+    std::vector<int> there;
+    for (const Placed& at : room.placed) {
+        if (at.piece.kind != where.relation_to && at.wish.kind != where.relation_to) continue;
+        for (const int i : found) {
+            const Placed& p = placed_at(editor, i);
+            const float aside = to_the_right(p) - to_the_right(at);
+            if ((where.relation == "left of" ? -aside : aside) > kMiddle &&
+                distance_to(footprint_of(at), footprint_of(p).center) < kNear)
+                there.push_back(i);
+        }
+    }
+    if (there.empty()) return false;
+    found = there;
+    return true;
 }
 
 void at_anchors(const Editor& editor, const std::string& relation, const std::vector<int>& anchors,

@@ -15,16 +15,17 @@ namespace {
 
 // Where a piece stands in the place of another on the floor: its back where the other's was, or their middles; the
 // others further along and further out from there.
-std::vector<Vec2f> spots(const Piece& piece, const Placed& place, float aside) {
+std::vector<Vec2f> spots(const Plan& plan, const Piece& piece, const Placed& place, float aside) {
     std::vector<Vec2f> out;
     const Vec2f front = flat(front_of(place.yaw)), right = flat(right_of(place.yaw));
-    const bool backs = piece.against_wall && place.piece.against_wall;
+    // A bench that stands at a wall has its back there as well.
+    const bool backs = piece.against_wall && (place.piece.against_wall || wall_behind(plan, place) >= 0);
     const float back = backs ? (piece.size_m.z - place.piece.size_m.z) / 2 : 0.f;
     for (const float along : {0.f, 0.12f, -0.12f, 0.25f, -0.25f, 0.4f, -0.4f, 0.6f, -0.6f})
         for (const float out_by : {0.f, 0.05f, 0.12f, 0.22f, 0.35f}) {
             const Vec2f at = flat(place.position) + right * (aside + along);
             out.push_back(at + front * (back + out_by));
-            if (!place.piece.against_wall) out.push_back(at - front * out_by);
+            if (!place.piece.against_wall && !backs) out.push_back(at - front * out_by);
         }
     return out;
 }
@@ -32,8 +33,14 @@ std::vector<Vec2f> spots(const Piece& piece, const Placed& place, float aside) {
 std::optional<int> stand_in_place(Layout& layout, const PieceRequest& request, const PromptObject& wish,
                                   const Placed& place, float aside) {
     const Piece piece = make_piece(request);
-    for (const Vec2f at : spots(piece, place, aside))
-        if (const auto i = layout.stand_at(piece, at, place.yaw, wish, {})) return i;
+    // What has a back and comes for what has none stands with it at the wall.
+    Placed there = place, turned = place;
+    turned.yaw = std::remainder(place.yaw + kPi, 2 * kPi);
+    if (piece.against_wall && !place.piece.against_wall && wall_behind(layout.plan(), place) < 0 &&
+        wall_behind(layout.plan(), turned) >= 0)
+        there = turned;
+    for (const Vec2f at : spots(layout.plan(), piece, there, aside))
+        if (const auto i = layout.stand_at(piece, at, there.yaw, wish, {})) return i;
     return {};
 }
 
@@ -129,6 +136,33 @@ void Editor::swap_two(int a, int b, const std::vector<int>& with_a, const std::v
     });
 }
 
+namespace {
+
+// Fewer new ones than old ones: each in the middle of some of these that look one way, where they can be shared out
+// so.
+std::vector<Placed> shared_out(std::vector<Placed> olds, int count) {
+    const auto total = static_cast<int>(olds.size());
+    if (count < 1 || total <= count || total % count != 0 || olds.front().on >= 0) return olds;
+    constexpr float kTurn = 10;  // degrees: so near to each other they look one way
+    const auto way = [&](const Placed& p) { return std::lround(p.yaw * 180 / kPi / kTurn); };
+    std::stable_sort(olds.begin(), olds.end(), [&](const Placed& a, const Placed& b) { return way(a) < way(b); });
+    std::vector<Placed> out;
+    for (int n = 0; n < count; ++n) {
+        const auto first = static_cast<std::size_t>(n * (total / count));
+        const auto last = first + static_cast<std::size_t>(total / count);
+        Placed middle = olds[first];
+        for (std::size_t k = first + 1; k < last; ++k) {
+            if (way(olds[k]) != way(middle)) return olds;
+            middle.position += olds[k].position;
+        }
+        middle.position = middle.position * (static_cast<float>(count) / static_cast<float>(total));
+        out.push_back(middle);
+    }
+    return out;
+}
+
+}  // namespace
+
 // As many new ones as were asked for, shared out to the places of the old ones; without a place there, near it.
 void Editor::replace(const EditStep& step) {
     std::vector<int> roots;
@@ -146,7 +180,19 @@ void Editor::replace(const EditStep& step) {
     }
     const Standing standing = without(with_riders(roots));
     std::vector<Placed> all = standing.placed;
-    const int count = std::max(1, step.wish.count), places = static_cast<int>(olds.size());
+    int count = std::max(1, step.wish.count);
+    // Of "benches for the chairs", nobody said how many: fewer, where they are much wider.
+    constexpr float kWider = 1.6f;
+    if (!step.wish.counted && count == static_cast<int>(olds.size()) && count % 2 == 0) {
+        PromptSpec spec = room_.spec;
+        Random rng(room_.seed, "wide");
+        Layout layout(plan(), spec, rng);
+        if (layout.why_not(step.wish.kind).empty() && olds.front().piece.mount == Mount::floor &&
+            make_piece(layout.request(step.wish.kind, &step.wish)).size_m.x > kWider * olds.front().piece.size_m.x)
+            count /= 2;
+    }
+    if (riders.empty()) olds = shared_out(std::move(olds), count);
+    const int places = static_cast<int>(olds.size());
     std::vector<int> place_of_new;
     for (int n = 0; n < count; ++n) {
         const int k = n % places, here = (count - k + places - 1) / places, nth = n / places;
@@ -219,34 +265,49 @@ std::vector<Placed> Editor::in_place_of(const std::vector<Placed>& all, const St
     return out.empty() || far ? all : out;
 }
 
+namespace {
+
+// Where on a carrier's top a thing stands, as near as may be to where it is; nothing: it is too large for it.
+std::optional<Vec3f> nearest_on_top(const Placed& carrier, const Placed& thing) {
+    if (carrier.piece.surfaces.empty()) return {};
+    const Surface& top = carrier.piece.surfaces.front();
+    const Vec3f right = right_of(carrier.yaw), front = front_of(carrier.yaw), d = thing.position - carrier.position;
+    const Footprint box = footprint_of(thing);
+    const float spare_x = top.half.x - extent(box, flat(right)), spare_z = top.half.y - extent(box, flat(front));
+    constexpr float kBeyond = 0.02f;  // metres that it may reach beyond the free part
+    if (spare_x < -kBeyond || spare_z < -kBeyond) return {};
+    const auto within = [](float at, float middle, float spare) {
+        return middle + std::clamp(at - middle, -std::max(0.f, spare), std::max(0.f, spare));
+    };
+    Vec3f out = carrier.position + right * within(dot(d, right), top.center.x, spare_x) +
+                front * within(dot(d, front), top.center.z, spare_z);
+    out.y = carrier.position.y + top.center.y;
+    return out;
+}
+
+}  // namespace
+
 // What stood on what was replaced stands on what came, where that has room for it.
 void Editor::set_down(const std::vector<std::pair<std::string, int>>& riders, const std::vector<std::string>& onto) {
-    std::vector<std::string> gone;
-    for (const auto& [id, place] : riders) {
-        DocumentThing& t = thing(index_of(id));
-        t.on = onto[static_cast<std::size_t>(place)];
-    }
+    for (const auto& [id, place] : riders) thing(index_of(id)).on = onto[static_cast<std::size_t>(place)];
     build();
+    std::vector<std::string> gone;
+    std::vector<Footprint> taken;
     for (const auto& [id, place] : riders) {
         const std::string& top = onto[static_cast<std::size_t>(place)];
-        if (top.empty()) {
-            gone.push_back(id);
-            continue;
-        }
         const int i = index_of(id);
-        const Placed& carrier = placed(top);
-        const auto& surfaces = carrier.piece.surfaces;
-        const Footprint box = footprint_of(placed(i));
-        const std::array<Vec2f, 4> corners = corners_of(box);
-        const bool holds = !surfaces.empty() && std::all_of(corners.begin(), corners.end(), [&](Vec2f corner) {
-            return distance_to(footprint_of(carrier), corner) < 0.005f;
-        });
-        if (!holds) {
+        const auto to = top.empty() ? std::nullopt : nearest_on_top(placed(top), placed(i));
+        Placed there = placed(i);
+        if (to) there.position = *to;
+        const Footprint box = footprint_of(there);
+        if (!to || std::any_of(taken.begin(), taken.end(), [&](const Footprint& f) { return overlap(f, box); })) {
             gone.push_back(id);
+            if (!top.empty()) tell(id, "there is no room for it on " + top);
             continue;
         }
-        const float up = carrier.position.y + surfaces.front().center.y - placed(i).position.y;
-        for (const int k : with_riders({i})) thing(k).position.y += up;
+        taken.push_back(box);
+        const Vec3f by = *to - placed(i).position;
+        for (const int k : with_riders({i})) thing(k).position += by;
     }
     if (!gone.empty()) take(gone);
     else build();

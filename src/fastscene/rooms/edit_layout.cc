@@ -11,6 +11,7 @@
 #include "fastscene/rooms/document_parts.h"
 #include "fastscene/rooms/edit_parts.h"
 #include "fastscene/rooms/layout_relations.h"
+#include "fastscene/rooms/tops.h"
 
 namespace fastscene::editing {
 namespace {
@@ -92,24 +93,6 @@ void fill_gap(Layout& layout, const PromptObject& wish, bool moving) {
         }
 }
 
-// From the ceiling above a thing: its middle, else along it.
-bool hang_above(Layout& layout, const PromptObject& wish) {
-    if (wish.relation != "above" || wish.count > 1 || !layout.why_not(wish.kind).empty()) return false;
-    const PieceRequest request = layout.request(wish.kind, &wish);
-    if (make_piece(request).mount != Mount::ceiling) return false;
-    for (int i = 0; i < static_cast<int>(layout.placed().size()); ++i) {
-        const Placed below = layout.placed()[static_cast<std::size_t>(i)];
-        if (below.piece.kind != wish.relation_to && below.wish.kind != wish.relation_to) continue;
-        const Vec3f half = below.piece.size_m * 0.5f;
-        const bool turned = half.z > half.x;
-        const Vec3f along = turned ? front_of(below.yaw) * half.z : right_of(below.yaw) * half.x;
-        for (const float part : {0.f, 0.3f, -0.3f, 0.5f, -0.5f, 0.7f, -0.7f})
-            if (const auto k = layout.hanging(request, flat(below.position + along * part), wish))
-                return layout.join(*k, i), true;
-    }
-    return false;
-}
-
 // While it lives, the very things that a place means bear a name of their own, by which the layout finds them.
 class Tagged {
   public:
@@ -142,18 +125,6 @@ std::vector<PromptObject> wish_alone(const PromptObject& wish) {
 
 // Whether it is among them.
 bool has(const std::vector<int>& all, int one) { return std::find(all.begin(), all.end(), one) != all.end(); }
-
-// The wall that is at a thing's back; -1: none.
-int wall_behind(const Plan& plan, const Placed& p) {
-    constexpr float kAtWall = 0.3f, kWalls = 4;  // metres
-    const Footprint box = footprint_of(p);
-    for (int w = 0; w < static_cast<int>(kWalls); ++w) {
-        const WallFace face = plan.wall(w);
-        const float off = dot(box.center - flat(face.origin), flat(face.inward)) - extent(box, flat(face.inward));
-        if (dot(face.inward, front_of(p.yaw)) > 0.9f && off < kAtWall) return w;
-    }
-    return -1;
-}
 
 }  // namespace
 
@@ -209,6 +180,10 @@ bool Editor::at_a_wall(Layout& layout, const EditStep& step, const Placed* movin
         layout.insist(nullptr);
         if (!found) continue;
         const Vec2f to = footprint_of(layout.placed().back()).center;
+        if (corner && !is_where_asked(plan(), layout.placed(), layout.placed().back(), wish)) {
+            layout.undo(before);
+            continue;
+        }
         if (!step.elsewhere || !moving || length(to - footprint_of(*moving).center) > kElsewhere) return true;
         layout.undo(before);
     }
@@ -234,6 +209,9 @@ std::vector<Placed> Editor::laid_out(const Standing& standing, const EditStep& s
     PromptObject& wish = spec.objects[0];
     wish.id = 0;
     std::vector<Placed> among = standing.placed;
+    if (is_one_of(wish.relation, {"on", "at the foot of"}))
+        for (Placed& p : among)
+            if (p.piece.kind == wish.relation_to || p.wish.kind == wish.relation_to) add_flat_top(p.piece);
     const Tagged tagged(among, result_.document.things, standing.was, step, wish);
     Random rng(room_.seed, "edit:" + wish.kind + wish.relation + step.wish.relation_to, among.size());
     Layout layout = begin_layout(spec, rng, among, moving);
@@ -245,8 +223,10 @@ std::vector<Placed> Editor::laid_out(const Standing& standing, const EditStep& s
         done = at_a_wall(layout, step, moving);
     else {
         if (step.position) done = near_a_point(layout, step);
-        if (!done) done = hang_above(layout, wish);
-        if (!done) place_asked(layout);
+        if (!done)
+            done = hang_above(layout, wish) || at_the_ends(layout) || in_the_middle(layout, step, moving) ||
+                   on_the_floor(layout, step);
+        if (!done && wish.relation != kAtTheEnds && !step.on_floor) place_asked(layout);
         if (layout.mark() == before || !is_where_asked(plan(), layout.placed(), layout.placed().back(), wish)) {
             layout.undo(before);
             fill_gap(layout, wish, moving != nullptr);
@@ -261,7 +241,7 @@ std::vector<Placed> Editor::laid_out(const Standing& standing, const EditStep& s
     if (done && moving && length(layout.placed().back().piece.size_m - moving->piece.size_m) > kSame) done = false;
     if (!done) {
         layout.undo(before);
-        if (step.wall < 0 && !search_finely(layout, step)) return {};
+        if (step.wall < 0 && !search_finely(layout, step) && !hang_behind(layout)) return {};
     }
     if (layout.mark() == before) return {};
     std::vector<Placed> out = layout.placed();

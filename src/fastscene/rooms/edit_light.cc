@@ -1,4 +1,6 @@
 // The light of a room: its hour, its weather, its lamps; "more light", "it is too dark".
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "fastscene/base/error.h"
@@ -8,6 +10,21 @@
 #include "fastscene/rooms/lexicon.h"
 
 namespace fastscene::editing {
+namespace {
+
+constexpr float kFull = 0.99f, kDimmed = 0.4f, kOut = 0.1f;  // of the lamps' power
+
+bool is_flame(const Placed& p) {
+    return std::any_of(p.piece.materials.begin(), p.piece.materials.end(),
+                       [](const Material& m) { return m.burns && m.emission != Vec3f{}; });
+}
+
+}  // namespace
+
+bool can_shine(const Placed& placed) {
+    return std::any_of(placed.piece.materials.begin(), placed.piece.materials.end(),
+                       [](const Material& m) { return m.emission != Vec3f{} && m.pattern != Pattern::screen; });
+}
 
 void Editor::light(const std::string& value) {
     DocumentLight& light = result_.document.light;
@@ -22,6 +39,9 @@ void Editor::light(const std::string& value) {
         light.towards_sun.reset();
     } else if (value == "lamps on" || value == "lamps off") {
         light.lamps = value == "lamps on" ? 1.f : 0.f;
+        // All of them, those too of which something else was said.
+        for (std::size_t i = 0; i < result_.document.things.size(); ++i)
+            if (!is_flame(placed(static_cast<int>(i)))) result_.document.things[i].lit.reset();
     } else if (is_one_of(value, {"garden", "city", "sea", "mountains", "forest"})) {
         light.outlook = value;
     } else if (is_one_of(value, {"brighter", "darker", "lamps brighter", "lamps darker"})) {
@@ -38,7 +58,6 @@ void Editor::light(const std::string& value) {
 
 // By what changes least: the lamps first, then the weather, then the hour.
 void Editor::brighten(bool more, bool lamps_alone) {
-    constexpr float kFull = 0.99f, kDimmed = 0.4f, kOut = 0.1f;  // of the lamps' power
     DocumentLight& light = result_.document.light;
     const float level = light.lamps.value_or(lamp_level(room_.spec, plan()));
     const std::string hour = room_.spec.time;
@@ -61,6 +80,26 @@ void Editor::brighten(bool more, bool lamps_alone) {
     build();
 }
 
+// One by one, whatever the others do.
+void Editor::shine(const EditStep& step) {
+    const float room = result_.document.light.lamps.value_or(lamp_level(room_.spec, plan()));
+    for (const std::string& id : step.ids) {
+        const int i = index_of(id);
+        if (!can_shine(placed(i)))
+            throw UsageError("only lamps are turned on and off, and candles and fires: {} does not shine", id);
+        const bool known = placed(i).lit || !is_flame(placed(i));
+        const float now = placed(i).lit.value_or(known ? room : 1.f);
+        float to = step.value == "on" ? 1.f : 0.f;
+        if (step.value == "brighter") to = now > kOut ? std::min(1.f, now / kDimmed) : 1.f;
+        if (step.value == "darker") to = kDimmed * now > kOut ? kDimmed * now : 0.f;
+        const bool more = step.value == "brighter", less = step.value == "darker";
+        if (known && to == now && (more || less)) throw Error("{}: it is {} already", id, more ? "on" : "off");
+        thing(i).lit = to;
+        tell(id, to > kFull ? "light: on" : to > 0 ? fmt::format("light: {:.0f} percent", 100 * to) : "light: off");
+    }
+    build();
+}
+
 std::string lamps_said(const Words& words) {
     const bool lamps = std::any_of(words.begin(), words.end(), [](const std::string& w) {
         return w.find("lamp") != std::string::npos || is_one_of(w, {"light", "lights"});
@@ -75,6 +114,30 @@ std::string lamps_said(const Words& words) {
     for (const auto& [word, value] : {std::pair{"on", "lamps on"}, {"off", "lamps off"}, {"out", "lamps off"}})
         if (words.front() == word || words[last] == word) return value;
     return {};
+}
+
+bool shine_said(Talk& talk, const Words& words) {
+    const auto tells = [](const std::string& w) { return is_one_of(w, {"on", "off", "out"}); };
+    const std::size_t last = words.size() - (words.back() == "only" && words.size() > 1 ? 2 : 1);
+    if (words.size() < 2 || (!tells(words.front()) && !tells(words[last]))) return false;
+    // "the floor lamp only on": no other one
+    if (const std::size_t only = find_word(words, {"only", "just"}); only < words.size()) {
+        Words rest = words;
+        rest.erase(rest.begin() + static_cast<std::ptrdiff_t>(only));
+        if (rest.front() == "on" || rest.back() == "on") {
+            EditStep others;
+            others.kind = EditStep::Kind::light, others.value = "lamps off";
+            talk.editor.apply(others);
+        }
+        return shine_said(talk, rest);
+    }
+    const bool first = tells(words.front());
+    EditStep step;
+    step.kind = EditStep::Kind::shine;
+    step.value = (first ? words.front() : words.back()) == "on" ? "on" : "off";
+    step.ids = talk.things_of_parts(first ? part_of(words, 1) : part_of(words, 0, words.size() - 1));
+    talk.editor.apply(step);
+    return true;
 }
 
 namespace {

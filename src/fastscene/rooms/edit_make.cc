@@ -39,6 +39,14 @@ struct Group {
     Words by;                   // "into a rocking chair": another thing
 };
 
+// "a rocking chair", "brass lanterns"
+bool names_things(const Words& words) {
+    if (is_one_of(words.front(), {"a", "an", "two", "three"})) return true;
+    for (const std::string& form : base_forms(words.back()))
+        if (const auto word = look_up(form); word && word->kind == WordKind::object) return true;
+    return false;
+}
+
 // Cuts "the sofa dark green", "the sofa to dark green"; no value: all of it is the subject.
 void cut(const Words& part, Words& subject, Words& value, Words& by) {
     subject = part;
@@ -47,14 +55,13 @@ void cut(const Words& part, Words& subject, Words& value, Words& by) {
         return;
     }
     for (std::size_t i = part.size(); i-- > 1;) {
-        if (!is_one_of(part[i], {"to", "into", "in", "with"})) continue;
+        if (!is_one_of(part[i], {"to", "into"})) continue;
         const Words rest = part_of(part, i + 1);
         if (value_of(rest)) {
             value = rest, subject = part_of(part, 0, i);
             return;
         }
-        if (is_one_of(part[i], {"to", "into"}) && !rest.empty() &&
-            is_one_of(rest.front(), {"a", "an", "two", "three"})) {
+        if (!rest.empty() && begins_anew(rest) && names_things(rest)) {
             by = rest, subject = part_of(part, 0, i);
             return;
         }
@@ -161,7 +168,7 @@ std::vector<std::string> make_one(Talk& talk, const Words& subject, const Value&
         return has_role(talk.editor.placed(id).piece.kind, Role::light);
     });
     if (lamps && value.shines)
-        throw UsageError("the lamps of a room shine alike: \"turn the lamps on\", \"dim the lamps\", \"more light\"");
+        step.kind = EditStep::Kind::shine, step.value = value.brighter > 1 ? "brighter" : "darker";
     suit_cloth(talk, step);
     if (says_any(subject, {"worktop", "worktops", "countertop", "countertops"})) of_the_top(step.wish);
     if (value.by == Vec3f{}) {
@@ -176,6 +183,24 @@ std::vector<std::string> make_one(Talk& talk, const Words& subject, const Value&
         talk.editor.apply(one);
     }
     return step.ids;
+}
+
+// "The bed frame oak and the bedding white": a thing has one color.
+void check_one_look(Talk& talk, const std::vector<Group>& groups) {
+    std::vector<std::string> seen;
+    for (const Group& group : groups) {
+        std::vector<std::string> ids;
+        for (const Words& subject : group.subjects)
+            for (const Words& words : group.values)
+                if (const auto value = value_of(words); value && !value->resizes() && surface_said(subject).empty() &&
+                                                        !says_any(subject, {"it", "them", "other"}))
+                    for (const int i : all_named(talk.editor, text_of(subject)))
+                        ids.push_back(talk.editor.document().things[static_cast<std::size_t>(i)].id);
+        for (const std::string& id : ids)
+            if (groups.size() > 1 && ids.size() == 1 && std::find(seen.begin(), seen.end(), id) != seen.end())
+                throw UsageError("{}: its parts have one color, found two", id);
+        add_new(seen, ids);
+    }
 }
 
 void apply(Talk& talk, const Group& group) {
@@ -254,13 +279,72 @@ bool like_another(Talk& talk, const Words& words) {
 
 }  // namespace
 
+namespace {
+
+// "the chairs alternately black and white"; false: no such words.
+bool make_by_turns(Talk& talk, const Words& words) {
+    const std::size_t at = find_word(words, {"alternate", "alternately", "alternating"}, 1);
+    if (at + 1 >= words.size()) return false;
+    Words rest = part_of(words, at + 1);
+    const auto value = value_of(rest);
+    if (!value || value->looks.color2.empty())
+        throw UsageError("expected two colors, for example \"alternately black and white\", found \"{}\"",
+                         text_of(rest));
+    const std::vector<std::string> ids = talk.things_of_parts(part_of(words, 0, at));
+    for (std::size_t k = 0; k < ids.size(); ++k) {
+        EditStep step;
+        step.kind = EditStep::Kind::recolor;
+        step.ids = {ids[k]};
+        step.wish.color = k % 2 == 0 ? value->looks.color : value->looks.color2;
+        talk.editor.apply(step);
+    }
+    return true;
+}
+
+bool says_on_or_off(const Words& words) {
+    return is_one_of(words.front(), {"on", "off"}) || is_one_of(words.back(), {"on", "off"});
+}
+
+}  // namespace
+
+bool each_on_or_off(const Words& words) {
+    const std::vector<Words> parts = parts_of(words);
+    return parts.size() > 1 && std::all_of(parts.begin(), parts.end(), says_on_or_off);
+}
+
 void make(Talk& talk, const Words& words) {
+    // "the ceiling lights off and the desk lamp on"
+    if (each_on_or_off(words)) {
+        for (const Words& part : parts_of(words)) make(talk, part);
+        return;
+    }
+    // "the room brick walls and a concrete floor"
+    if (talk.said == "give" && words.size() > 3 && noun_of(words[1]) == "room") return add(talk, part_of(words, 2));
+    if (make_by_turns(talk, words)) return;
     if (const std::string lamps = lamps_said(words); !lamps.empty()) return light(talk, lamps);
+    if (shine_said(talk, words)) return;
     if (says_any(words, {"face", "facing"})) return face(talk, words);
     if (brightness_said(talk, words)) return;
     if (like_another(talk, words)) return;
     if (of_the_room(talk, words)) return;
-    for (const Group& group : groups_of(as_made(words))) apply(talk, group);
+    const std::vector<Group> groups = groups_of(as_made(words));
+    check_one_look(talk, groups);
+    for (const Group& group : groups) apply(talk, group);
+}
+
+bool swap_colors(Talk& talk, const Words& words) {
+    const std::size_t colors = find_word(words, {"colors", "color", "colours"});
+    if (colors + 2 >= words.size() || words[colors + 1] != "of") return false;
+    const std::vector<std::string> ids = talk.things_of_parts(part_of(words, colors + 2));
+    if (ids.size() != 2) throw UsageError("expected two things to exchange their colors, found {}", ids.size());
+    std::array<std::string, 2> seen{talk.editor.color_seen(ids[1]), talk.editor.color_seen(ids[0])};
+    for (const std::size_t k : {0u, 1u}) {
+        EditStep step;
+        step.kind = EditStep::Kind::recolor;
+        step.ids = {ids[k]}, step.wish.color = seen[k];
+        talk.editor.apply(step);
+    }
+    return true;
 }
 
 }  // namespace fastscene::editing

@@ -1,4 +1,4 @@
-// "the armchair to the window", "the sofa towards the tv": things that stand already, moved and turned.
+// "the armchair to the window", "the sofa towards the tv", "put it there": things moved and turned.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -38,17 +38,37 @@ std::vector<Split> splits_of(const Words& words) {
 // "to the left of the bed": as far as there is room, when that is not a place.
 bool shifted(Talk& talk, const std::vector<std::string>& ids, const Words& place) {
     std::vector<EditStep> steps;
-    for (const std::string& id : ids)
+    if (ids.size() > 1 && is_one_of(place.back(), {"together", "apart"})) {
+        Vec3f middle{};
+        for (const std::string& id : ids) middle += talk.editor.placed(id).position;
+        middle = middle * (1.f / static_cast<float>(ids.size()));
+        constexpr float kStep = 0.4f;  // metres
+        for (const std::string& id : ids) {
+            Vec3f way = middle - talk.editor.placed(id).position;
+            way.y = 0;
+            if (!(length(way) > 0)) continue;
+            EditStep step;
+            step.kind = EditStep::Kind::shift;
+            step.ids = {id};
+            step.by = way * ((place.back() == "apart" ? -kStep : std::min(kStep, length(way) / 2)) / length(way));
+            steps.push_back(step);
+        }
+    }
+    for (const std::string& id : steps.empty() ? ids : std::vector<std::string>{})
         if (const auto step = shift_of(talk.editor, place, id)) steps.push_back(*step);
     if (steps.size() < ids.size() || steps.empty()) return false;
     for (const EditStep& step : steps) talk.editor.apply(step);
     return true;
 }
 
-bool put_at(Talk& talk, const std::vector<std::string>& ids, const Words& words) {
+bool put_at(Talk& talk, const std::vector<std::string>& ids, const Words& words,
+            const std::vector<std::string>& spoken) {
     std::string why_not;
+    // "closer to it"
+    Words way = words;
+    if (is_one_of(way.back(), {"it", "them"}) && !spoken.empty()) way.back() = spoken.front();
     try {
-        if (shifted(talk, ids, words)) return true;
+        if (shifted(talk, ids, way)) return true;
     } catch (const UsageError&) {
         throw;
     } catch (const Error& e) {  // "closer to the window", with no free way there: a place at the window
@@ -58,7 +78,7 @@ bool put_at(Talk& talk, const std::vector<std::string>& ids, const Words& words)
     }
     std::optional<Place> place;
     try {
-        place = place_of(talk.editor, words, asked_kind(talk.editor.placed(ids.front())), ids.front());
+        place = place_of(talk.editor, words, asked_kind(talk.editor.placed(ids.front())), ids.front(), spoken);
     } catch (const UsageError&) {
         if (why_not.empty()) throw;
     }
@@ -76,7 +96,15 @@ bool put_at(Talk& talk, const std::vector<std::string>& ids, const Words& words)
 
 void move_one(Talk& talk, const std::vector<Words>& before, const Words& words) {
     std::string wrong;
-    for (const Split& split : splits_of(words)) {
+    const std::vector<std::string> spoken = talk.last;
+    // "the vase from the wardrobe to the desk" stands on it.
+    Words all = words;
+    const std::size_t from = find_word(words, {"from"}, 1);
+    const bool source = from + 1 < words.size() && !is_one_of(words[from - 1], {"away", "further", "farther", "out"}) &&
+                        next_place(words, from + 1) < words.size();
+    if (source) all[from] = "on";
+    for (const Split& split : splits_of(all)) {
+        if (source && split.thing.size() <= from) continue;
         std::vector<std::string> ids;
         try {
             for (const Words& part : before) add_new(ids, talk.things(part));
@@ -86,7 +114,7 @@ void move_one(Talk& talk, const std::vector<Words>& before, const Words& words) 
             continue;
         }
         talk.last = ids;
-        if (put_at(talk, ids, split.place)) return;
+        if (put_at(talk, ids, split.place, spoken)) return;
         if (wrong.empty()) wrong = fmt::format("expected a place in the room, found \"{}\"", text_of(split.place));
     }
     if (wrong.empty())
@@ -102,7 +130,10 @@ std::optional<float> angle_said(const Words& words, std::size_t& end) {
     end = words.size();
     for (std::size_t i = 1; i < words.size(); ++i) {
         const std::string& w = words[i];
-        const bool side = is_one_of(w, {"left", "right"}) && !(is_definite(words[i - 1]) && i + 1 < words.size());
+        // "to the right a little", but "the right chair"
+        const bool ends = i + 1 == words.size() || number_said(words[i + 1]) ||
+                          is_one_of(words[i + 1], {"by", "slightly", "little"});
+        const bool side = is_one_of(w, {"left", "right"}) && (ends || !is_definite(words[i - 1]));
         const auto number = number_said(w);
         if (is_one_of(w, {"around", "round", "backwards", "about"})) degrees = 180.f;
         else if (is_one_of(w, {"slightly", "bit", "little"})) degrees = kABit;
@@ -137,8 +168,14 @@ std::vector<std::string> things_at(const Editor& editor, const EditStep& place) 
 
 // "the armchair and the plant to the window", "the vase to the desk and the lamp to the shelf"
 void move(Talk& talk, const Words& words) {
-    std::vector<Words> before;
+    std::vector<Words> before, parts;
     for (const Words& part : parts_of(words)) {
+        // "the sideboard to the left and the mirror along with it"
+        const std::size_t with = find_word(part, {"with"}, 1);
+        if (with + 2 != part.size() || !is_one_of(part.back(), {"it", "them"})) parts.push_back(part);
+        else before.push_back(part_of(part, 0, is_one_of(part[with - 1], {"along", "together"}) ? with - 1 : with));
+    }
+    for (const Words& part : parts) {
         // "in front of the fireplace, facing it"
         if (part.front() == "facing" && !talk.last.empty()) {
             Words all{"them"};
@@ -163,15 +200,38 @@ void move(Talk& talk, const Words& words) {
         move_one(talk, before, part);
         before.clear();
     }
+    if (!before.empty() && talk.there && (talk.last_gone || !talk.last_place.wish.relation.empty())) {
+        // "remove the shelf and move the plant there"
+        EditStep step = talk.last_gone ? EditStep{} : talk.last_place;
+        step.kind = EditStep::Kind::place;
+        step.position = talk.last_gone;
+        for (const Words& part : before) {
+            step.ids = talk.things(part);
+            talk.editor.apply(step);
+        }
+        return;
+    }
     if (!before.empty())
         throw UsageError("expected where to move \"{}\", for example \"to the window\"", text_of(before.front()));
 }
 
 // "the armchair around", "the sofa towards the tv", "the walls green", "the armchair into a sofa"
 void turn(Talk& talk, const Words& words) {
+    // "so that it stands against the wall"
+    if (const std::size_t so = find_word(words, {"so"}, 1), stands = find_word(words, {"stands", "is", "hangs"}, so);
+        stands + 1 < words.size()) {
+        Words all = part_of(words, 0, so);
+        const Words to = part_of(words, stands + 1);
+        all.insert(all.end(), to.begin(), to.end());
+        return move(talk, all);
+    }
     // "so that it faces the door"
     if (const std::size_t so = find_word(words, {"faces", "looks"}, 1); so < words.size()) {
         Words all = part_of(words, 0, so);
+        // "so that the chair faces the door" is no turn of the desk.
+        if (const std::size_t that = find_word(words, {"so"}, 1);
+            that < so && so - that > 2 && !is_one_of(words[so - 1], {"it", "they", "that"}))
+            throw UsageError("expected what is turned to face something itself, found \"{}\"", text_of(words));
         while (all.size() > 1 && is_one_of(all.back(), {"so", "that", "it", "and"})) all.pop_back();
         all.push_back("facing");
         const Words to = part_of(words, so + 1);
@@ -184,9 +244,7 @@ void turn(Talk& talk, const Words& words) {
     if (towards < words.size()) return face(talk, words);
     if (find_word(words, {"upside", "over"}) < words.size())
         throw UsageError("things are turned about the vertical only, found \"{}\"", text_of(words));
-    if (is_one_of(words.back(), {"on", "off"}) || is_one_of(words.front(), {"on", "off"}))
-        throw UsageError("only lamps are turned on and off, all at once (\"turn the lamps off\"), found \"{}\"",
-                         text_of(words));
+    if (shine_said(talk, words)) return;
     EditStep step;
     step.kind = EditStep::Kind::turn;
     if (!angle) {
@@ -214,6 +272,7 @@ void face(Talk& talk, const Words& words) {
         throw UsageError("expected what \"{}\" is to face, for example \"to the window\"", text_of(words));
     EditStep step;
     step.kind = EditStep::Kind::face;
+    const std::vector<std::string> spoken = talk.last;
     step.ids = talk.things_of_parts(thing);
     const std::string text = text_of(target);
     if (text == "each other" || text == "one another") {
@@ -228,7 +287,9 @@ void face(Talk& talk, const Words& words) {
         return;
     }
     const std::string noun = target.back();
-    if (noun == "it" && !talk.last_place.wish.relation_to.empty()) {
+    // "move it before the fire, facing it"; "move the tv to the window and turn the sofa towards it"
+    const bool placed_there = spoken.empty() || spoken == step.ids;
+    if (noun == "it" && placed_there && !talk.last_place.wish.relation_to.empty()) {
         step.wish.relation_to = talk.last_place.wish.relation_to;
         step.at = things_at(talk.editor, talk.last_place);
     } else if (is_one_of(noun, {"me", "us", "camera", "viewer"})) step.wish.relation_to = "viewer";
@@ -236,13 +297,104 @@ void face(Talk& talk, const Words& words) {
     else {
         Words at{"opposite"};
         at.insert(at.end(), target.begin(), target.end());
-        const auto place = place_of(talk.editor, at, asked_kind(talk.editor.placed(step.ids.front())),
-                                    step.ids.front());
+        const auto place = place_of(talk.editor, at, asked_kind(talk.editor.placed(step.ids.front())), step.ids.front(),
+                                    spoken);
         if (!place) throw UsageError("expected a thing or an opening to face, found \"{}\"", text);
         step.wish.relation_to = place->step.wish.relation_to;
         step.at = things_at(talk.editor, place->step);
     }
     talk.editor.apply(step);
+}
+
+namespace {
+
+// "Set the table for six": as many places as are missing; false: no such words.
+bool set_for_guests(Talk& talk, const Words& words) {
+    const std::size_t at = find_word(words, {"for"}, 1);
+    if (talk.said != "set" || at + 1 >= words.size() || !is_definite(words.front())) return false;
+    const auto guests = number_said(words[at + 1]);
+    if (!guests || *guests < 1) return false;
+    const std::string table = talk.things(part_of(words, 0, at)).front();
+    int missing = static_cast<int>(*guests);
+    for (const DocumentThing& t : talk.editor.document().things)
+        if (t.on == table && in_words(t.kind) == "place setting") --missing;
+    if (missing < 1) throw Error("{}: it is set for as many already", table);
+    add(talk, {std::to_string(missing), "place", missing > 1 ? "settings" : "setting", "on", table});
+    return true;
+}
+
+// "the armchair by the window and a side table beside it": one stands there, the other comes new. False: all of them
+// stand there, or all come new.
+bool put_one_by_one(Talk& talk, const Words& words) {
+    std::vector<Words> each;  // with all before it that have no place of their own
+    bool open = false;
+    for (const Words& part : parts_of(words)) {
+        if (part.front() == "facing") return false;
+        if (!open) each.emplace_back();
+        else each.back().push_back("and");
+        each.back().insert(each.back().end(), part.begin(), part.end());
+        open = next_place(part) == part.size();
+    }
+    if (open && each.size() > 1) return false;
+    if (std::none_of(each.begin(), each.end(), [&](const Words& w) { return begins_anew(w) != begins_anew(each[0]); }))
+        return false;
+    for (const Words& one : each) put(talk, one);
+    return true;
+}
+
+}  // namespace
+
+void put(Talk& talk, const Words& words) {
+    if (const std::string lamps = lamps_said(words); !lamps.empty()) return make(talk, words);
+    if (is_one_of(words.front(), {"the", "a"}) && words.size() > 1 &&
+        is_one_of(words[1], {"time", "style", "weather", "hour", "light", "lighting", "color"}))
+        return make(talk, words);
+    // "the walls to white"
+    const std::size_t to = find_word(words, {"to"}, 1);
+    if (to < words.size() && value_of(part_of(words, to + 1))) return make(talk, words);
+    if (set_for_guests(talk, words) || put_one_by_one(talk, words)) return;
+    const std::size_t end = next_place(words);
+    const std::string thing = text_of(words, 0, end);
+    const bool id = end > 1 && words[end - 1].find_first_not_of("0123456789") == std::string::npos;
+    // "sofa at the window": that which is there.
+    const bool bare = begins_anew(words) && !number_said(words.front()) && !thing.ends_with("s") && end < words.size();
+    if (!begins_anew(words) || id || (bare && all_named(talk.editor, thing).size() == 1)) return move(talk, words);
+    add(talk, words);
+}
+
+// "three lamps over the table instead of the one": of those.
+Words instead_of(const Words& old, const Words& by) {
+    if (!is_one_of(old.back(), {"one", "ones", "it"}) || old.size() > 3) return old;
+    Words out{"the"};
+    for (std::size_t i = 0; i < next_place(by) && by[i] != "instead"; ++i)
+        if (!number_said(by[i]) && !is_definite(by[i])) out.push_back(by[i]);
+    if (old.back() != "ones" && out.back().size() > 2 && out.back().ends_with("s")) out.back().pop_back();
+    return out;
+}
+
+// "a plant where the pouf is": in its place; "the lamp to where the plant stands": they change places.
+bool put_where(Talk& talk, const Clause& clause) {
+    const Words& words = clause.words;
+    const std::size_t where = find_word(words, {"where"}, 1);
+    if (where + 2 >= words.size() || (clause.verb != Verb::put && clause.verb != Verb::add &&
+                                      clause.verb != Verb::want && clause.verb != Verb::move))
+        return false;
+    Words there = part_of(words, where + 1), thing = part_of(words, 0, where);
+    if (!is_one_of(there.back(), {"is", "are", "stands", "stand", "hangs", "hang", "sits", "lies", "was", "stood"}))
+        return false;
+    there.pop_back();
+    if (thing.size() > 1 && is_one_of(thing.back(), {"to", "at"})) thing.pop_back();
+    if (begins_anew(thing)) return replace(talk, there, thing), true;
+    thing.push_back("and");
+    thing.insert(thing.end(), there.begin(), there.end());
+    return swap(talk, thing), true;
+}
+
+// "the desk so that it faces the window": a turn, where no place was said.
+bool says_so_that(const Words& words) {
+    const std::size_t so = find_word(words, {"so"}, 1);
+    return so < words.size() && find_word(words, {"faces", "looks"}, so) < words.size() &&
+           next_place(part_of(words, 0, so)) == so;
 }
 
 }  // namespace fastscene::editing

@@ -15,6 +15,8 @@
 
 namespace fastscene::editing {
 
+inline constexpr const char* kAtTheEnds = "at the ends of";  // a relation of seats and tables
+
 std::string in_words(std::string kind);  // "coffee_table" -> "coffee table"
 
 // A document while it is edited, with its room. edit.cc; poses in edit_poses.cc, places in edit_layout.cc,
@@ -88,6 +90,10 @@ class Editor {
 
     // ---- edit_search.cc
     bool search_finely(Layout& layout, const EditStep& step) const;
+    bool at_the_ends(Layout& layout) const;
+    bool in_the_middle(Layout& layout, const EditStep& step, const Placed* moving) const;
+    bool on_the_floor(Layout& layout, const EditStep& step) const;
+    bool hang_behind(Layout& layout) const;
     bool stands_clear(int index, const Footprint& box, const std::vector<int>& along) const;
 
     // ---- edit_shapes.cc
@@ -110,6 +116,7 @@ class Editor {
     void restyle(const std::string& name);
     void light(const std::string& value);  // edit_light.cc
     void brighten(bool more, bool lamps_alone);
+    void shine(const EditStep& step);
 
     std::shared_ptr<const FurniturePack> pack_;
     Run run_;
@@ -142,6 +149,8 @@ enum class Verb : unsigned char {
     tidy,
     center,
     copy,
+    kindle,  // "light the candles", "put out the fire"
+    quench,
     refuse,  // understood, and nothing that a sentence does
 };
 struct Clause {
@@ -170,8 +179,13 @@ std::vector<int> all_named(const Editor& editor, const std::string& words);
 // Throws UsageError for none, or for several where one is meant.
 std::vector<std::string> named(const Editor& editor, const std::string& words);
 [[noreturn]] void refuse_shell();
+// "The table near the door", where none is close to it: the nearest.
+void nearest_to(const Editor& editor, const std::string& kind, std::vector<int>& found);
 
-// ---- edit_which.cc: none, or several
+// ---- edit_which.cc: by distance; none, or several
+
+// "The table closest to the door", "the two chairs farthest from the window"; nothing: no such words.
+std::optional<std::vector<int>> by_distance(const Editor& editor, const Words& words);
 
 // "which chair? chair-1 by desk-1, chair-2 at the door"
 [[noreturn]] void refuse_many(const std::string& words, const Editor& editor, const std::vector<int>& found);
@@ -182,6 +196,8 @@ std::vector<std::string> named(const Editor& editor, const std::string& words);
 
 // Of what words of several nouns mean, those that stand where the first of them says: the lamps on the desk.
 void at_support(const Editor& editor, const Words& words, std::vector<int>& found);
+// Of several, those on the left or the right side of a thing as the camera sees it; false: the words say no such place.
+bool beside_as_seen(const Editor& editor, const PromptObject& where, std::vector<int>& found);
 // Of those found, the ones that stand as `relation` says at those very things.
 void at_anchors(const Editor& editor, const std::string& relation, const std::vector<int>& anchors,
                 std::vector<int>& found);
@@ -223,10 +239,11 @@ std::size_t next_place(const Words& words, std::size_t from = 1);
 struct Place {
     EditStep step;
     std::vector<std::vector<std::string>> each_at;  // "on both nightstands": one at each
+    int count = 0;                                  // "at each end": two; 0: as many as were said
 };
-// `mover`: the id of what is to move there; empty: it comes new.
+// `mover`: the id of what is to move there; empty: it comes new. `spoken`: what "it" and "them" are.
 std::optional<Place> place_of(const Editor& editor, const Words& words, const std::string& kind,
-                              const std::string& mover);
+                              const std::string& mover, const std::vector<std::string>& spoken = {});
 // The things that a place is at.
 std::vector<std::string> things_at(const Editor& editor, const EditStep& place);
 // Takes "50 cm", "half a meter" out of the words: metres.
@@ -248,8 +265,19 @@ struct Value {
 };
 // Nothing unless all the words are looks or sizes.
 std::optional<Value> value_of(const Words& words);
+// "round", "a square shape"; empty: no shape.
+std::string shape_said(const Words& words);
 // "green", "light blue and white": nothing unless all are looks.
 std::optional<PromptObject> looks_of(const std::string& words);
+
+// ---- edit_search.cc
+// The wall that is at a thing's back; -1: none.
+int wall_behind(const Plan& plan, const Placed& p);
+// From the ceiling above a thing: its middle, else along it.
+bool hang_above(Layout& layout, const PromptObject& wish);
+// ---- edit_shapes.cc
+// round, oval, square or rectangular; empty: none of those.
+std::string shape_of(const Piece& piece);
 
 // ---- edit_sentence.cc: what clauses do
 
@@ -259,8 +287,10 @@ struct Talk {
     std::vector<std::string> last{};   // the things last spoken of: "it"
     std::string noun{};                // what they are called: "one"
     EditStep last_place{};             // where they were put
+    std::string said{};                // the clause's verb
     bool there = false;                // the clause ends with "there"
     std::optional<Vec2f> last_gone{};  // where what was removed last stood: "there"
+    std::string last_gone_from{};      // … and what carried it; "clear the table and put a bowl there"
 
     std::vector<std::string> things(const Words& words);
     std::vector<std::string> things_of_parts(const Words& words);
@@ -275,6 +305,10 @@ void remove(Talk& talk, Words words);
 void move(Talk& talk, const Words& words);
 void turn(Talk& talk, const Words& words);
 void face(Talk& talk, const Words& words);  // "the sofa towards the tv", "the chair at the desk"
+void put(Talk& talk, const Words& words);
+bool put_where(Talk& talk, const Clause& clause);  // "a plant where the pouf is"; false: no such words
+bool says_so_that(const Words& words);             // "the desk so that it faces the window"
+Words instead_of(const Words& old, const Words& by);
 // ---- edit_add.cc
 void add(Talk& talk, const Words& words);
 void copy(Talk& talk, const Words& words);
@@ -283,6 +317,8 @@ void swap(Talk& talk, Words words);
 // ---- edit_make.cc
 // "the sofa green", "it night", "the walls sage", "the rug larger", "the style to japandi"
 void make(Talk& talk, const Words& words);
+bool each_on_or_off(const Words& words);
+bool swap_colors(Talk& talk, const Words& words);  // "the colors of the sofa and the rug"; false: no such words
 // ---- edit_want.cc: "I want a plant", "the sofa should be green", "it is too dark"
 void want(Talk& talk, const Words& words);
 // "a wooden floor", "blue walls": how surfaces are to look; false: the words are about none.
@@ -290,6 +326,9 @@ bool paint_wanted(Talk& talk, const Words& words);
 // ---- edit_light.cc
 // "the lamps on": what is to become of the lamps; empty: the words are not about that.
 std::string lamps_said(const Words& words);
+// "the floor lamp off", "on the desk lamp", "the candles": done; false: the words are not about one of them.
+bool shine_said(Talk& talk, const Words& words);
+bool can_shine(const Placed& placed);
 // "more light", "it brighter", "the lamps dimmer": done; false: the words are not about that.
 bool brightness_said(Talk& talk, const Words& words);
 

@@ -61,7 +61,7 @@ std::optional<Relation> relation_at(const Words& words, std::size_t at) {
 std::string noun_of(const std::string& word) {
     if (is_one_of(word, {"corner", "corners"})) return "corner";
     if (is_one_of(word, {"middle", "center", "centre"})) return "middle";
-    if (is_one_of(word, {"side", "end"})) return "side";
+    if (is_one_of(word, {"side", "end", "sides", "ends"})) return "side";
     if (is_one_of(word, {"floor", "ground"})) return "floor";
     if (is_one_of(word, {"room", "bedroom", "kitchen", "office", "bathroom"})) return "room";
     if (word == "carpet") return {};
@@ -79,14 +79,15 @@ std::optional<Part> room_part(const Words& words, std::size_t at) {
         if (const std::string noun = wall_of ? "" : noun_of(w); !noun.empty()) {
             out.noun = noun, out.next = i + 1;
             if (w == "corners") out.modifiers.push_back("each");
+            if (is_one_of(w, {"end", "ends"})) out.modifiers.push_back("end");
             if (w.ends_with("sill")) out.modifiers.push_back("sill");
             return out;
         }
         if (!wall_of && !is_definite(w) &&
-            !is_one_of(w,
-                       {"a",    "an",   "each", "every", "all",      "four", "other", "another", "left",  "right",
-                        "far",  "near", "back", "front", "opposite", "one",  "any",   "free",    "empty", "different",
-                        "same", "side", "bare", "big",   "large",    "hand", "of",    "some",    "both"}))
+            !is_one_of(w, {"a",     "an",    "each",  "every",     "all",  "four",   "other",    "another",
+                           "left",  "right", "far",   "near",      "back", "front",  "opposite", "one",
+                           "any",   "free",  "empty", "different", "same", "side",   "bare",     "big",
+                           "large", "hand",  "of",    "some",      "both", "either", "opposite"}))
             return {};
         out.modifiers.push_back(w);
     }

@@ -12,6 +12,7 @@
 #include "fastscene/rooms/layout_parts.h"
 #include "fastscene/rooms/layout_relations.h"
 #include "fastscene/rooms/lexicon.h"
+#include "fastscene/rooms/tops.h"
 
 namespace fastscene::editing {
 namespace {
@@ -67,11 +68,13 @@ bool is_table(const std::string& kind) {
     return has_role(kind, Role::lamp_above) || has_role(kind, Role::work_place) || kind.ends_with("table");
 }
 
+bool carries(const Placed& p) { return !p.piece.surfaces.empty() || flat_top(p.piece).has_value(); }
+
 // What "to" and "at" mean there: a vase goes onto a table, a chair up to it.
 std::string suited(const std::string& relation, const std::string& kind, const Placed& there) {
     const bool small = furnishing::is_small(kind) || furnishing::lies_on_seats(kind);
     if (relation == "in") return "on";
-    if (relation == "to" && small && !there.piece.surfaces.empty()) return "on";
+    if (relation == "to" && small && carries(there)) return "on";
     if (has_role(kind, Role::seat) && !has_role(kind, Role::sofa) && !has_role(kind, Role::easy_chair)) {
         if (has_role(there.piece.kind, Role::laid)) return "around";
         if (has_role(there.piece.kind, Role::work_place)) return "in front of";
@@ -81,7 +84,7 @@ std::string suited(const std::string& relation, const std::string& kind, const P
 }
 
 bool fits(const std::string& relation, const Placed& there) {
-    if (relation == "on") return !there.piece.surfaces.empty() || there.flat;
+    if (relation == "on") return carries(there) || there.flat;
     if (relation == "around") return is_table(there.piece.kind);
     if (relation == "under") return there.piece.mount != Mount::ceiling && !there.flat;
     return true;
@@ -108,10 +111,7 @@ struct Anchor {
     std::vector<std::string> ids;  // none: any of the kind
 };
 
-Anchor anchor_of(const Editor& editor, const Words& words, const std::string& relation) {
-    const std::string text = text_of(words);
-    std::vector<int> found = all_named(editor, text);
-    if (found.empty()) named(editor, text);  // says so
+Anchor anchor_of(const Editor& editor, std::vector<int> found, const std::string& relation) {
     found = of_one_kind(editor, found, relation);
     const std::vector<DocumentThing>& things = editor.document().things;
     Anchor out{kind_of(things[static_cast<std::size_t>(found.front())]), {}};
@@ -123,10 +123,22 @@ Anchor anchor_of(const Editor& editor, const Words& words, const std::string& re
     return out;
 }
 
+// "it", "them", "each of them"
+bool is_pronoun(const Words& words) {
+    return std::all_of(words.begin(), words.end(),
+                       [](const std::string& w) {
+                           return is_one_of(w, {"it", "them", "that", "those", "these", "this", "each", "both", "of"});
+                       }) &&
+           !words.empty() && words.front() != "of";
+}
+
 class Reader {
   public:
-    Reader(const Editor& editor, const Words& words, const std::string& kind, const std::string& mover)
-        : editor_(editor), words_(words), kind_(kind), mover_(mover), moving_(!mover.empty()) {}
+    Reader(const Editor& editor, const Words& words, const std::string& kind, const std::string& mover,
+           const std::vector<std::string>& spoken)
+        : editor_(editor), words_(words), kind_(kind), mover_(mover), spoken_(spoken), moving_(!mover.empty()) {
+        std::erase(spoken_, mover_);
+    }
 
     std::optional<Place> read() {
         std::size_t at = 0;
@@ -144,13 +156,23 @@ class Reader {
                 if (auto place = at_part(short_one->name, *part)) return place;
         }
         if (!relation) return {};
-        if (relation->next < words_.size())
+        if (relation->next < words_.size() && relation->name != "between")
             if (const auto part = room_part(words_, relation->next))
                 if (auto place = at_part(relation->name, *part)) return place;
         return at_thing(*relation);
     }
 
   private:
+    // The things that words mean, of any kind.
+    std::vector<int> those(const Words& words) const {
+        std::vector<int> out;
+        if (!is_pronoun(words)) out = all_named(editor_, text_of(words));
+        else if (spoken_.empty()) throw UsageError("what is \"{}\"? nothing was named before", text_of(words));
+        else
+            for (const std::string& id : spoken_) out.push_back(editor_.index_of(id));
+        if (out.empty()) named(editor_, text_of(words));  // says so
+        return out;
+    }
     Place place(const std::string& relation, const std::string& to = {}) const {
         Place out;
         out.step.wish.relation = relation, out.step.wish.relation_to = to;
@@ -172,9 +194,16 @@ class Reader {
         if (part.noun == "side" && rest.size() > 1 && rest.front() == "of" && !part.says({"left", "right"})) {
             auto beside = at_thing({"next to", part.next + 1});
             if (beside && part.is_other()) free_side(*beside);
+            if (beside) at_both(*beside, part);
             return beside;
         }
         if (part.noun == "wall") return at_wall(part, rest, relation);
+        // "on the floor next to the dresser"
+        if (part.noun == "floor" && !rest.empty()) {
+            auto out = Reader(editor_, rest, kind_, mover_, spoken_).read();
+            if (out) out->step.on_floor = mount_of(editor_, kind_) == Mount::surface;
+            return out;
+        }
         if (!rest.empty()) return {};
         if (part.noun == "floor") return place("on", "floor");
         if (part.noun == "ceiling" || part.noun == "room") return place("");
@@ -198,6 +227,7 @@ class Reader {
         std::optional<Vec2f> near;
         if (const auto direction = direction_said(editor_, part)) near = flat(*direction) * 100.f;
         if (!rest.empty() && rest.front() != "of") near = point_of(rest);
+        if (near && rest.front() == "opposite") near = *near * -1.f;
         if (!rest.empty() && rest.front() != "of" && !near) return {};
         if (near) {
             const auto corners = corners_of_room(editor_.plan());
@@ -217,14 +247,14 @@ class Reader {
                 if (is_opening_of(o, part->noun)) return flat(editor_.plan().wall(o.wall).point((o.u0 + o.u1) / 2, 0));
             return {};
         }
-        const auto found = all_named(editor_, text_of(there));
+        const auto found = is_pronoun(there) ? those(there) : all_named(editor_, text_of(there));
         if (found.empty()) return {};
         return flat(editor_.room().furnished.placed[static_cast<std::size_t>(found.front())].position);
     }
 
     // "the wall opposite the bed", "the wall behind the sofa"; otherwise as without the wall.
     std::optional<Place> at_wall_of(const Words& rest) {
-        auto out = Reader(editor_, rest, kind_, mover_).read();
+        auto out = Reader(editor_, rest, kind_, mover_, spoken_).read();
         if (!out || !is_one_of(out->step.wish.relation, {"opposite", "behind"})) return out;
         const auto anchors = things_at(editor_, out->step);
         if (anchors.empty()) return out;
@@ -261,15 +291,20 @@ class Reader {
         if (is_one_of(name, {"in a row", "each other", "as usual", "from"})) return {};
         if (name == "between") return between(there);
         if (is_one_of(name, {"in the corner", "in the middle"}) && noun_of(there.back()) == "room") return place(name);
-        if (name == "in the middle") return at_thing({"on", relation.next});
+        if (name == "in the middle") {
+            auto out = at_thing({"on", relation.next});
+            if (out) out->step.centered = true;
+            return out;
+        }
         // "on the other side of the bed" was read as opposite.
         const bool each = is_one_of(there.front(), {"each", "both", "every", "all"});
         const std::string looked = is_one_of(name, {"to", "at", "in"}) ? "" : name;
-        const Anchor anchor = anchor_of(editor_, there, looked);
+        const std::vector<int> all = those(there);
+        const Anchor anchor = anchor_of(editor_, all, looked);
         Place out = place(name, anchor.kind);
         out.step.at = anchor.ids;
         if (moving_ && std::find(there.begin(), there.end(), "other") != there.end()) out.step.at = others(anchor);
-        const std::vector<int> found = of_one_kind(editor_, all_named(editor_, text_of(there)), looked);
+        const std::vector<int> found = of_one_kind(editor_, all, looked);
         const Placed& first = editor_.room().furnished.placed[static_cast<std::size_t>(found.front())];
         if (looked.empty()) out.step.wish.relation = suited(name, kind_, first);
         if (name == "along" || name == "against") out.step.wish.relation = "next to";
@@ -294,6 +329,17 @@ class Reader {
         if (balance != 0) place.step.wish.relation = balance > 0 ? "left of" : "right of";
     }
 
+    // "At each end of the table", "on both sides of the bed"; "at the end of the table".
+    void at_both(Place& place, const Part& part) const {
+        const auto anchors = things_at(editor_, place.step);
+        const bool both = part.says({"each", "both", "either", "every"});
+        const bool seats = has_role(kind_, Role::seat) && !anchors.empty() &&
+                           is_table(editor_.placed(anchors.front()).piece.kind);
+        if (part.says({"end"}) && seats) place.step.wish.relation = kAtTheEnds;
+        else if (both) place.step.wish.relation = "on both sides of";
+        if (both) place.count = 2;
+    }
+
     // "The other desk": not that at which it stands.
     std::vector<std::string> others(const Anchor& anchor) const {
         const Vec2f here = footprint_of(editor_.placed(mover_)).center;
@@ -312,8 +358,15 @@ class Reader {
         const auto side = [&](const Words& part) {
             if (const auto known = room_part(part, 0); known && known->next == part.size())
                 return Anchor{opening_there(editor_.plan(), known->noun), {}};
-            return anchor_of(editor_, part, "");
+            return anchor_of(editor_, those(part), "");
         };
+        // "between them"
+        if (is_pronoun(words) && spoken_.size() == 2) {
+            Place out = place("between", editor_.placed(spoken_[0]).piece.kind);
+            out.step.wish.relation_and = editor_.placed(spoken_[1]).piece.kind;
+            out.step.at = {spoken_[0]}, out.step.at_and = {spoken_[1]};
+            return out;
+        }
         const Anchor one = side(Words(words.begin(), joint));
         const Anchor other = joint == words.end() ? one : side(Words(joint + 1, words.end()));
         Place out = place("between", one.kind);
@@ -325,14 +378,15 @@ class Reader {
     const Editor& editor_;
     Words words_;
     std::string kind_, mover_;
+    std::vector<std::string> spoken_;
     bool moving_;
 };
 
 }  // namespace
 
 std::optional<Place> place_of(const Editor& editor, const Words& words, const std::string& kind,
-                              const std::string& mover) {
-    return words.empty() ? std::nullopt : Reader(editor, words, kind, mover).read();
+                              const std::string& mover, const std::vector<std::string>& spoken) {
+    return words.empty() ? std::nullopt : Reader(editor, words, kind, mover, spoken).read();
 }
 
 }  // namespace fastscene::editing

@@ -254,7 +254,10 @@ void Editor::face(const EditStep& step) {
         const Placed& p = placed(i);
         std::string fault;
         bool done = false;
+        const Vec2f ahead_now = *target - flat(p.position);
+        const float wrong_by = std::abs(std::remainder(std::atan2(ahead_now.x, ahead_now.y) - p.yaw, 2 * kPi));
         for (const auto& [off, aside] : turns()) {
+            if (std::abs(aside) > wrong_by / 2) continue;  // it would hardly turn
             const int ways = off > 0 ? kWays : 1;
             for (int way = 0; way < ways && !done; ++way) {
                 const float angle = 2 * kPi * static_cast<float>(way) / kWays;

@@ -76,6 +76,34 @@ bool looks_at(const std::string& relation) {
 
 }  // namespace
 
+int wall_behind(const Plan& plan, const Placed& p) {
+    constexpr float kAtWall = 0.3f, kWalls = 4;  // metres
+    const Footprint box = footprint_of(p);
+    for (int w = 0; w < static_cast<int>(kWalls); ++w) {
+        const WallFace face = plan.wall(w);
+        const float off = dot(box.center - flat(face.origin), flat(face.inward)) - extent(box, flat(face.inward));
+        if (dot(face.inward, front_of(p.yaw)) > 0.9f && off < kAtWall) return w;
+    }
+    return -1;
+}
+
+bool hang_above(Layout& layout, const PromptObject& wish) {
+    if (wish.relation != "above" || wish.count > 1 || !layout.why_not(wish.kind).empty()) return false;
+    const PieceRequest request = layout.request(wish.kind, &wish);
+    if (make_piece(request).mount != Mount::ceiling) return false;
+    for (int i = 0; i < static_cast<int>(layout.placed().size()); ++i) {
+        const Placed below = layout.placed()[static_cast<std::size_t>(i)];
+        if (below.piece.kind != wish.relation_to && below.wish.kind != wish.relation_to) continue;
+        const Vec3f half = below.piece.size_m * 0.5f;
+        const bool turned = half.z > half.x;
+        const Vec3f along = turned ? front_of(below.yaw) * half.z : right_of(below.yaw) * half.x;
+        for (const float part : {0.f, 0.3f, -0.3f, 0.5f, -0.5f, 0.7f, -0.7f})
+            if (const auto k = layout.hanging(request, flat(below.position + along * part), wish))
+                return layout.join(*k, i), true;
+    }
+    return false;
+}
+
 // For one thing that stands on the floor; the nearest place first.
 bool Editor::search_finely(Layout& layout, const EditStep& step) const {
     const PromptObject& wish = layout.spec().objects[0];
@@ -90,6 +118,8 @@ bool Editor::search_finely(Layout& layout, const EditStep& step) const {
     // A chair before a table is drawn up to it, or it is not at the table.
     if (wish.relation == "in front of" && has_role(wish.kind, Role::work_seat)) return false;
     const bool flat_one = piece.size_m.y < kFlat;
+    constexpr float kOfCorner = 1.6f;  // metres: further off it is in another one
+    const bool of_corner = wish.relation == "in the corner" && step.position.has_value();
     std::vector<Candidate> all;
     if (piece.against_wall) add_at_walls(plan(), piece.size_m, all);
     else add_on_floor(plan(), piece.size_m, flat_one ? step.yaw : std::nullopt, all);
@@ -105,7 +135,8 @@ bool Editor::search_finely(Layout& layout, const EditStep& step) const {
         if (!anchors.empty()) {
             if (looks_at(wish.relation)) c.yaw = std::atan2(middle.x - c.at.x, middle.y - c.at.y);
             c.cost = nearest;
-        } else if (wish.relation == "in the middle") c.cost = length(c.at);
+        } else if (of_corner && length(c.at - *step.position) > kOfCorner) return true;
+        else if (wish.relation == "in the middle") c.cost = length(c.at);
         else if (step.position) c.cost = length(c.at - *step.position);
         if (looks_at(wish.relation) && piece.against_wall)
             for (const WallFace& face : plan().faces())
@@ -135,6 +166,115 @@ bool Editor::search_finely(Layout& layout, const EditStep& step) const {
             layout.undo(mark);
             if (++checks == kMostChecks) return false;
         }
+    return false;
+}
+
+// Seats at the ends of a table, drawn up to it: one at each in turn.
+bool Editor::at_the_ends(Layout& layout) const {
+    const PromptObject& wish = layout.spec().objects[0];
+    if (wish.relation != kAtTheEnds || !layout.why_not(wish.kind).empty()) return false;
+    const Piece piece = make_piece(layout.request(wish.kind, &wish));
+    int done = 0;
+    for (int t = 0; t < static_cast<int>(layout.placed().size()); ++t) {
+        const Placed table = layout.placed()[static_cast<std::size_t>(t)];
+        if (table.piece.kind != wish.relation_to && table.wish.kind != wish.relation_to) continue;
+        const bool wide = table.piece.size_m.x >= table.piece.size_m.z;
+        const Vec3f along = wide ? right_of(table.yaw) : front_of(table.yaw);
+        const float half = (wide ? table.piece.size_m.x : table.piece.size_m.z) / 2;
+        for (const float side : {1.f, -1.f})
+            for (const float gap : {0.02f, 0.12f, 0.2f}) {
+                if (done == std::max(1, wish.count)) return true;
+                const Vec3f at = table.position + along * (side * (half + gap + piece.size_m.z / 2));
+                const auto i = layout.stand_at(piece, flat(at), yaw_of(along * -side), wish, {});
+                if (!i) continue;
+                layout.join(*i, t);
+                ++done;
+                break;
+            }
+    }
+    return done == std::max(1, wish.count);
+}
+
+// The free place nearest to the middle of a top or, turned as it is, of the room.
+bool Editor::in_the_middle(Layout& layout, const EditStep& step, const Placed* moving) const {
+    constexpr int kRings = 12, kWays = 12;
+    const PromptObject& wish = layout.spec().objects[0];
+    const bool room = wish.relation == "in the middle" && moving && moving->piece.mount == Mount::floor &&
+                      !moving->flat && !moving->piece.against_wall;
+    if (wish.count > 1 || !(room || (wish.relation == "on" && step.centered))) return false;
+    if (!layout.why_not(wish.kind).empty()) return false;
+    const PieceRequest request = layout.request(wish.kind, &wish);
+    const Piece piece = make_piece(request);
+    const auto around = [&](Vec2f middle, float reach, const auto& stand) {
+        for (int ring = 0; ring <= kRings; ++ring)
+            for (int way = 0; way < (ring == 0 ? 1 : kWays); ++way) {
+                const float angle = 2 * kPi * static_cast<float>(way) / kWays;
+                if (stand(middle +
+                          Vec2f{std::sin(angle), std::cos(angle)} * (reach * static_cast<float>(ring) / kRings)))
+                    return true;
+            }
+        return false;
+    };
+    if (room)
+        return around({0, 0}, 0.6f,
+                      [&](Vec2f at) { return layout.stand_at(piece, at, moving->yaw, wish, {}).has_value(); });
+    for (int i = 0; i < static_cast<int>(layout.placed().size()); ++i) {
+        const Placed top = layout.placed()[static_cast<std::size_t>(i)];
+        if (top.piece.kind != wish.relation_to && top.wish.kind != wish.relation_to) continue;
+        const float reach = 0.25f * std::min(top.piece.size_m.x, top.piece.size_m.z);
+        if (around(flat(top.position), reach, [&](Vec2f at) {
+                return layout.on_top_at(i, request, at, moving ? moving->yaw : top.yaw, wish).has_value();
+            }))
+            return true;
+    }
+    return false;
+}
+
+// What usually stands on tops, on the floor by a thing.
+bool Editor::on_the_floor(Layout& layout, const EditStep& step) const {
+    const PromptObject& wish = layout.spec().objects[0];
+    if (!step.on_floor || wish.count > 1 || !layout.why_not(wish.kind).empty()) return false;
+    const PieceRequest request = layout.request(wish.kind, &wish);
+    constexpr int kTries = 6;
+    for (const Footprint& anchor : anchors_of(plan(), layout.placed(), wish.relation_to))
+        for (int k = 0; k < kTries; ++k) {
+            const std::size_t before = layout.mark();
+            if (!layout.on_floor_near(anchor.center, request, wish)) continue;
+            if (stands_as_asked(plan(), layout.placed(), layout.placed().back(), wish).value_or(false)) return true;
+            layout.undo(before);
+        }
+    return false;
+}
+
+// Above what stands a way off its wall, as a bar does: on the wall behind it, in sight above it.
+bool Editor::hang_behind(Layout& layout) const {
+    const PromptObject& wish = layout.spec().objects[0];
+    if (wish.relation != "above" || wish.count > 1 || !layout.why_not(wish.kind).empty()) return false;
+    PieceRequest request = layout.request(wish.kind, &wish);
+    if (make_piece(request).mount != Mount::wall) return false;
+    constexpr float kFarthest = 2.5f, kAbove = 0.3f;  // metres
+    for (int i = 0; i < static_cast<int>(layout.placed().size()); ++i) {
+        const Placed below = layout.placed()[static_cast<std::size_t>(i)];
+        if (below.piece.kind != wish.relation_to && below.wish.kind != wish.relation_to) continue;
+        for (int w = 0; w < 4; ++w) {
+            const WallFace face = plan().wall(w);
+            const Vec3f to = below.position - face.origin;
+            if (dot(face.inward, front_of(below.yaw)) < 0.9f || dot(to, face.inward) > kFarthest) continue;
+            for (const float scale : {1.f, 0.8f, 0.6f})
+                for (const float further : {0.f, 0.2f, -0.2f, 0.4f, -0.4f, 0.7f, -0.7f}) {
+                    PieceRequest r = request;
+                    r.size_factor *= scale;
+                    Piece piece = make_piece(r);
+                    if (std::abs(further) > below.piece.size_m.x / 2) continue;
+                    // Higher than what stands at that wall.
+                    const float least = std::max(piece.hang_height_m, footprint_of(below).y1 + kAbove);
+                    for (const float up : {0.f, 0.15f, 0.3f, 0.45f, 0.6f}) {
+                        piece.hang_height_m = least + up;
+                        if (layout.hang_at(piece, w, dot(to, face.along) + further, wish)) return true;
+                    }
+                }
+        }
+    }
     return false;
 }
 

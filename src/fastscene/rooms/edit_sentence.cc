@@ -28,7 +28,13 @@ std::vector<std::string> riders_of(const Editor& editor, const std::vector<std::
 }
 
 void remove_all(Talk& talk, const std::vector<std::string>& ids) {
-    if (!ids.empty()) talk.last_gone = flat(talk.editor.placed(ids.front()).position);
+    if (!ids.empty()) {
+        const Placed& first = talk.editor.placed(ids.front());
+        talk.last_gone = flat(first.position);
+        talk.last_gone_from = first.on < 0 ? ""
+                                           : talk.editor.room().furnished.placed[static_cast<std::size_t>(first.on)].id;
+        if (std::find(ids.begin(), ids.end(), talk.last_gone_from) != ids.end()) talk.last_gone_from.clear();
+    }
     EditStep step;
     step.ids = ids;
     talk.editor.apply(step);
@@ -123,10 +129,27 @@ void add_new(std::vector<std::string>& to, const std::vector<std::string>& more)
         if (std::find(to.begin(), to.end(), id) == to.end()) to.push_back(id);
 }
 
+namespace {
+
+bool is_among(const std::string& id, const std::vector<std::string>& ids) {
+    return std::find(ids.begin(), ids.end(), id) != ids.end();
+}
+
+}  // namespace
+
 std::vector<std::string> Talk::things(const Words& words) {
     if (words.size() == 1 && is_one_of(words.front(), {"it", "them", "they", "that", "those", "these"})) {
         if (last.empty()) throw UsageError("what is \"{}\"? nothing was named before", words.front());
         return last;
+    }
+    // "its chairs": those that stand at it or on it.
+    if (words.size() > 1 && is_one_of(words.front(), {"its", "their"}) && !last.empty()) {
+        std::vector<std::string> ids;
+        for (const int i : all_named(editor, "all " + text_of(words, 1))) {
+            const DocumentThing& t = editor.document().things[static_cast<std::size_t>(i)];
+            if (is_among(t.on, last) || is_among(t.with, last)) ids.push_back(t.id);
+        }
+        if (!ids.empty()) return last = ids;
     }
     // "the first one"
     if (words.size() > 1 && is_one_of(words.back(), {"one", "ones"}) && !noun.empty()) {
@@ -164,36 +187,39 @@ std::vector<std::string> Talk::all_but(const Words& words, Words others) {
     return ids;
 }
 
+namespace {
+
+// "the table together with its chairs": the table, and its chairs.
+Words with_its(const Words& words) {
+    Words out;
+    for (std::size_t i = 0; i < words.size(); ++i) {
+        const bool joint = words[i] == "with" && i + 1 < words.size() && i > 0;
+        const bool together = i > 0 && is_one_of(words[i - 1], {"together", "along"});
+        if (joint && together) out.back() = ",";
+        else if (joint && is_one_of(words[i + 1], {"its", "their"})) out.push_back(",");
+        else out.push_back(words[i]);
+    }
+    return out;
+}
+
+}  // namespace
+
 std::vector<std::string> Talk::things_of_parts(const Words& words) {
     std::vector<std::string> ids;
-    for (const Words& part : parts_of(words)) add_new(ids, things(part));
+    for (const Words& part : parts_of(with_its(words))) add_new(ids, things(part));
     if (ids.empty()) throw UsageError("expected a thing of the room, found the end of the sentence");
     return last = ids;
 }
 
 namespace {
 
-void put(Talk& talk, const Words& words) {
-    if (const std::string lamps = lamps_said(words); !lamps.empty()) return make(talk, words);
-    if (is_one_of(words.front(), {"the", "a"}) && words.size() > 1 &&
-        is_one_of(words[1], {"time", "style", "weather", "hour", "light", "lighting", "color"}))
-        return make(talk, words);
-    // "the walls to white"
-    const std::size_t to = find_word(words, {"to"}, 1);
-    if (to < words.size() && value_of(part_of(words, to + 1))) return make(talk, words);
-    const std::size_t end = next_place(words);
-    const std::string thing = text_of(words, 0, end);
-    const bool id = end > 1 && words[end - 1].find_first_not_of("0123456789") == std::string::npos;
-    // "sofa at the window": that which is there.
-    const bool bare = begins_anew(words) && !number_said(words.front()) && !thing.ends_with("s") && end < words.size();
-    if (!begins_anew(words) || id || (bare && all_named(talk.editor, thing).size() == 1)) return move(talk, words);
-    add(talk, words);
-}
-
 // "lower the lamp": down.
 Words lowered(const Clause& clause) {
     Words out = clause.words;
-    if (is_one_of(clause.said, {"lower", "raise", "lift"}) && next_place(out) == out.size())
+    Words bare = out;
+    const bool by_length = take_length(bare).has_value();  // "by 20 cm"
+    if (by_length && !bare.empty() && bare.back() == "by") bare.pop_back();
+    if (is_one_of(clause.said, {"lower", "raise", "lift"}) && next_place(bare) == bare.size())
         out.push_back(clause.said == "lower" ? "down" : "up");
     return out;
 }
@@ -222,6 +248,17 @@ Words with_word(Words words, const std::string& word) {
     return words;
 }
 
+// "Tile the walls", "tile the floor blue", "carpet the room": with that.
+Words covered(const Clause& clause) {
+    Words out = clause.words;
+    if (!is_one_of(clause.said, {"tile", "carpet", "plaster"})) return out;
+    if (noun_of(out.back()) == "room") out = clause.said == "plaster" ? Words{"the", "walls"} : Words{"the", "floor"};
+    for (std::size_t i = 1; i < out.size(); ++i)
+        if (const auto value = value_of(part_of(out, i)); value && !value->looks.material.empty()) return out;
+    out.push_back(clause.said);
+    return out;
+}
+
 bool says_value(const Words& words) {
     for (std::size_t i = 1; i < words.size(); ++i)
         if (value_of(part_of(words, i)) || is_one_of(words[i], {"to", "into"})) return true;
@@ -230,16 +267,37 @@ bool says_value(const Words& words) {
 
 }  // namespace
 
+namespace {
+
+// "take the vase off the table and put it on the cabinet": nothing goes; false: no such words.
+bool picked_up(Talk& talk, const Clause& clause, const Clause& next) {
+    if (clause.said != "take" || (next.verb != Verb::put && next.verb != Verb::move) || next.words.empty() ||
+        !is_one_of(next.words.front(), {"it", "them"}))
+        return false;
+    Words words = clause.words;
+    for (std::size_t i = 1; i < words.size(); ++i)
+        if (is_one_of(words[i], {"off", "from"})) words[i] = "on";
+    talk.things_of_parts(words);
+    return true;
+}
+
+}  // namespace
+
 void Talk::act(const Clause& clause) {
     const Words& words = clause.words;
     if (clause.verb == Verb::refuse) refuse(clause);
     if (clause.verb == Verb::tidy) return tidy(*this, clause);
-    there = clause.there;
+    there = clause.there, said = clause.said;
     if (words.empty())
         throw UsageError("expected what to change after \"{}\", found the end of the sentence", clause.said);
     const std::size_t end = next_place(words), instead = find_word(words, {"instead"}, 1);
-    if (instead + 2 < words.size() && words[instead + 1] == "of")
-        return replace(*this, part_of(words, instead + 2), part_of(words, 0, instead));
+    if (instead + 2 < words.size() && words[instead + 1] == "of") {
+        const Words old = instead_of(part_of(words, instead + 2), words), by = part_of(words, 0, instead);
+        if (next_place(by) == by.size()) return replace(*this, old, by);
+        remove(*this, old);
+        return add(*this, by);
+    }
+    if (put_where(*this, clause)) return;
     switch (clause.verb) {
         case Verb::remove:
             // "take the vase to the desk"
@@ -249,8 +307,12 @@ void Talk::act(const Clause& clause) {
         case Verb::clear:
             if (remove_everything(*this, words)) return;
             return clear(*this, words.back() == "off" ? part_of(words, 0, words.size() - 1) : words);
-        case Verb::move: return move(*this, lowered(clause));
-        case Verb::put: return put(*this, words);
+        case Verb::move:
+            if (says_so_that(words)) return turn(*this, words);
+            return move(*this, lowered(clause));
+        case Verb::put:
+            if (says_so_that(words)) return turn(*this, words);
+            return put(*this, words);
         case Verb::add:
             // "get the sofa out", "the plants to the window" stand already
             return add(*this, words);
@@ -263,14 +325,15 @@ void Talk::act(const Clause& clause) {
         }
         case Verb::swap: return swap(*this, words);
         case Verb::turn:
-            if (!lamps_said(words).empty()) return make(*this, words);
+            if (!lamps_said(words).empty() || each_on_or_off(words)) return make(*this, words);
             return turn(*this, words);
         case Verb::face: return face(*this, words);
         case Verb::make:
             // "switch the sofa and the armchair"
-            if (clause.said == "switch" && parts_of(words).size() == 2 && !says_value(words)) return swap(*this, words);
+            if (clause.said == "switch" && parts_of(words).size() == 2 && !says_value(words) && !each_on_or_off(words))
+                return swap(*this, words);
             return make(*this, words);
-        case Verb::color: return make(*this, words);
+        case Verb::color: return make(*this, covered(clause));
         case Verb::larger: return make(*this, with_word(words, "larger"));
         case Verb::smaller: return make(*this, with_word(words, "smaller"));
         case Verb::brighter: return make(*this, with_word(words, "brighter"));
@@ -281,6 +344,12 @@ void Talk::act(const Clause& clause) {
             return put(*this, all);
         }
         case Verb::copy: return copy(*this, words);
+        case Verb::kindle:
+        case Verb::quench: {
+            Words all = words;
+            all.push_back(clause.verb == Verb::kindle ? "on" : "off");
+            return make(*this, all);
+        }
         case Verb::tidy:
         case Verb::refuse:
         case Verb::none: break;
@@ -294,7 +363,9 @@ EditResult edit_by_sentence(const RoomDocument& document, const std::string& sen
     check_prompt(sentence);
     editing::Editor editor(document, std::move(pack), run);
     editing::Talk talk{editor};
-    for (const auto& clause : editing::clauses_of(sentence)) talk.act(clause);
+    const std::vector<editing::Clause> clauses = editing::clauses_of(sentence);
+    for (std::size_t i = 0; i < clauses.size(); ++i)
+        if (i + 1 == clauses.size() || !editing::picked_up(talk, clauses[i], clauses[i + 1])) talk.act(clauses[i]);
     return editor.result();
 }
 

@@ -40,7 +40,8 @@ float hull_area(const Piece& piece) {
     return std::abs(twice) / 2;
 }
 
-// round, oval, square or rectangular; empty: none of those.
+}  // namespace
+
 std::string shape_of(const Piece& piece) {
     constexpr float kRoundLow = 0.72f, kRoundHigh = 0.82f;  // of its box: a circle has 0.785 of it
     constexpr float kFull = 0.94f, kEven = 1.1f;
@@ -52,6 +53,8 @@ std::string shape_of(const Piece& piece) {
     if (share > kFull) return even ? "square" : "rectangular";
     return {};
 }
+
+namespace {
 
 bool is_curved(const std::string& shape) { return shape == "round" || shape == "oval"; }
 

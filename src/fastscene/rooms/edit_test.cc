@@ -61,7 +61,7 @@ Difference difference(const RoomDocument& before, const RoomDocument& after) {
         const DocumentThing& n = *found->second;
         if (n.position != t->position || n.yaw != t->yaw) out.moved.insert(id);
         if (n.color != t->color || n.material != t->material || n.holder_color != t->holder_color ||
-            n.seed != t->seed || n.size_m != t->size_m)
+            n.seed != t->seed || n.size_m != t->size_m || n.lit != t->lit)
             out.other.insert(id);
     }
     for (const auto& [id, t] : now)
@@ -141,6 +141,35 @@ TEST(Edit, ChangesStyleAndHourInPlace) {
     EXPECT_EQ(out.document.camera->position, kept_room(kStudy).camera->position);
 }
 
+// Radiance of what shines of a thing.
+float light_of(const RoomDocument& document, const std::string& id) {
+    DocumentRoom room = furnish_document(document, "room", nullptr, kEditRun);
+    const Room built = room_of(room);
+    float out = 0;
+    for (const Mesh& m : built.meshes)
+        if (m.object >= 0 && built.objects[static_cast<std::size_t>(m.object)].id == id)
+            out = std::max(out, luminance(built.materials[static_cast<std::size_t>(m.material)].emission));
+    return out;
+}
+
+TEST(Edit, OneLampShinesAsWasSaidOfIt) {
+    const RoomDocument by_day = edited(kBedroom, "turn the lamps off").document;
+    EXPECT_EQ(light_of(by_day, "floor_lamp-1"), 0.f);
+    const RoomDocument one = edit_by_sentence(by_day, "turn on the floor lamp", nullptr, kEditRun).document;
+    EXPECT_GT(light_of(one, "floor_lamp-1"), 0.f);
+    EXPECT_EQ(light_of(one, "ceiling_lamp-1"), 0.f);
+    const RoomDocument dimmed = edit_by_sentence(one, "make the floor lamp dimmer", nullptr, kEditRun).document;
+    EXPECT_LT(light_of(dimmed, "floor_lamp-1"), 0.6f * light_of(one, "floor_lamp-1"));
+    EXPECT_GT(light_of(dimmed, "floor_lamp-1"), 0.f);
+    // All of them again.
+    const RoomDocument all = edit_by_sentence(dimmed, "turn the lamps on", nullptr, kEditRun).document;
+    EXPECT_EQ(light_of(all, "floor_lamp-1"), light_of(one, "floor_lamp-1"));
+    EXPECT_GT(light_of(all, "ceiling_lamp-1"), 0.f);
+    // Written and read again.
+    EXPECT_EQ(light_of(read_document(document_json(dimmed).dump(), "room.json"), "floor_lamp-1"),
+              light_of(dimmed, "floor_lamp-1"));
+}
+
 // ---- tests/data/edits.txt: sentences and what each is to do
 
 std::string trimmed(const std::string& text) {
@@ -159,6 +188,7 @@ std::vector<std::string> split(const std::string& text, char at) {
 std::string look_of(const DocumentThing& was, const DocumentThing& is) {
     std::string out;
     for (const std::string& part : {is.color, is.material, is.pattern}) out += part + " ";
+    if (is.lit) out += *is.lit > 0.99f ? "on " : *is.lit > 0 ? "dimmed " : "off ";
     if (volume(is) > 1.01f * volume(was)) out += "larger";
     if (volume(is) < 0.99f * volume(was)) out += "smaller";
     return out;

@@ -115,22 +115,6 @@ std::optional<float> brighter(const Words& words, bool& shines) {
     return out == 1 ? std::nullopt : std::optional(out);
 }
 
-// "round", "a square shape"; empty: no shape.
-std::string shape_said(const Words& words) {
-    std::string out;
-    for (const std::string& w : words) {
-        const std::string shape = is_one_of(w, {"round", "circular", "rounder"})                       ? "round"
-                                  : is_one_of(w, {"oval", "elliptical"})                               ? "oval"
-                                  : w == "square"                                                      ? "square"
-                                  : is_one_of(w, {"rectangular", "oblong", "rectangle", "rectangles"}) ? "rectangular"
-                                                                                                       : "";
-        if (shape.empty() ? !is_one_of(w, {"a", "an", "in", "shape", "shaped", "form", "one"}) : !out.empty())
-            return {};
-        if (!shape.empty()) out = shape;
-    }
-    return out;
-}
-
 // "Black and white" are two colors.
 bool parts_looks(const std::string& word) { return is_one_of(word, {"and", ","}); }
 
@@ -175,6 +159,21 @@ std::size_t take_look(const Words& tokens, std::size_t i, PromptObject& out) {
 }
 
 }  // namespace
+
+std::string shape_said(const Words& words) {
+    std::string out;
+    for (const std::string& w : words) {
+        const std::string shape = is_one_of(w, {"round", "circular", "rounder"})                       ? "round"
+                                  : is_one_of(w, {"oval", "elliptical"})                               ? "oval"
+                                  : w == "square"                                                      ? "square"
+                                  : is_one_of(w, {"rectangular", "oblong", "rectangle", "rectangles"}) ? "rectangular"
+                                                                                                       : "";
+        if (shape.empty() ? !is_one_of(w, {"a", "an", "in", "shape", "shaped", "form", "one"}) : !out.empty())
+            return {};
+        if (!shape.empty()) out = shape;
+    }
+    return out;
+}
 
 std::optional<PromptObject> looks_of(const std::string& words) {
     PromptObject out;

@@ -79,7 +79,39 @@ bool complained(Talk& talk, const Words& words) {
 
 }  // namespace
 
+namespace {
+
+// "Lay tiles", "carpet on the floor", "marble tiles on the walls": what is covered so; empty: the words are no such
+// thing. "Lay a rug" is one.
+std::string covered_so(const Talk& talk, const Words& words, PromptObject& looks) {
+    const auto is_surface = [](const std::string& noun) { return is_one_of(noun, {"wall", "floor", "ceiling"}); };
+    std::string surface;
+    Words bare = words;
+    if (const std::size_t on = find_word(words, {"on", "over", "across"}, 1); on < words.size()) {
+        const auto part = room_part(words, on + 1);
+        if (!part || part->next != words.size() || !is_surface(part->noun)) return {};
+        surface = part->noun, bare.resize(on);
+    }
+    const bool anew = number_said(bare.front()).has_value();
+    for (const std::string& w : bare)
+        if (is_surface(noun_of(w))) surface = noun_of(w);
+    if (surface.empty() && !anew && is_one_of(talk.said, {"lay", "put down", "lay down"})) surface = "floor";
+    std::erase_if(bare, [&](const std::string& w) {
+        return is_surface(noun_of(w)) || is_definite(w) || is_one_of(w, {"a", "an", "new", "some", "down"});
+    });
+    const auto said = surface.empty() ? std::nullopt : looks_of(text_of(bare));
+    if (!said || said->material.empty()) return {};
+    looks = *said;
+    return surface;
+}
+
+}  // namespace
+
 bool paint_wanted(Talk& talk, const Words& words) {
+    EditStep covering;
+    covering.kind = EditStep::Kind::recolor;
+    covering.surface = covered_so(talk, words, covering.wish);
+    if (!covering.surface.empty()) return talk.editor.apply(covering), true;
     const PromptSpec spec = read_in_room(talk.editor, text_of(words));
     if (spec.objects.empty() || !is_one_of(spec.objects.front().kind, {"wall", "floor", "ceiling"})) return false;
     EditStep step;

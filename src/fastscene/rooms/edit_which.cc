@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "fastscene/base/error.h"
+#include "fastscene/base/is_one_of.h"
 #include "fastscene/rooms/catalogue.h"
 #include "fastscene/rooms/edit_parts.h"
 #include "fastscene/rooms/layout_relations.h"
@@ -42,6 +43,63 @@ std::string whereabouts(const RoomDocument& document, const DocumentRoom& room, 
 float bulk_of(const Placed& p) { return p.piece.size_m.x * p.piece.size_m.y * p.piece.size_m.z; }
 
 }  // namespace
+
+std::optional<std::vector<int>> by_distance(const Editor& editor, const Words& words) {
+    const std::size_t at = find_word(words, {"closest", "nearest", "farthest", "furthest"}, 1);
+    if (at >= words.size()) return {};
+    // "the closest table to the door"
+    const std::size_t to = find_word(words, {"to", "from"}, at);
+    Words head = part_of(words, 0, at);
+    const Words after = part_of(words, at + 1, to);
+    head.insert(head.end(), after.begin(), after.end());
+    const Words target = part_of(words, to < words.size() ? to + 1 : at + 1);
+    if (target.empty() || (to == words.size() && !after.empty())) return {};
+    std::vector<Vec2f> places;
+    if (is_one_of(target.back(), {"me", "us", "viewer"})) places.push_back(flat(editor.room().furnished.camera));
+    else if (const auto part = room_part(target, 0)) {
+        for (const Opening& o : editor.plan().openings)
+            if (is_opening_of(o, part->noun))
+                places.push_back(flat(editor.plan().wall(o.wall).point((o.u0 + o.u1) / 2, 0)));
+    } else
+        for (const int i : all_named(editor, text_of(target)))
+            places.push_back(footprint_of(editor.room().furnished.placed[static_cast<std::size_t>(i)]).center);
+    std::size_t count = 1;
+    std::erase_if(head, [&](const std::string& w) {
+        const auto number = is_definite(w) ? std::nullopt : number_said(w);
+        if (number) count = static_cast<std::size_t>(std::max(1.f, *number));
+        return number || is_definite(w) || is_one_of(w, {"that", "is", "are", "which", "standing"});
+    });
+    std::vector<int> found = head.empty() ? std::vector<int>{} : all_named(editor, "all " + text_of(head));
+    if (places.empty() || found.size() <= count) return {};
+    const auto far = [&](int i) {
+        float least = 1e9f;
+        for (const Vec2f p : places)
+            least = std::min(least,
+                             distance_to(footprint_of(editor.room().furnished.placed[static_cast<std::size_t>(i)]), p));
+        return is_one_of(words[at], {"closest", "nearest"}) ? least : -least;
+    };
+    std::stable_sort(found.begin(), found.end(), [&](int a, int b) { return far(a) < far(b); });
+    found.resize(count);
+    std::sort(found.begin(), found.end());
+    return found;
+}
+
+void nearest_to(const Editor& editor, const std::string& kind, std::vector<int>& found) {
+    const FurnishedRoom& room = editor.room().furnished;
+    std::vector<Vec2f> places;
+    for (const Opening& o : room.plan.openings)
+        if (is_opening_of(o, kind)) places.push_back(flat(room.plan.wall(o.wall).point((o.u0 + o.u1) / 2, 0)));
+    for (const Placed& p : room.placed)
+        if (p.piece.kind == kind || p.wish.kind == kind) places.push_back(footprint_of(p).center);
+    const auto far = [&](int i) {
+        float least = 1e9f;
+        for (const Vec2f at : places)
+            least = std::min(least, distance_to(footprint_of(room.placed[static_cast<std::size_t>(i)]), at));
+        return least;
+    };
+    if (!places.empty())
+        found = {*std::min_element(found.begin(), found.end(), [&](int a, int b) { return far(a) < far(b); })};
+}
 
 void refuse_shell() {
     throw UsageError(

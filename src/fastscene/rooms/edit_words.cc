@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numeric>
 
 #include "fastscene/base/error.h"
 #include "fastscene/base/is_one_of.h"
@@ -22,9 +21,8 @@ namespace {
 
 std::string joined(const std::vector<std::string>& words) { return fmt::format("{}", fmt::join(words, " ")); }
 
-bool has_word(const std::vector<std::string>& words, std::initializer_list<std::string_view> any) {
-    return std::any_of(words.begin(), words.end(),
-                       [&](const std::string& w) { return std::find(any.begin(), any.end(), w) != any.end(); });
+bool has_word(const Words& words, std::initializer_list<std::string_view> any) {
+    return find_word(words, any) < words.size();
 }
 
 // "coffee_table" and "dining_table_round" are tables, "table_lamp" and "picture_ledge" are no table and no picture.
@@ -109,8 +107,23 @@ void pick(const std::vector<std::string>& words, const PromptObject& said, const
     const auto all = [&](int i) -> const DocumentThing& {
         return editor.document().things[static_cast<std::size_t>(i)];
     };
-    if (left != right) extreme([&](int i) { return to_the_right(editor.room(), all(i)); }, right);
-    else if (said.size == "large" || said.size == "small")
+    if (left != right && several > 1 && several < found.size()) {  // "the two shelves on the right"
+        std::stable_sort(found.begin(), found.end(), [&](int a, int b) {
+            return (to_the_right(editor.room(), all(a)) > to_the_right(editor.room(), all(b))) == right;
+        });
+        found.resize(several);
+        std::sort(found.begin(), found.end());
+    } else if (find_word(words, {"middle"}) < next_place(words) && found.size() % 2 != 0) {
+        std::stable_sort(found.begin(), found.end(), [&](int a, int b) {
+            return to_the_right(editor.room(), all(a)) < to_the_right(editor.room(), all(b));
+        });
+        found = {found[found.size() / 2]};
+    } else if (left != right) extreme([&](int i) { return to_the_right(editor.room(), all(i)); }, right);
+    else if (said.size == "large" && says_several(words, said) && !has_word(words, {"biggest", "largest"})) {
+        float most = 0;
+        for (const int i : found) most = std::max(most, volume_of(editor.placed(all(i).id)));
+        std::erase_if(found, [&](int i) { return volume_of(editor.placed(all(i).id)) < 0.5f * most; });
+    } else if (said.size == "large" || said.size == "small")
         extreme([&](int i) { return volume_of(editor.placed(all(i).id)); }, said.size == "large");
 }
 
@@ -173,24 +186,6 @@ std::vector<int> with_part(const Editor& editor, const std::vector<std::string>&
     return out;
 }
 
-// "The table near the door", where none is close to it: the nearest.
-void nearest_to(const Editor& editor, const std::string& kind, std::vector<int>& found) {
-    const FurnishedRoom& room = editor.room().furnished;
-    std::vector<Vec2f> places;
-    for (const Opening& o : room.plan.openings)
-        if (is_opening_of(o, kind)) places.push_back(flat(room.plan.wall(o.wall).point((o.u0 + o.u1) / 2, 0)));
-    for (const Placed& p : room.placed)
-        if (p.piece.kind == kind || p.wish.kind == kind) places.push_back(footprint_of(p).center);
-    const auto far = [&](int i) {
-        float least = 1e9f;
-        for (const Vec2f at : places)
-            least = std::min(least, distance_to(footprint_of(room.placed[static_cast<std::size_t>(i)]), at));
-        return least;
-    };
-    if (!places.empty())
-        found = {*std::min_element(found.begin(), found.end(), [&](int a, int b) { return far(a) < far(b); })};
-}
-
 // Whether the phrase is in the words, in the plural as well.
 bool says_phrase(const Words& words, const Words& phrase) {
     for (std::size_t i = 0; i + phrase.size() <= words.size(); ++i) {
@@ -234,6 +229,7 @@ void with_place(const Editor& editor, const PromptSpec& spec, std::vector<int>& 
             where.relation_to = editor.document().things[static_cast<std::size_t>(at.front())].kind;
     std::vector<int> there;
     const FurnishedRoom& furnished = editor.room().furnished;
+    if (beside_as_seen(editor, where, found)) return;
     const bool several = where.count > 1 && spec.objects.front().count > 1;
     for (const int i : found)
         if (stands_as_asked(furnished.plan, furnished.placed, furnished.placed[static_cast<std::size_t>(i)], where)
@@ -314,7 +310,9 @@ Meaning meaning_of(const Editor& editor, const std::string& words) {
         const auto anchors = anchors_said(editor, part_of(tokens, place), out.found);
         if (anchors) at_anchors(editor, anchors->relation, anchors->things, out.found);
         else if (compound.empty() || place < tokens.size()) with_place(editor, spec, out.found);
-        pick(anchors ? part_of(tokens, 0, place) : tokens, out.said, editor, out.found);
+        // "the chairs on the left side of the table": the left is the table's.
+        const bool of_place = anchors || (says_several(tokens, out.said) && place + 2 < tokens.size());
+        pick(of_place ? part_of(tokens, 0, place) : tokens, out.said, editor, out.found);
         if (!out.found.empty()) return out;
     }
     out.unknown = out.said.kind.empty();
@@ -350,6 +348,7 @@ PromptSpec read_in_room(const Editor& editor, const std::string& words) {
 
 std::vector<int> all_named(const Editor& editor, const std::string& words) {
     if (const auto id = id_said(editor.document(), words)) return {*id};
+    if (const auto near = by_distance(editor, tokens_of(words))) return *near;
     return meaning_of(editor, words).found;
 }
 
@@ -357,7 +356,8 @@ std::vector<std::string> named(const Editor& editor, const std::string& words) {
     if (const auto id = id_said(editor.document(), words))
         return {editor.document().things[static_cast<std::size_t>(*id)].id};
     const std::vector<std::string> tokens = tokens_of(words);
-    Meaning meant = meaning_of(editor, words);
+    const auto near = by_distance(editor, tokens);
+    Meaning meant = near ? Meaning{{}, *near} : meaning_of(editor, words);
     std::vector<int>& found = meant.found;
     const PromptObject& said = meant.said;
     if (found.empty() && (is_shell(said.kind) || has_role(said.kind, Role::opening))) refuse_shell();
@@ -368,7 +368,8 @@ std::vector<std::string> named(const Editor& editor, const std::string& words) {
     const auto number = number_said(tokens.front());
     const bool all = has_word(tokens, {"all", "both", "every", "each"}) || says_several(tokens, said);
     // "Two chairs" of four, "a chair", "one of the chairs": the last ones.
-    const std::size_t count = tokens.front() == "half"                     ? found.size() / 2
+    const std::size_t count = near                                         ? 0
+                              : tokens.front() == "half"                   ? found.size() / 2
                               : number && *number >= 1                     ? static_cast<std::size_t>(*number)
                               : said.counted && said.count > 1             ? static_cast<std::size_t>(said.count)
                               : is_one_of(tokens.front(), {"some", "any"}) ? 1
@@ -379,7 +380,7 @@ std::vector<std::string> named(const Editor& editor, const std::string& words) {
         throw UsageError("there {} only {} of \"{}\" in the room", found.size() == 1 ? "is" : "are", found.size(),
                          words);
     if (count > 0) found.erase(found.begin(), found.end() - static_cast<std::ptrdiff_t>(count));
-    else if (found.size() > 1 && !all) {
+    else if (found.size() > 1 && !all && !near) {
         const std::vector<int> main = is_bare(tokens) ? main_of(editor, found) : std::vector<int>{};
         if (main.empty()) refuse_many(said.words, editor, found);
         found = main;

@@ -29,9 +29,10 @@ struct Placed {
     int below = -1;  // index of the table it stands under
     int with =
         -1;  // index of the piece it was placed by (beside, before, above, under it): where that goes it goes too
-    bool flat = false;      // rugs: one may stand on them
-    bool overhead = false;  // lamps that hang: one may stand below them
-    bool fixed = false;     // given, or a part of a pattern: it stays where it is
+    bool flat = false;           // rugs: one may stand on them
+    bool overhead = false;       // lamps that hang: one may stand below them
+    bool fixed = false;          // given, or a part of a pattern: it stays where it is
+    std::optional<float> lit{};  // share of its light that it gives; nothing: as the room's lamps
 };
 
 // A thing that hangs on walls set upright on a top (a picture on the mantelpiece), or a flat one that stands hung on a

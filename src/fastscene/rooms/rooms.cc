@@ -30,8 +30,9 @@ std::string name_of(const Placed& placed) {
     return name;
 }
 
-// Fires burn always; candles when they were asked for, or when lamps are lit.
+// Fires burn always; candles when they were asked for, or when lamps are lit; all of them as was said of them.
 bool is_burning(const Placed& placed, float lamps) {
+    if (placed.lit) return *placed.lit > 0;
     return lamps > 0 || !placed.wish.kind.empty() || placed.piece.kind == "fireplace";
 }
 
@@ -39,9 +40,10 @@ void add_piece(const Placed& placed, float lamps, Room& room) {
     constexpr float kSignByNight = 0.15f;
     const auto object = static_cast<int>(room.objects.size());
     const auto first_material = static_cast<int>(room.materials.size());
+    const float share = placed.lit.value_or(lamps);
     for (Material material : placed.piece.materials) {
         // Screens and flames glow by day too; lamps only as the hour asks.
-        if (material.pattern != Pattern::screen && !material.burns) material.emission = material.emission * lamps;
+        if (material.pattern != Pattern::screen && !material.burns) material.emission = material.emission * share;
         // Eyes and cameras open up by night: a sign as bright as by day would burn out the wall that it stands before,
         // and itself with it.
         if (placed.piece.kind == "neon_sign" && lamps > 0) material.emission = material.emission * kSignByNight;
