@@ -247,6 +247,12 @@ bool add_like_another(Talk& talk, const Words& words) {
 
 // "a floor lamp beside the bed and two plants in the corner"; a place holds for those before it that name none.
 void add(Talk& talk, const Words& words) {
+    // "two armchairs before the fire facing each other"
+    if (const std::size_t facing = find_word(words, {"facing"}, 1);
+        facing + 3 == words.size() && is_one_of(text_of(words, facing + 1), {"each other", "one another"})) {
+        add(talk, part_of(words, 0, facing));
+        return face(talk, {"them", "facing", "each", "other"});
+    }
     const std::vector<Words> parts = parts_of(words);
     // "brick walls and a concrete floor"
     if (parts.size() > 1 && std::all_of(parts.begin(), parts.end(), [&](const Words& w) {

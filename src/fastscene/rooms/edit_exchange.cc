@@ -23,6 +23,8 @@ std::vector<Vec2f> spots(const Plan& plan, const Piece& piece, const Placed& pla
     const float back = backs ? (piece.size_m.z - place.piece.size_m.z) / 2 : 0.f;
     for (const float along : {0.f, 0.12f, -0.12f, 0.25f, -0.25f, 0.4f, -0.4f, 0.6f, -0.6f})
         for (const float out_by : {0.f, 0.05f, 0.12f, 0.22f, 0.35f}) {
+            constexpr float kOffWall = 0.12f;  // metres: further off, its back is at no wall
+            if (backs && out_by > kOffWall) continue;
             const Vec2f at = flat(place.position) + right * (aside + along);
             out.push_back(at + front * (back + out_by));
             if (!place.piece.against_wall && !backs) out.push_back(at - front * out_by);
@@ -189,7 +191,7 @@ void Editor::replace(const EditStep& step) {
         Layout layout(plan(), spec, rng);
         if (layout.why_not(step.wish.kind).empty() && olds.front().piece.mount == Mount::floor &&
             make_piece(layout.request(step.wish.kind, &step.wish)).size_m.x > kWider * olds.front().piece.size_m.x)
-            count /= 2;
+            count = static_cast<int>(shared_out(olds, count / 2).size()) == count / 2 && count > 2 ? count / 2 : count;
     }
     if (riders.empty()) olds = shared_out(std::move(olds), count);
     const int places = static_cast<int>(olds.size());

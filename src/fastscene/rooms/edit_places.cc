@@ -227,7 +227,7 @@ class Reader {
         std::optional<Vec2f> near;
         if (const auto direction = direction_said(editor_, part)) near = flat(*direction) * 100.f;
         if (!rest.empty() && rest.front() != "of") near = point_of(rest);
-        if (near && rest.front() == "opposite") near = *near * -1.f;
+        if (near && !rest.empty() && rest.front() == "opposite") near = *near * -1.f;
         if (!rest.empty() && rest.front() != "of" && !near) return {};
         if (near) {
             const auto corners = corners_of_room(editor_.plan());

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 
 #include "fastscene/base/error.h"
 #include "fastscene/base/is_one_of.h"
@@ -109,7 +108,8 @@ void pick(const std::vector<std::string>& words, const PromptObject& said, const
     };
     if (left != right && several > 1 && several < found.size()) {  // "the two shelves on the right"
         std::stable_sort(found.begin(), found.end(), [&](int a, int b) {
-            return (to_the_right(editor.room(), all(a)) > to_the_right(editor.room(), all(b))) == right;
+            const float by = to_the_right(editor.room(), all(a)) - to_the_right(editor.room(), all(b));
+            return right ? by > 0 : by < 0;
         });
         found.resize(several);
         std::sort(found.begin(), found.end());
@@ -310,8 +310,8 @@ Meaning meaning_of(const Editor& editor, const std::string& words) {
         const auto anchors = anchors_said(editor, part_of(tokens, place), out.found);
         if (anchors) at_anchors(editor, anchors->relation, anchors->things, out.found);
         else if (compound.empty() || place < tokens.size()) with_place(editor, spec, out.found);
-        // "the chairs on the left side of the table": the left is the table's.
-        const bool of_place = anchors || (says_several(tokens, out.said) && place + 2 < tokens.size());
+        const bool of_place = anchors || (says_several(tokens, out.said) &&
+                                          find_word(tokens, {"of"}, place) < tokens.size());  // the left of a table
         pick(of_place ? part_of(tokens, 0, place) : tokens, out.said, editor, out.found);
         if (!out.found.empty()) return out;
     }
