@@ -37,8 +37,8 @@ py::object make(const py::object& room, const std::filesystem::path& folder, con
                                [&](const Run& run, Caller&) { return make_scene(request, RunFolder{folder}, run); }));
 }
 
-CameraPath plan(const std::filesystem::path& folder, const std::string& kind, float seconds, float fps, float fov_deg,
-                int width, int height) {
+CameraPath film_plan(const std::filesystem::path& folder, const std::string& kind, float seconds, float fps,
+                     float fov_deg, int width, int height) {
     const RunFolder run{folder};
     const auto area = walkable_in(run);
     if (!area) throw UsageError("{}: expected a run that knows where one can walk", folder.string());
@@ -58,7 +58,7 @@ void bind_scenes(py::module_& m) {
           py::arg("last_stage") = "splat", py::arg("on_progress") = py::none(),
           "From a sentence or a document to a scene in a folder; finished stages are kept. Returns the report. "
           "Settings: all flags of `make`, as panorama_width, splat_steps. on_progress(work, done, total).");
-    m.def("plan_film", &plan, py::arg("folder"), py::arg("kind") = "tour", py::arg("seconds") = 0.f,
+    m.def("plan_film", &film_plan, py::arg("folder"), py::arg("kind") = "tour", py::arg("seconds") = 0.f,
           py::arg("fps") = 30.f, py::arg("fov_deg") = 75.f, py::arg("width") = 1280, py::arg("height") = 720,
           "A camera path over the walkable floor of a scene: tour, orbit or walkthrough.");
 }

@@ -33,7 +33,7 @@ std::vector<std::string> prompts(const char* name = "prompts.txt") {
 // If Debian's pack is not installed, only built-in furniture is used.
 std::shared_ptr<const FurniturePack> pack(Assets assets) {
     std::vector<std::string> complaints;
-    return FurniturePack::open(FurniturePack::default_folder(), assets, complaints);
+    return FurniturePack::open(FurniturePack::default_folder(), {assets, {}}, complaints);
 }
 
 TEST(Prompts, NineteenOfTwentyWordsAreUnderstoodAndNoneIsLost) {
@@ -225,12 +225,12 @@ TEST(Pack, AMissingOrDamagedPackIsToldAndDoneWithout) {
     const std::filesystem::path folder = std::filesystem::path(::testing::TempDir()) / "fastscene_pack_test";
     std::filesystem::create_directories(folder);
     std::vector<std::string> complaints;
-    EXPECT_EQ(FurniturePack::open(folder, Assets::all, complaints), nullptr);
+    EXPECT_EQ(FurniturePack::open(folder, {Assets::all, {}}, complaints), nullptr);
     EXPECT_EQ(complaints.size(), 1u);
     std::ofstream(folder / "broken.sh3f") << "PK and then nothing";
-    EXPECT_EQ(FurniturePack::open(folder, Assets::all, complaints), nullptr);
+    EXPECT_EQ(FurniturePack::open(folder, {Assets::all, {}}, complaints), nullptr);
     EXPECT_EQ(complaints.size(), 2u);
-    EXPECT_EQ(FurniturePack::open(folder, Assets::none, complaints), nullptr);
+    EXPECT_EQ(FurniturePack::open(folder, {Assets::none, {}}, complaints), nullptr);
     EXPECT_EQ(complaints.size(), 2u);
     std::filesystem::remove_all(folder);
 }

@@ -38,7 +38,7 @@ TEST(Judge, TellsWhatHoldsFromPosesAlone) {
 // One room per sentence; bench_relations makes more (docs/benchmarks.md).
 TEST(Relations, MostStandWhereTheSentenceSays) {
     std::vector<std::string> complaints;
-    const auto pack = FurniturePack::open(FurniturePack::default_folder(), Assets::cc0, complaints);
+    const auto pack = FurniturePack::open(FurniturePack::default_folder(), {Assets::cc0, {}}, complaints);
     int asked = 0, kept = 0;
     std::string list;
     for (const judge::Sentence& sentence :

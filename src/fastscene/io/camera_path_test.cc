@@ -12,7 +12,7 @@
 namespace fastscene {
 namespace {
 
-std::filesystem::path scratch(const std::string& name) {
+std::filesystem::path path_file(const std::string& name) {
     return std::filesystem::path(::testing::TempDir()) / ("fastscene-path-" + name);
 }
 
@@ -31,7 +31,7 @@ TEST(CameraPathFile, EveryFormatComesBackAsTheSameFilm) {
     for (std::size_t f = 0; f < std::size(kPathFormats); ++f) {
         SCOPED_TRACE(kPathFormats[f]);
         const auto format = static_cast<PathFormat>(f);
-        const auto file = scratch(format == PathFormat::blender ? "film.chan" : "film.json");
+        const auto file = path_file(format == PathFormat::blender ? "film.chan" : "film.json");
         save_camera_path(file, path, format);
         const CameraPath again = load_camera_path(file, otherwise);
         ASSERT_EQ(again.frames(), path.frames());
@@ -51,7 +51,7 @@ TEST(CameraPathFile, RollIsKeptWhereTheFormatHasIt) {
     CameraPath path = some_path();
     path.keys[2].roll_deg = 15;
     for (const PathFormat format : {PathFormat::fastscene, PathFormat::nerfstudio, PathFormat::blender}) {
-        const auto file = scratch(format == PathFormat::blender ? "film.chan" : "film.json");
+        const auto file = path_file(format == PathFormat::blender ? "film.chan" : "film.json");
         save_camera_path(file, path, format);
         EXPECT_NEAR(load_camera_path(file, path).keys.back().roll_deg, 15, 1e-3);
     }
@@ -61,7 +61,7 @@ TEST(CameraPathFile, RollIsKeptWhereTheFormatHasIt) {
 TEST(CameraPathFile, AxesAreThoseOfTheOtherPrograms) {
     CameraPath path{1, 90, 100, 100, {}};
     path.keys = {{0, {}, 0, 0}, {1, {0, -0.5f, 1}, 90, 0}};
-    const auto file = scratch("axes.json");
+    const auto file = path_file("axes.json");
     save_camera_path(file, path, PathFormat::nerfstudio);
     // OpenGL's camera: its y is up, which is the world's -y, and it looks along its -z.
     EXPECT_EQ(read_json(file)["camera_path"][0]["camera_to_world"],
@@ -81,10 +81,10 @@ TEST(CameraPathFile, AxesAreThoseOfTheOtherPrograms) {
         EXPECT_NEAR(read_json(file)["animTracks"][0]["keyframes"]["values"]["fov"][0].get<float>(), longer, 1e-3);
         EXPECT_NEAR(load_camera_path(file, shape).fov_deg, 90, 1e-3);
     }
-    save_camera_path(scratch("axes.chan"), path, PathFormat::blender);
+    save_camera_path(path_file("axes.chan"), path, PathFormat::blender);
     // Blender's y-up file: the frame of our GLB, x left; the camera looks along its own -z, so it is turned by half a
     // turn to look along +z, then by a quarter to the right, which is -x.
-    std::istringstream lines(read_file(scratch("axes.chan")));
+    std::istringstream lines(read_file(path_file("axes.chan")));
     double n, x, y, z, rx, ry, rz, fov;
     lines >> n >> x >> y >> z >> rx >> ry >> rz >> fov;
     EXPECT_EQ(n, 1);
@@ -96,27 +96,27 @@ TEST(CameraPathFile, AxesAreThoseOfTheOtherPrograms) {
 }
 
 TEST(CameraPathFile, OtherProgramsFilesAreRead) {
-    write_file(scratch("ns.json"),
+    write_file(path_file("ns.json"),
                R"({"camera_type": "perspective", "render_height": 100, "render_width": 200, "fps": 10,
         "seconds": 0.2, "camera_path": [{"camera_to_world": [1,0,0,5, 0,-1,0,6, 0,0,-1,7, 0,0,0,1], "fov": 50, "aspect": 2},
         {"camera_to_world": [1,0,0,6, 0,-1,0,6, 0,0,-1,7, 0,0,0,1], "fov": 50, "aspect": 2}]})");
-    const CameraPath ns = load_camera_path(scratch("ns.json"));
+    const CameraPath ns = load_camera_path(path_file("ns.json"));
     EXPECT_EQ(ns.frames(), 2);
     EXPECT_EQ(ns.keys[1].position_m, (Vec3f{6, 6, 7}));
     EXPECT_NEAR(ns.keys[0].pitch_deg, 0, 1e-4);
     EXPECT_EQ(ns.width, 200);
     // Keyframes of its viewer: text, column by column.
-    write_file(scratch("kf.json"),
+    write_file(path_file("kf.json"),
                R"({"render_height": 100, "render_width": 200, "fps": 10, "seconds": 2, "camera_path": [],
         "keyframes": [{"matrix": "[1,0,0,0, 0,-1,0,0, 0,0,-1,0, 5,6,7,1]", "fov": 50},
                       {"matrix": "[1,0,0,0, 0,-1,0,0, 0,0,-1,0, 5,6,9,1]", "fov": 50}]})");
-    const CameraPath kf = load_camera_path(scratch("kf.json"));
+    const CameraPath kf = load_camera_path(path_file("kf.json"));
     EXPECT_EQ(kf.keys[1].time_s, 2);
     EXPECT_EQ(kf.keys[1].position_m, (Vec3f{5, 6, 9}));
-    write_file(scratch("poses.json"), R"({"poseSets": [{"name": "set0", "poses": [
+    write_file(path_file("poses.json"), R"({"poseSets": [{"name": "set0", "poses": [
         {"name": "b", "frame": 30, "position": [-1, 0, 2], "target": [-1, 0, 3]},
         {"name": "a", "frame": 0, "position": [0, 0, 0], "target": [0, 0, 1]}]}]})");
-    const CameraPath poses = load_camera_path(scratch("poses.json"));
+    const CameraPath poses = load_camera_path(path_file("poses.json"));
     EXPECT_EQ(poses.keys[1].position_m, (Vec3f{1, 0, 2}));
     EXPECT_EQ(poses.keys[1].time_s, 1);
     for (const auto& [name, text] :
@@ -131,9 +131,9 @@ TEST(CameraPathFile, OtherProgramsFilesAreRead) {
           {"bad8.chan", "1 2 3\n"},
           {"bad9.chan", "1 0 0 0 0 0 0 x\n"},
           {"bad10.chan", ""}}) {
-        write_file(scratch(name), text);
+        write_file(path_file(name), text);
         try {
-            load_camera_path(scratch(name));
+            load_camera_path(path_file(name));
             ADD_FAILURE() << name;
         } catch (const Error& e) {
             EXPECT_NE(std::string(e.what()).find(name), std::string::npos) << e.what();

@@ -33,8 +33,6 @@ Splats nine_splats(int degree) {
     return s;
 }
 
-std::string gunzipped(const std::string& bytes) { return inflated(bytes, "bytes"); }
-
 // A damaged copy of `whole`; `n` selects the kind of damage.
 std::string damaged(const std::string& whole, int n, Random& random) {
     std::string bytes = whole;
@@ -85,14 +83,14 @@ TEST(Damage, Spz) {
             damage(file, whole, [&] { (void)load_splats(file); });
             if (version < 4)
                 damage(
-                    file, gunzipped(whole), [&] { (void)load_splats(file); }, gzipped);
+                    file, inflated(whole, "bytes"), [&] { (void)load_splats(file); }, gzipped);
         }
     }
 }
 
 TEST(Damage, RecordsOfSpzAndKsplat) {
     const fs::path spz = scratch("r.spz"), ksplat = scratch("k.ksplat");
-    std::string records = gunzipped(spz_bytes(nine_splats(1), 3));
+    std::string records = inflated(spz_bytes(nine_splats(1), 3), "bytes");
     records[14] = static_cast<char>(records[14] | 2);  // has records
     for (const std::uint32_t v : {0xadbe0003u, 4u, 6u, 0xadbe0002u, 4u, 0u}) append(records, v);
     damage(

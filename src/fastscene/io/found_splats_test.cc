@@ -109,7 +109,6 @@ TEST(FoundPly, ColorsAsRedGreenBlue) {
     EXPECT_NE(refusal(scratch("cloud.ply")).find("a cloud of colored points"), std::string::npos);
 }
 
-std::string gunzipped(const std::string& bytes) { return inflated(bytes, "bytes"); }
 std::string record(std::uint32_t id, const std::string& content) {
     std::string out;
     append(out, id), append(out, static_cast<std::uint32_t>(content.size()));
@@ -123,7 +122,7 @@ std::string number(std::uint32_t v) {
 constexpr std::size_t kFlagsAt = 14;
 // Version 3 with records behind the data.
 std::string spz3_with(const Splats& splats, const std::string& records) {
-    std::string bytes = gunzipped(spz_bytes(splats, 3));
+    std::string bytes = inflated(spz_bytes(splats, 3), "bytes");
     bytes[kFlagsAt] = static_cast<char>(bytes[kFlagsAt] | kSpzHasExtensions);
     return gzipped(bytes + records);
 }
@@ -164,7 +163,8 @@ TEST(FoundSpz, Version4SaysItsAxes) {
     EXPECT_EQ(number_at<std::uint32_t>(four, kSpzHeader4 + 4), 4u);
     EXPECT_EQ(number_at<std::uint32_t>(four, kSpzHeader4 + 8), 4u);  // right, up, back
     EXPECT_EQ(number_at<std::uint32_t>(four, 16), kSpzHeader4 + 12);
-    EXPECT_EQ(gunzipped(spz_bytes(two(), 3))[kFlagsAt] & kSpzHasExtensions, 0);  // old readers refuse more bytes
+    EXPECT_EQ(inflated(spz_bytes(two(), 3), "bytes")[kFlagsAt] & kSpzHasExtensions,
+              0);  // old readers refuse more bytes
 }
 
 TEST(FoundSpz, UnknownRecordsAreOneWarning) {

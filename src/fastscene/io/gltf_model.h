@@ -56,9 +56,9 @@ struct GltfModel {
 };
 struct GltfLimits {
     std::size_t triangles = 3'000'000;       // of all nodes; more throw Error before any is read
-    bool images = true;                      // false: none is read, for what only needs the shape
     int image_side = 8192;                   // larger pictures are left out, with a note
     std::size_t image_pixels = 400'000'000;  // of all pictures; those beyond are left out, with a note
+    bool images = true;                      // false: none is read, for what only needs the shape
 };
 
 // Default scene in its rest pose. Throws Error naming the file for what is no glTF 2.0, needs extensions that are not

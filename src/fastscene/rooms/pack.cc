@@ -262,7 +262,11 @@ const PackModel* FurniturePack::choose_users(const std::string& kind, std::uint6
 }
 
 bool FurniturePack::names_users(const std::string& term) const {
-    if (users_.models.empty() || term.find(' ') == std::string::npos) return false;
+    if (users_.models.empty()) return false;
+    // A single word may be a color or a material first ("oak.glb").
+    const auto known = term.find(' ') == std::string::npos ? look_up(term) : std::nullopt;
+    if (known && known->kind != WordKind::object && known->kind != WordKind::nuance && known->kind != WordKind::other)
+        return false;
     for (const UserModel& model : users_.models)
         if (std::any_of(model.names.begin(), model.names.end(),
                         [&](const std::string& n) { return is_named(term, n); }))

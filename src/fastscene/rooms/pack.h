@@ -71,7 +71,7 @@ class FurniturePack {
     const PackModel* choose(const std::string& kind, std::uint64_t seed) const;
     // The user's model of a class, preferably the one whose name the words of a prompt say. Null: none.
     const PackModel* choose_users(const std::string& kind, std::uint64_t seed, const std::string& words = {}) const;
-    // Whether a folded term of several words is the name of a user's model.
+    // Whether a folded term is the name of a user's model, and not a color or the like.
     bool names_users(const std::string& term) const;
     // Whether a model exists that `assets` of this pack excluded: "… needs --assets all".
     bool only_with_attribution(const std::string& kind) const;

@@ -81,10 +81,10 @@ class Matcher {
         if (auto measure = measure_at(tokens_, at_, tongue_.language))
             return take(std::move(measure->first), measure->second);
         const std::size_t longest = phrase_length(tokens_, at_, kLongestTerm);
-        for (std::size_t n = pack_ ? longest : 0; n > 1; --n)
+        for (std::size_t n = pack_ ? longest : 0; n > 0; --n)
             if (const std::string term = joined(tokens_, at_, n); pack_->names_users(term))
                 return take({.words = term, .word = Word{WordKind::object, *pack_->class_named(term)}}, n);
-            else if (const auto texture = pack_->texture_named(term))
+            else if (const auto texture = n > 1 ? pack_->texture_named(term) : std::nullopt)
                 return take({.words = term, .word = Word{WordKind::material, *texture}}, n);
         for (std::size_t n = longest; n > 0; --n)
             if (n == 1 && is_owner(tokens_[at_])) return take(owner_at(tokens_, at_, tongue_.language), 1);

@@ -14,8 +14,8 @@
 #include "fastscene/io/image_io.h"
 #include "fastscene/rooms/cutout.h"
 #include "fastscene/rooms/document.h"
-#include "fastscene/rooms/model_tops.h"
 #include "fastscene/rooms/pack.h"
+#include "fastscene/rooms/tops.h"
 #include "fastscene/rooms/user_inventory.h"
 #include "fastscene/rooms/user_model.h"
 #include "fastscene/rooms/user_sky.h"
@@ -173,8 +173,8 @@ TEST_F(UserAssets, FlatTopsCarryThings) {
                             .piece;
     ASSERT_EQ(table.surfaces.size(), 1u);
     EXPECT_NEAR(table.surfaces[0].center.y, 0.55f, 1e-3f);
-    EXPECT_NEAR(table.surfaces[0].half.x, 0.28f, 0.02f);
-    EXPECT_NEAR(table.surfaces[0].half.y, 0.18f, 0.02f);
+    EXPECT_NEAR(table.surfaces[0].half.x, 0.3f, 0.02f);
+    EXPECT_NEAR(table.surfaces[0].half.y, 0.2f, 0.02f);
     // A roof carries nothing.
     Piece roof;
     roof.size_m = {1, 0.6f, 1};
@@ -182,7 +182,7 @@ TEST_F(UserAssets, FlatTopsCarryThings) {
                            .normals = {},
                            .coords = {},
                            .triangles = {0, 1, 2}});
-    EXPECT_TRUE(tops_of(roof).empty());
+    EXPECT_FALSE(flat_top(roof));
 }
 
 TEST(Cutout, KeepsWhatIsOpaque) {
@@ -219,6 +219,9 @@ TEST_F(UserAssets, StandInRoomsAndAreCredited) {
     ASSERT_EQ(idols.objects.size(), 1u);
     EXPECT_EQ(idols.objects[0].kind, "monkey_idol");
     EXPECT_EQ(idols.objects[0].count, 2);
+    // Nor words that are known as nothing that rooms have.
+    put("sundial.glb", glb_of({block({0.5f, 0.9f, 0.5f})}));
+    EXPECT_EQ(understand_prompt("a study with a sundial", true, pack()).objects.at(0).kind, "sundial");
     for (const char* prompt : {"a study with an armchair and a teleporter gate", "a study with a reading throne"}) {
         PromptSpec spec = understand_prompt(prompt, true, own);
         const Room room = make_room(spec, kRun);
@@ -284,8 +287,9 @@ TEST_F(UserAssets, TexturesCoverFloorsAndWalls) {
     EXPECT_EQ(document.surfaces.floor->name, "old tiles");
     const RoomDocument read = read_document(document_json(document).dump(), "room.json");
     DocumentRoom again = furnish_document(read, "room.json", own, kRun);
-    EXPECT_TRUE(std::any_of(room_of(again).materials.begin(), room_of(again).materials.end(),
-                            [](const Material& m) { return m.name == "old tiles" && m.image; }));
+    const std::vector<Material> built = room_of(again).materials;
+    EXPECT_TRUE(
+        std::any_of(built.begin(), built.end(), [](const Material& m) { return m.name == "old tiles" && m.image; }));
     DocumentRoom without = furnish_document(read, "room.json", nullptr, kRun);
     EXPECT_NE(refusal([&] { room_of(without); }).find("texture \"old tiles\""), std::string::npos);
 }

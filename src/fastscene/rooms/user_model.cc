@@ -10,7 +10,7 @@
 #include "fastscene/io/obj.h"
 #include "fastscene/rooms/catalogue.h"
 #include "fastscene/rooms/model_materials.h"
-#include "fastscene/rooms/model_tops.h"
+#include "fastscene/rooms/tops.h"
 
 namespace fastscene {
 namespace fs = std::filesystem;
@@ -199,7 +199,7 @@ class Loader {
         if (model_.hang_height_m) piece.hang_height_m = *model_.hang_height_m;
         const bool carries = !has_role(model_.kind, Role::no_top) && !has_role(model_.kind, Role::seat) &&
                              !has_role(model_.kind, Role::bed) && (!usual_ || !usual_->surfaces.empty());
-        if (piece.mount == Mount::floor && carries) piece.surfaces = tops_of(piece);
+        if (piece.mount == Mount::floor && carries) add_flat_top(piece);
     }
 
     const UserModel& model_;

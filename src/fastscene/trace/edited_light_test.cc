@@ -32,7 +32,7 @@ Room hall(float block_x = 3.f, Vec3f block_color = {0.7f, 0.1f, 0.1f}, float lam
     return room;
 }
 
-TraceParams quick() {
+TraceParams coarse() {
     TraceParams p;
     p.cell_m = 0.2f;
     p.cell_samples = 128;
@@ -43,7 +43,7 @@ TraceParams quick() {
 
 TracedRoom lit(Room room) {
     TracedRoom traced(std::move(room));
-    traced.gather_light(quick(), {});
+    traced.gather_light(coarse(), {});
     return traced;
 }
 
@@ -67,7 +67,7 @@ double psnr_where(const ImageColor& a, const ImageColor& b, const ImageMask& mas
 TEST(EditedLight, KeptLightGivesTheSamePictures) {
     const TracedRoom gathered = lit(hall());
     TracedRoom other(hall());
-    ASSERT_TRUE(other.take_light(quick(), gathered.light(), "light.bin"));
+    ASSERT_TRUE(other.take_light(coarse(), gathered.light(), "light.bin"));
     const ImageColor a = shot_of(gathered), b = shot_of(other);
     for (std::size_t i = 0; i < a.size(); ++i) ASSERT_EQ(a.pixels[i], b.pixels[i]) << i;
     EXPECT_EQ(gathered.light(), other.light());
@@ -84,18 +84,18 @@ TEST(EditedLight, LightOfAnotherRoomIsRefused) {
         }
         return std::string();
     };
-    EXPECT_NE(complaint(quick(), other, light).find("light.bin: expected the light of this room"), std::string::npos);
+    EXPECT_NE(complaint(coarse(), other, light).find("light.bin: expected the light of this room"), std::string::npos);
     TracedRoom same(hall());
-    TraceParams finer = quick();
+    TraceParams finer = coarse();
     finer.cell_m = 0.1f;
     EXPECT_NE(complaint(finer, same, light).find("settings"), std::string::npos);
     for (const double share : {0., 0.1, 0.5, 0.99})
-        EXPECT_NE(complaint(quick(), same,
+        EXPECT_NE(complaint(coarse(), same,
                             std::string_view(light).substr(
                                 0, static_cast<std::size_t>(share * static_cast<double>(light.size())))),
                   "")
             << share;
-    EXPECT_NE(complaint(quick(), same, "something else altogether, as long as a header is"), "");
+    EXPECT_NE(complaint(coarse(), same, "something else altogether, as long as a header is"), "");
 }
 
 TEST(EditedLight, ChangeIsByContent) {
@@ -116,7 +116,7 @@ TEST(EditedLight, ChangeIsByContent) {
 TEST(EditedLight, IsGatheredAgainWhereTheEditIs) {
     const TracedRoom before = lit(hall(3.f)), whole = lit(hall(-0.5f));
     TracedRoom again(hall(-0.5f));
-    const double kept = again.gather_light_again(quick(), {}, {Vec3f{}}, before);
+    const double kept = again.gather_light_again(coarse(), {}, {Vec3f{}}, before);
     EXPECT_GT(kept, 0.5);
     EXPECT_LT(kept, 0.99);
     const Vec3f place{-0.2f, 0.3f, 1.5f};  // looks at the block's new place
@@ -132,7 +132,7 @@ TEST(EditedLight, IsGatheredAgainWhereTheEditIs) {
 TEST(EditedLight, OfOtherLampsIsGatheredWhole) {
     const TracedRoom before = lit(hall()), whole = lit(hall(3.f, {0.7f, 0.1f, 0.1f}, 1.f));
     TracedRoom again(hall(3.f, {0.7f, 0.1f, 0.1f}, 1.f));
-    EXPECT_EQ(again.gather_light_again(quick(), {}, {Vec3f{}}, before), 0);
+    EXPECT_EQ(again.gather_light_again(coarse(), {}, {Vec3f{}}, before), 0);
     EXPECT_EQ(again.light(), whole.light());
 }
 
@@ -140,7 +140,7 @@ TEST(EditedLight, OfOtherLampsIsGatheredWhole) {
 TEST(ChangedPixels, HoldWhatAnEditChanges) {
     const TracedRoom before = lit(hall(3.f));
     TracedRoom now(hall(2.2f, {0.1f, 0.5f, 0.1f}));
-    now.gather_light_again(quick(), {}, {Vec3f{}}, before);
+    now.gather_light_again(coarse(), {}, {Vec3f{}}, before);
     const EquirectSize size{256, 128};
     const ImageMask changed = ChangedPixels(before, now, {}).in_panorama({}, size, {});
     const auto share = static_cast<double>(std::count_if(changed.pixels.begin(), changed.pixels.end(),
@@ -162,7 +162,7 @@ TEST(ChangedPixels, HoldWhatAnEditChanges) {
 TEST(ChangedPixels, AreNoneOfTheSameRoom) {
     const TracedRoom before = lit(hall());
     TracedRoom now(hall());
-    EXPECT_EQ(now.gather_light_again(quick(), {}, {Vec3f{}}, before), 1);
+    EXPECT_EQ(now.gather_light_again(coarse(), {}, {Vec3f{}}, before), 1);
     const ImageMask changed = ChangedPixels(before, now, {}).in_panorama({}, {256, 128}, {});
     EXPECT_EQ(std::count(changed.pixels.begin(), changed.pixels.end(), 0), static_cast<std::ptrdiff_t>(changed.size()));
 }

@@ -27,7 +27,7 @@ struct TextureValue {
     Vec3f albedo;     // linear, each channel in [0, 1]
     float roughness;  // in [0.02, 1]
     float height;     // relief, in units of Material::bump_m
-    float metal;      // 1: the albedo is the mirror's color
+    float metal;      // 1: the albedo is the mirror's color; only Pattern::image sets it, as a share of Material::metal
 };
 
 struct SurfaceTexture {
@@ -40,7 +40,7 @@ inline TextureValue texture_value(Vec3f albedo, float roughness, float height) {
     v.albedo = albedo;
     v.roughness = roughness;
     v.height = height;
-    v.metal = 1;  // of the material's own; sample_texture multiplies
+    v.metal = 1;
     return v;
 }
 
