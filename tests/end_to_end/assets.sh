@@ -27,12 +27,23 @@ prints "chair.obj: armchair, 0.80 x 1.00 x 0.80 m, 12 triangles"
 prints "sundial.obj: sundial, 0.50 x 0.90 x 0.50 m"
 expect 0 "$fastscene" assets verify mine
 
+# A sky with a sun, as Radiance writes it.
+python3 - <<'PYTHON'
+rows = [[(200, 220, 255, 128) if y < 8 else (90, 80, 60, 128) for x in range(32)] for y in range(16)]
+rows[4][20] = (255, 240, 200, 138)
+open("mine/noon.hdr", "wb").write(b"#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 16 +X 32\n" + bytes(v for r in rows for c in r for v in c))
+PYTHON
+printf '\n[[sky]]\nfile = "noon.hdr"\nauthor = "Grace"\nlicence = "CC0"\n' >>mine/assets.toml
+expect 0 "$fastscene" assets verify mine
+prints "sky      noon.hdr"
+
 # The prompt's words, and what no prompt names: every armchair is ours.
 expect 0 "$fastscene" rooms read "a study with a thinking chair and two sundials" --assets mine
 prints "thinking chair: object: armchair"
 expect 0 "$fastscene" panorama "a study with a thinking chair and a sundial" --assets mine -o run --panorama-width 128 \
   --panorama-cell-samples 8 --panorama-pixel-samples 1
 grep -q "chair by Ada (CC BY 4.0), chair.obj" run/credits.txt || fail "credits.txt does not name the author"
+grep -q "noon by Grace (CC0), noon.hdr" run/credits.txt || fail "credits.txt does not name the sky's author"
 grep -q '"model": "sundial.obj"' run/panorama/room.json || fail "room.json does not name the model"
 # A run knows its folder from anywhere; nothing is made twice, and anew when a file changes.
 mkdir elsewhere && cd elsewhere || exit 1

@@ -7,6 +7,7 @@
 
 #include "fastscene/base/data_files.h"
 #include "fastscene/base/file.h"
+#include "fastscene/base/is_one_of.h"
 #include "fastscene/base/json.h"
 #include "fastscene/image/color.h"
 #include "fastscene/io/image_io.h"
@@ -15,6 +16,7 @@
 #include "fastscene/pipeline/build_info.h"
 #include "fastscene/pipeline/film_of_run.h"
 #include "fastscene/pipeline/run_files.h"
+#include "fastscene/rooms/user_assets.h"
 #include "fastscene/scene/walkable_json.h"
 #include "fastscene/splat/splat.h"
 
@@ -30,6 +32,11 @@ std::set<std::string> sources_of(const RunFolder& folder) {
     if (!fs::exists(folder.room_json())) return sources;  // splats of photographs
     for (const Json& object : read_json(folder.room_json()).value("objects", Json::array()))
         if (const std::string source = object.value("source", ""); !source.empty()) sources.insert(source);
+    // Skies and textures of the user's.
+    if (const fs::path prompt = folder.stage("panorama") / "prompt.json"; fs::exists(prompt))
+        for (const Json& choice : read_json(prompt).value("assumed", Json::array()))
+            if (is_one_of(choice.value("what", ""), {kSkyUsed, kTextureUsed}))
+                sources.insert(choice.value("value", ""));
     return sources;
 }
 

@@ -1,11 +1,14 @@
 #include "fastscene/rooms/daylight.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
 #include "fastscene/base/is_one_of.h"
 #include "fastscene/rooms/pack.h"
 #include "fastscene/rooms/room_type.h"
+#include "fastscene/rooms/user_model.h"
 
 namespace fastscene {
 namespace {
@@ -120,8 +123,10 @@ Sky make_sky(PromptSpec& spec, const Plan& plan, const Mat3f& world_from_room, R
     const Vec3f level = out * std::cos(aside) + side * std::sin(aside);
     sky.sun_dir = world_from_room * normalize(level * std::cos(elevation) + Vec3f{0, std::sin(elevation), 0});
     if (spec.pack)
-        if (const UserSky* users = spec.pack->choose_sky(spec.time, sky.seed))
+        if (const UserSky* users = spec.pack->choose_sky(spec.time, sky.seed)) {
             show(*users, *spec.pack->sky(*users), *light, world_from_room * out, sky);
+            spec.assumed.push_back(fmt::format("{}: {}", kSkyUsed, credit_of(users->attribution, users->file)));
+        }
     return sky;
 }
 

@@ -305,6 +305,12 @@ Material FurniturePack::texture(const std::string& name) const {
                 name);
 }
 
+std::string FurniturePack::credit_of_texture(const std::string& name) const {
+    for (const UserTexture& t : users_.textures)
+        if (t.names.front() == name) return credit_of(t.attribution, t.folder);
+    return {};
+}
+
 const UserSky* FurniturePack::choose_sky(const std::string& time, std::uint64_t seed) const {
     for (const bool of_the_hour : {true, false}) {
         std::vector<const UserSky*> found;

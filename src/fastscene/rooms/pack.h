@@ -87,6 +87,8 @@ class FurniturePack {
     std::optional<std::string> texture_named(const std::string& term) const;
     // Throws Error if it cannot be read, or there is none of that name.
     Material texture(const std::string& name) const;
+    // "Old tiles by Jane Doe (CC0), old_tiles": for credits.txt; empty for an unknown name.
+    std::string credit_of_texture(const std::string& name) const;
 
     // Models that were chosen and could not be read, each with its reason; choose() takes others in their place.
     std::vector<std::string> damage() const;

@@ -287,22 +287,25 @@ Room make_room(PromptSpec& spec, const Run& run) { return room_of(spec, furnish_
 
 namespace {
 
-// The pictures of the user's textures.
-void add_pictures(Style& style, const FurniturePack* pack) {
+// The pictures of the user's textures, and in `used` whose they are.
+void add_pictures(Style& style, const FurniturePack* pack, std::vector<std::string>& used) {
     for (Material* m : {&style.floor, &style.wall, &style.accent_wall, &style.ceiling}) {
         if (!lacks_pictures(*m)) continue;
         if (!pack) throw Error("texture \"{}\": expected --assets with the folder that holds it, found none", m->name);
         const Vec3f tint = m->color_a;
         *m = pack->texture(m->name);
+        const std::string credit = fmt::format("{}: {}", kTextureUsed, pack->credit_of_texture(m->name));
+        if (std::find(used.begin(), used.end(), credit) == used.end()) used.push_back(credit);
         m->color_a = tint;
     }
 }
-Plan with_pictures(const Plan& plan, const FurniturePack* pack) {
+Plan with_pictures(const Plan& plan, PromptSpec& spec) {
+    const FurniturePack* pack = spec.pack.get();
     Plan out = plan;
-    add_pictures(out.style, pack);
+    add_pictures(out.style, pack, spec.assumed);
     if (!out.next) return out;
     auto next = std::make_shared<NextRoom>(*out.next);
-    add_pictures(next->plan.style, pack);
+    add_pictures(next->plan.style, pack, spec.assumed);
     out.next = std::move(next);
     return out;
 }
@@ -319,7 +322,7 @@ void scale_pictures(Room& room) {
 }  // namespace
 
 Room room_of(PromptSpec& spec, const FurnishedRoom& furnished, const Run& run) {
-    const Plan plan = with_pictures(furnished.plan, spec.pack.get());
+    const Plan plan = with_pictures(furnished.plan, spec);
     Random rng = light_draws(spec, run.seed);
     Room room;
     room.type = spec.room;

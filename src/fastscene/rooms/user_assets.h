@@ -14,6 +14,9 @@ namespace fastscene {
 
 inline constexpr const char* kAssetsFile = "assets.toml";
 
+// What prompt.json's "assumed" calls the user's skies and textures that a room shows; their values are credits.
+inline constexpr const char *kSkyUsed = "sky", *kTextureUsed = "texture";
+
 // Who made something and under which terms; empty: not said.
 struct Attribution {
     std::string title, author, license, source;
