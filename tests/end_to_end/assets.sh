@@ -45,6 +45,8 @@ expect 0 "$fastscene" panorama "a study with a thinking chair and a sundial" --a
 grep -q "chair by Ada (CC BY 4.0), chair.obj" run/credits.txt || fail "credits.txt does not name the author"
 grep -q "noon by Grace (CC0), noon.hdr" run/credits.txt || fail "credits.txt does not name the sky's author"
 grep -q '"model": "sundial.obj"' run/panorama/room.json || fail "room.json does not name the model"
+expect 0 "$fastscene" render run --of room --size 32x32 -o still.png
+has still.png
 # A run knows its folder from anywhere; nothing is made twice, and anew when a file changes.
 mkdir elsewhere && cd elsewhere || exit 1
 expect 0 "$fastscene" panorama "a study with a thinking chair and a sundial" --assets ../mine -o ../run \

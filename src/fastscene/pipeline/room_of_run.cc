@@ -1,6 +1,7 @@
 #include "fastscene/pipeline/room_of_run.h"
 
 #include <algorithm>
+#include <filesystem>
 
 #include "fastscene/base/file.h"
 #include "fastscene/io/image_io.h"
@@ -24,9 +25,10 @@ RoomOrigin origin_of_run(const RunFolder& folder, const SceneRequest& request) {
     return origin_of(request.source);
 }
 
-// An estimated range cannot verify the room.
+// An estimated range cannot verify the room, and a run that ended with its panorama has none.
 void check_room(const TracedRoom& room, const RunFolder& folder, const SceneRequest& request) {
-    if (depth_backend(request.source, request.params.depth) == kExactDepth)
+    if (depth_backend(request.source, request.params.depth) == kExactDepth &&
+        std::filesystem::exists(folder.depth_range()))
         check_same_room(room, load_float(folder.depth_range()), folder.root);
 }
 
