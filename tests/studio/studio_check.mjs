@@ -44,6 +44,7 @@ const browser = await openChromium(web);
 const open = async (options = {}) => {
     const context = await browser.newContext({ viewport: { width: 1440, height: 900 }, locale: 'en-US', ...options });
     const page = await context.newPage();
+    page.setDefaultNavigationTimeout(90_000);  // beside a scene in the making, on a busy machine
     page.said = [];
     page.on('console', (m) => m.type() === 'error' && page.said.push(m.text()));
     page.on('pageerror', (e) => page.said.push(String(e)));
