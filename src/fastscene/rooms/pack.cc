@@ -87,14 +87,15 @@ bool is_named(const std::string& words, const std::string& name) {
     return words == name || std::find(forms.begin(), forms.end(), name) != forms.end();
 }
 
-// The names and contents of what a folder holds.
-std::string fingerprint_of(const fs::path& folder) {
-    std::vector<fs::path> files;
-    std::error_code code;
-    for (fs::recursive_directory_iterator at(folder, fs::directory_options::skip_permission_denied, code), end;
-         !code && at != end; at.increment(code))
-        if (at->is_regular_file(code)) files.push_back(at->path());
-    std::sort(files.begin(), files.end());
+// The names and contents of what is used of a folder.
+std::string fingerprint_of(const fs::path& folder, const UserAssets& assets) {
+    std::vector<fs::path> files{folder / kAssetsFile};
+    for (const UserModel& m : assets.models)
+        for (const fs::path& file : files_of_model(folder / m.file)) files.push_back(file);
+    for (const UserTexture& t : assets.textures)
+        for (const fs::path& file : {t.color, t.normals, t.roughness, t.metal, t.height})
+            if (!file.empty()) files.push_back(folder / file);
+    for (const UserSky& s : assets.skies) files.push_back(folder / s.file);
     Hash hash;
     for (const fs::path& file : files) try {
             hash.add(file.lexically_relative(folder).generic_string()).add(read_file(file));
@@ -212,7 +213,7 @@ void FurniturePack::open_users(const fs::path& folder, std::vector<std::string>&
         } catch (const Error& error) {
             complaints.push_back(std::string(error.what()) + "; it goes on without this model");
         }
-    hash.add(fingerprint_of(folder));
+    hash.add(fingerprint_of(folder, users_));
 }
 
 std::shared_ptr<const FurniturePack> FurniturePack::open(const fs::path& folder, const AssetsChoice& choice,

@@ -287,54 +287,42 @@ Room make_room(PromptSpec& spec, const Run& run) { return room_of(spec, furnish_
 
 namespace {
 
-// The pictures of the user's textures, and in `used` whose they are.
-void add_pictures(Style& style, const FurniturePack* pack, std::vector<std::string>& used) {
-    for (Material* m : {&style.floor, &style.wall, &style.accent_wall, &style.ceiling}) {
-        if (!lacks_pictures(*m)) continue;
-        if (!pack) throw Error("texture \"{}\": expected --assets with the folder that holds it, found none", m->name);
-        const Vec3f tint = m->color_a;
-        *m = pack->texture(m->name);
-        const std::string credit = fmt::format("{}: {}", kTextureUsed, pack->credit_of_texture(m->name));
+// The pictures of the user's textures, wherever the room has them; they are looked up by shares of their width. `used`
+// is told whose they are.
+void add_pictures(const FurniturePack* pack, Room& room, std::vector<std::string>& used) {
+    std::vector<bool> added(room.materials.size(), false);
+    for (std::size_t i = 0; i < room.materials.size(); ++i) {
+        Material& m = room.materials[i];
+        if (!lacks_pictures(m)) continue;
+        if (!pack) throw Error("texture \"{}\": expected --assets with the folder that holds it, found none", m.name);
+        const Vec3f tint = m.color_a;
+        m = pack->texture(m.name);
+        m.color_a = tint;
+        added[i] = true;
+        const std::string credit = fmt::format("{}: {}", kTextureUsed, pack->credit_of_texture(m.name));
         if (std::find(used.begin(), used.end(), credit) == used.end()) used.push_back(credit);
-        m->color_a = tint;
     }
-}
-Plan with_pictures(const Plan& plan, PromptSpec& spec) {
-    const FurniturePack* pack = spec.pack.get();
-    Plan out = plan;
-    add_pictures(out.style, pack, spec.assumed);
-    if (!out.next) return out;
-    auto next = std::make_shared<NextRoom>(*out.next);
-    add_pictures(next->plan.style, pack, spec.assumed);
-    out.next = std::move(next);
-    return out;
-}
-
-// Pictures are looked up by shares of their width.
-void scale_pictures(Room& room) {
-    for (Mesh& mesh : room.meshes) {
-        const Material& m = room.materials[static_cast<std::size_t>(mesh.material)];
-        if (m.pattern == Pattern::image)
-            for (Vec3f& c : mesh.coords) c = c / m.scale_m;
-    }
+    for (Mesh& mesh : room.meshes)
+        if (const auto i = static_cast<std::size_t>(mesh.material); added[i])
+            for (Vec3f& c : mesh.coords) c = c / room.materials[i].scale_m;
 }
 
 }  // namespace
 
 Room room_of(PromptSpec& spec, const FurnishedRoom& furnished, const Run& run) {
-    const Plan plan = with_pictures(furnished.plan, spec);
+    const Plan& plan = furnished.plan;
     Random rng = light_draws(spec, run.seed);
     Room room;
     room.type = spec.room;
     room.style = plan.style.name;
     room.seed = mix64(run.seed ^ hash_name(spec.text));
     build_shell(plan, room);
-    scale_pictures(room);
     const float lamps = furnished.lamps.value_or(lamp_level(spec, plan));
     for (Material& material : room.materials)  // of the shell: recessed lights
         if (material.name != kNeon) material.emission = material.emission * lamps;
     for (const Placed& placed : furnished.placed) add_piece(placed, lamps, room);
     for (const Placed& placed : furnished.placed_next) add_piece(placed, lamps, room);
+    add_pictures(spec.pack.get(), room, spec.assumed);
     count_placed(furnished, spec);
 
     // World: x right, y down, z where the camera looks; a proper rotation of the room frame, nothing is mirrored.

@@ -280,6 +280,10 @@ TEST_F(UserAssets, TexturesCoverFloorsAndWalls) {
                         1e-3f);
         }
     }
+    // Wherever else the room has it, too.
+    PromptSpec doors = understand_prompt("a kitchen with an old tiles door and old tiles walls", true, own);
+    for (const Material& m : make_room(doors, kRun).materials)
+        EXPECT_TRUE(m.pattern != Pattern::image || m.image) << m.name;
     // The document names it, and needs the folder.
     const FurnishedRoom furnished = furnish_room(spec, kRun, {});
     const RoomDocument document = document_of(spec, furnished, kRun.seed);

@@ -125,14 +125,15 @@ class Loader {
         for (const LengthUnit& unit : kLengthUnits)
             if (fits(extent * unit.metres)) {
                 out_.notes.push_back(
-                    fmt::format("{} would be no {}: its numbers are taken as {}", said(size), spoken(), unit.name));
+                    fmt::format("{} does not fit the class \"{}\": read as {}", said(size), spoken(), unit.name));
                 return unit.metres;
             }
         // Models out of networks and scanners fill a cube of side 1 or 2.
         if (usual_) {
             const float unit = length(usual_->size_m) / extent;
-            out_.notes.push_back(fmt::format("{} would be no {}: scaled to {} (height_m in {} says otherwise)",
-                                             said(size), spoken(), said(size * unit), kAssetsFile));
+            out_.notes.push_back(
+                fmt::format("{} does not fit the class \"{}\": scaled to {} (height_m in {} overrides this)",
+                            said(size), spoken(), said(size * unit), kAssetsFile));
             return unit;
         }
         refuse(fmt::format("expected a size between {} and {} m, found {}: say height_m, width_m or depth_m in {}",
