@@ -174,7 +174,7 @@ Piece FurniturePack::piece(const PackModel& model, const PieceRequest& request) 
     } else if (!request.material.empty() && !main.image) {
         if (const auto material = material_named(request.material)) main = *material;
     }
-    if (model.user >= 0 && has_role(model.kind, Role::light))
+    if (model.user >= 0 && has_role(model.kind, Role::light))  // as load_user_model leaves them
         for (Material& m : piece.materials) m.emission = m.emission * request.style->lamp_light;
     if (const Vec3f scale = scale_asked(piece.size_m, request); scale != Vec3f{1, 1, 1}) resize(piece, scale);
     return piece;

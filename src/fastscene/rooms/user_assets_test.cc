@@ -185,6 +185,26 @@ TEST_F(UserAssets, FlatTopsCarryThings) {
     EXPECT_FALSE(flat_top(roof));
 }
 
+TEST_F(UserAssets, LampsShine) {
+    const auto lamp = [&](const std::string& material) {
+        put("lamp.mtl", "newmtl " + material + "\nKd 0.9 0.9 0.9\n");
+        return piece("floor_lamp.obj",
+                     "mtllib lamp.mtl\nv 0 0 0\nv 0.3 0 0\nv 0 1.6 0.3\nusemtl " + material + "\nf 1 2 3\n");
+    };
+    const UserPiece dark = lamp("steel");
+    ASSERT_EQ(dark.notes.size(), 1u);
+    EXPECT_NE(dark.notes[0].find("gives no light"), std::string::npos) << dark.notes[0];
+    EXPECT_TRUE(lamp("Bulb_01").notes.empty());
+    // As bright as the style's lamps, and its light counts only where lamps are lit.
+    const auto own = pack();
+    const Style& style = all_styles().front();
+    const Piece made = make_piece(
+        {.kind = "floor_lamp", .style = &style, .pack = own, .model = own->choose_users("floor_lamp", 1)});
+    const Vec3f emission = made.materials[0].emission;
+    EXPECT_GT(luminance(emission), 0.1f * luminance(style.lamp_light));
+    EXPECT_LT(luminance(emission), luminance(style.lamp_light));
+}
+
 TEST(Cutout, KeepsWhatIsOpaque) {
     Mesh quad;
     quad.positions = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};

@@ -63,8 +63,7 @@ class Loader {
             for (Vec3f& n : m.mesh.normals) n = model_.ours_from_file * n;
         }
         meshes = placed(std::move(meshes));
-        out_.lights_up = has_role(model_.kind, Role::light);
-        if (out_.lights_up) light_up(meshes, out_.notes);
+        if (has_role(model_.kind, Role::light)) light_up(meshes, out_.notes);
         add(std::move(meshes));
         describe();
         return std::move(out_);

@@ -6,8 +6,7 @@
 namespace fastscene {
 
 struct UserPiece {
-    Piece piece;
-    bool lights_up = false;  // a lamp: emissions are shares of the light of the style's lamps
+    Piece piece;  // of a lamp, emissions are shares of the light of the style's lamps
     std::size_t triangles = 0;
     Attribution attribution;         // of the row, else of the file
     std::vector<std::string> notes;  // what was guessed or left out
