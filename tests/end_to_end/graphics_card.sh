@@ -1,8 +1,10 @@
 # A draft on a graphics card, as Mesa's lavapipe imitates one: as good as on the processor; pictures; what runs where.
 . "$(dirname "$0")/lib.sh"
 card=(--splat-backend vulkan --splat-device llvmpipe)
-# The first steps of a draft: an imitated card takes a third of a second for each.
-short=(--quality draft --splat-steps 40 --splat-eval-every 40)
+# The first steps of a small scene: an imitated card is a hundred times slower than the processor. Before step 100 no splat moves away,
+# so more of them are only more of the same.
+short=(--quality draft --panorama-width 512 --panorama-cell 0.12 --panorama-cell-samples 64 --panorama-outside-detail 0
+  --walk-viewpoints 4 --walk-room-viewpoints 6 --views-size 128 --views-points 60000 --splat-count 30000 --splat-steps 40 --splat-eval-every 40)
 held_out() { tail -n 1 "$1/splat/curve.csv" | cut -d, -f4; }
 
 expect 0 "$fastscene" make "$prompt" -o run "${short[@]}"
@@ -12,7 +14,8 @@ expect 0 "$fastscene" splat run "${short[@]}" "${card[@]}"
 says "panorama: already made"
 grep -q '"device": "llvmpipe' run/report.json || fail "report.json does not say what trained the splats"
 card_psnr=$(held_out run)
-awk "BEGIN { d = $card_psnr - $processor; exit !(d < 0.1 && d > -0.1) }" ||
+# Measured: 0.001 to 0.003 dB.
+awk "BEGIN { d = $card_psnr - $processor; exit !(d < 0.02 && d > -0.02) }" ||
   fail "held-out views: $card_psnr dB on the card, $processor dB on the processor"
 
 # Pictures of the same splats, within a level or so of a byte.

@@ -15,9 +15,13 @@ cd "$root"
 flags=(-std=c++20 -fsyntax-only -pthread -D_GLIBCXX_USE_CXX11_ABI=1 -w -Isrc -I. -Ibench
   '-DFASTSCENE_SOURCE_DIR=""' -isystem "$headers" -isystem "$headers/torch/csrc/api/include")
 nn=src/fastscene/nn
-sources=($nn/libtorch.cc $nn/replay.cc $nn/fused.cc $nn/process_group.cc)
+# Headers take nearly all of the time: sources go together, as in the build.
+together() { local to=$1; shift; printf '#include "%s"\n' "$@" > "$to"; }
+together "$to/versions.cc" $nn/libtorch.cc $nn/replay.cc $nn/fused.cc $nn/process_group.cc
+together "$to/gloo.cc" $nn/process_group.cc $nn/rendezvous.cc
+sources=("$to/versions.cc")
 if [ "$which" = all ]; then
-  # As the build does: headers are read once, and few sources go together.
+  # As the build does: common headers are read once.
   { echo '#include <ATen/ATen.h>'; echo '#include <nlohmann/json.hpp>'; } > "$to/common.h"
   "$cxx" "${flags[@]/-fsyntax-only/-xc++-header}" "$to/common.h" -o "$to/common.h.gch"
   flags+=(-include "$to/common.h")
@@ -26,7 +30,7 @@ if [ "$which" = all ]; then
   ls $nn/*_test.cc | split -l 6 - "$to/together_b"
   grep -lE '<(ATen|c10|torch)/' bench/*.cc | split -l 1 - "$to/together_c"
   for list in "$to"/together_*; do
-    sed 's/.*/#include "&"/' "$list" > "$list.cc"
+    together "$list.cc" $(< "$list")
     rm "$list"
   done
   sources=("$to"/together_*.cc)
@@ -41,10 +45,10 @@ check() {
 }
 export -f check
 status=0
+with_gloo=
+[ -z "$has_gloo" ] || { check "${flags[@]}" -DUSE_C10D_GLOO "$to/gloo.cc" & with_gloo=$!; }
 printf '%s\0' "${sources[@]}" | xargs -0 -P "$(nproc)" -I{} bash -c 'check "$@"' - "${flags[@]}" {} || status=1
-for source in $nn/process_group.cc $nn/rendezvous.cc; do
-  [ -z "$has_gloo" ] || check "${flags[@]}" -DUSE_C10D_GLOO $source || status=1
-done
+[ -z "$with_gloo" ] || wait "$with_gloo" || status=1
 # The parts for CUDA need its toolkit's headers, and one that only CUDA builds of libtorch have.
 cuda=${CUDA_HOME:-/usr/local/cuda}/include
 if [ -e "$cuda/cuda_runtime_api.h" ]; then
@@ -55,5 +59,5 @@ if [ -e "$cuda/cuda_runtime_api.h" ]; then
   done
 fi
 version=$(sed -nE 's/^#define TORCH_VERSION_(MAJOR|MINOR) +([0-9]+)$/\2/p' "$headers"/torch/csrc/api/include/torch/version.h | paste -sd.)
-echo "libtorch $version: ${#sources[@]} sources, exit code $status"
+echo "libtorch $version: exit code $status"
 exit "$status"
