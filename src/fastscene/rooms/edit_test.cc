@@ -260,9 +260,13 @@ std::string wrong_with(const std::vector<std::string>& row) {
         if (found.empty()) return "it was not refused";
         return found.find(wanted) == std::string::npos ? found : "";
     }
-    if (const std::string error = edit_error(room, row[1]); !error.empty()) return error;
     const RoomDocument& before = kept_room(room);
-    const RoomDocument after = edited(room, row[1]).document;
+    RoomDocument after;
+    try {
+        after = edited(room, row[1]).document;
+    } catch (const Error& e) {
+        return e.what();
+    }
     const auto field = [&](std::size_t i) { return i < row.size() ? row[i] : std::string(); };
     const auto words = [&](std::size_t i) {
         std::multiset<std::string> out;

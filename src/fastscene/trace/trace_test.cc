@@ -61,6 +61,16 @@ TraceParams quick() {
     return p;
 }
 
+// The furnished room with its light, gathered once.
+const TracedRoom& lit_room() {
+    static const TracedRoom room = [] {
+        TracedRoom out(furnished_room());
+        out.gather_light(quick(), {});
+        return out;
+    }();
+    return room;
+}
+
 // Furnace test: in a closed room with albedo 1/2 and emission 1/2, the radiance is 1 in all directions.
 TEST(Trace, Furnace) {
     Material glowing = diffuse({0.5f, 0.5f, 0.5f});
@@ -158,7 +168,7 @@ TEST(Trace, LightOfASquareLampIsItsFormFactor) {
     const Lights lights(room);
     TraceParams params = quick();
     params.cell_m = 0.1f;
-    params.cell_samples = 1024;
+    params.cell_samples = 512;
     const IrradianceCache cache = IrradianceCache::gather(room, bvh, lights, params, {});
     const float x = half / height, s = std::sqrt(1 + x * x);
     const float quarter = (x / s * std::atan(x / s) * 2) / (2 * static_cast<float>(M_PI));
@@ -260,13 +270,13 @@ TEST(Trace, WindowLetsTheSkyIn) {
     const SceneBvh bvh(room);
     const Lights lights(room);
     TraceParams params = quick();
-    params.cell_samples = 1024;
+    params.cell_samples = 512;
     params.cell_m = 0.06f;  // trees and flower beds outside make the light vary across the wall
     const IrradianceCache cache = IrradianceCache::gather(room, bvh, lights, params, {});
     // Reference by quadrature over directions, with what is actually outside.
     const Vec3f at{-2, 0, 0};
     double expected = 0;
-    const int n = 400;
+    const int n = 200;
     for (int i = 0; i < n; ++i)
         for (int k = 0; k < n; ++k) {
             const Vec3f target{2.1f, (2 * (static_cast<float>(i) + 0.5f) / n - 1) * w,
@@ -281,8 +291,7 @@ TEST(Trace, WindowLetsTheSkyIn) {
 }
 
 TEST(Trace, RightIsRightAndThePanoramaAgreesWithThePerspective) {
-    TracedRoom room(furnished_room());
-    room.gather_light(quick(), {});
+    const TracedRoom& room = lit_room();
     const EquirectSize size{256, 128};
     const Shot shot = room.panorama({}, size, {.color = true, .range = true, .object = true}, {});
     // The red box at +x is right of the picture's center, the metal one left of it.
@@ -409,8 +418,7 @@ TEST(Trace, MirrorsShowNoCells) {
 
 // However few rays are requested, the denoiser gets a variance estimate.
 TEST(Trace, FewRaysAreDenoisedToo) {
-    TracedRoom room(furnished_room());
-    room.gather_light(quick(), {});
+    const TracedRoom& room = lit_room();
     const Pinhole camera = Pinhole::with_fov(96, 96, 75);
     const auto picture = [&](int samples, bool denoised, std::uint64_t seed) {
         fastscene::Run run;
@@ -437,8 +445,7 @@ TEST(Trace, FewRaysAreDenoisedToo) {
 
 // A partial picture equals the full picture, up to the denoiser's context at the mask's border.
 TEST(Trace, SomePixelsAreAsInTheWholePicture) {
-    TracedRoom room(furnished_room());
-    room.gather_light(quick(), {});
+    const TracedRoom& room = lit_room();
     const EquirectSize size{256, 128};
     ImageMask asked(size.width, size.height);
     for (int y = 50; y < 110; ++y)
@@ -559,8 +566,7 @@ TEST(Trace, EdgesOfPatternsAreNotRagged) {
 }
 
 TEST(Trace, TwoSetsOfCameraRaysAgree) {
-    TracedRoom room(furnished_room());
-    room.gather_light(quick(), {});
+    const TracedRoom& room = lit_room();
     const Pinhole camera = Pinhole::with_fov(128, 128, 75);
     fastscene::Run other;
     other.seed = 77;

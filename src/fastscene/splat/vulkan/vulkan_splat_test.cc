@@ -300,25 +300,25 @@ TEST_F(VulkanSplat, DensityControlSplitsWhereTheErrorIs) {
 
 // Training on the card from sentence to splats: as good as on the processor.
 TEST_F(VulkanSplat, TrainingIsAsGoodAsOnTheProcessor) {
-    const bench::RoomSet set = bench::room_set(96, 1, 4000, 0, 4);
+    const bench::RoomSet set = bench::room_set(64, 1, 2000, 0, 4);
     SplatParams params;
-    params.count = 3000, params.steps = 150, params.sh_degree = 1, params.eval_every = 150, params.holdout = 4;
+    params.count = 1500, params.steps = 150, params.sh_degree = 1, params.eval_every = 150, params.holdout = 4;
     params.coarse = 0.2f;
     const FittedSplats cpu = fit_splats(set.train, params, fastscene::Run{});
     params.backend = {"vulkan", gpu::has_card() ? "auto" : "llvmpipe"};
     const FittedSplats card = fit_splats(set.train, params, fastscene::Run{});
     EXPECT_EQ(card.splats.size(), cpu.splats.size());
     EXPECT_EQ(card.curve.size(), cpu.curve.size());
-    EXPECT_NEAR(card.evals.back().psnr, cpu.evals.back().psnr, 0.1f);
-    EXPECT_NEAR(card.evals.back().ssim, cpu.evals.back().ssim, 0.01f);
-    EXPECT_EQ(fit_splats(set.train, params, fastscene::Run{}).splats, card.splats);
+    EXPECT_NEAR(card.evals.back().psnr, cpu.evals.back().psnr, 0.02f);
+    EXPECT_NEAR(card.evals.back().ssim, cpu.evals.back().ssim, 0.002f);
 }
 
-// Stopped at a checkpoint, with the count still growing, and continued: the same bytes as without a stop.
+// Stopped at a checkpoint, with the count still growing, and continued: the same bytes as without a stop. So two
+// trainings are the same bytes, too.
 TEST_F(VulkanSplat, ACheckpointContinuesBitForBit) {
-    const bench::RoomSet set = bench::room_set(64, 1, 800, 0, 4);
+    const bench::RoomSet set = bench::room_set(48, 1, 800, 0, 4);
     SplatParams params;
-    params.count = 1500, params.steps = 260, params.sh_degree = 1;
+    params.count = 1500, params.steps = 260, params.sh_degree = 1, params.coarse = 0.2f;
     params.backend = {"vulkan", gpu::has_card() ? "auto" : "llvmpipe"};
     const FittedSplats straight = fit_splats(set.train, params, fastscene::Run{});
     EXPECT_GT(straight.splats.size(), 800u);
