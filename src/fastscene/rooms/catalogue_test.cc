@@ -103,23 +103,42 @@ TEST(Catalogue, BuildersAndRowsAreTheSame) {
     EXPECT_EQ(std::vector<std::string>(rows.begin(), rows.end()), piece_classes());
 }
 
-// A room that is asked for one such thing, by some word of the lexicon; without it nothing names the kind.
-std::optional<PromptSpec> asking_for(const std::string& kind, const std::string& room) {
+// What asks a room for one such thing, by some word of the lexicon; without it nothing names the kind.
+std::optional<std::string> words_for(const std::string& kind, const std::string& room) {
     for (const auto& [term, word] : lexicon_table().words) {
         if (word.kind != WordKind::object || word.meaning != kind || term.find(':') != std::string::npos) continue;
-        for (const char* article : {"a ", ""}) {
-            PromptSpec spec = read("a large " + room + " with " + (article + term));
-            if (object_of(spec, kind)) return spec;
-        }
+        for (const char* article : {"a ", ""})
+            if (object_of(read("a large " + room + " with " + (article + term)), kind)) return article + term;
     }
     return {};
 }
 
+// Those of the kinds that a living room shows which is asked for all of them.
+std::set<std::string> shown_together(const std::vector<std::string>& kinds) {
+    std::string text;
+    for (const std::string& kind : kinds)
+        if (const auto words = words_for(kind, "living room"))
+            text += (text.empty() ? "a large living room with " : ", ") + *words;
+    if (text.empty()) return {};
+    PromptSpec spec = read(text);
+    const FurnishedRoom room = furnish_room(spec, {1, nullptr, {}});
+    const Sight sight(room.plan, room.placed);
+    std::set<std::string> out;
+    for (std::size_t k = 0; k < room.placed.size(); ++k) {
+        const std::string& kind = room.placed[k].wish.kind;
+        if (std::find(kinds.begin(), kinds.end(), kind) != kinds.end() && !out.contains(kind) &&
+            sight.look(static_cast<int>(k), room.camera).pixels > 0)
+            out.insert(kind);
+    }
+    return out;
+}
+
 // Why a room that is asked for such a thing does not show one; empty: it does.
 std::string fault_in(const std::string& room_words, const std::string& kind) {
-    std::optional<PromptSpec> spec = asking_for(kind, room_words);
-    if (!spec) return "no word of the lexicon asks for it";
-    const FurnishedRoom room = furnish_room(*spec, {1, nullptr, {}});
+    const std::optional<std::string> words = words_for(kind, room_words);
+    if (!words) return "no word of the lexicon asks for it";
+    PromptSpec spec = read("a large " + room_words + " with " + *words);
+    const FurnishedRoom room = furnish_room(spec, {1, nullptr, {}});
     const Sight sight(room.plan, room.placed);
     bool placed = false;
     for (std::size_t k = 0; k < room.placed.size(); ++k) {
@@ -127,7 +146,7 @@ std::string fault_in(const std::string& room_words, const std::string& kind) {
         placed = true;
         if (sight.look(static_cast<int>(k), room.camera).pixels > 0) return {};
     }
-    return spec->text + (placed ? ": not seen" : ": not placed");
+    return spec.text + (placed ? ": not seen" : ": not placed");
 }
 
 // A lane of 12 m fits no living room: such things are asked for where they belong.
@@ -142,8 +161,14 @@ TEST(Catalogue, EveryRowCanBeBuiltPlacedAndSeen) {
     for (const Thing& t : things())
         if (t.built) kinds.push_back(t.kind);
     std::vector<std::string> faults(kinds.size());
-    parallel_for(static_cast<std::int64_t>(kinds.size()), 1, [&](std::int64_t i, std::int64_t) {
-        faults[static_cast<std::size_t>(i)] = fault_of(kinds[static_cast<std::size_t>(i)]);
+    // Four at a time, of different files; what is not seen among others is asked for alone.
+    const std::size_t rooms = (kinds.size() + 3) / 4;
+    parallel_for(static_cast<std::int64_t>(rooms), 1, [&](std::int64_t begin, std::int64_t) {
+        std::vector<std::string> some;
+        for (auto i = static_cast<std::size_t>(begin); i < kinds.size(); i += rooms) some.push_back(kinds[i]);
+        const std::set<std::string> shown = shown_together(some);
+        for (auto i = static_cast<std::size_t>(begin); i < kinds.size(); i += rooms)
+            if (!shown.contains(kinds[i])) faults[i] = fault_of(kinds[i]);
     });
     for (std::size_t i = 0; i < kinds.size(); ++i) EXPECT_EQ(faults[i], "") << kinds[i];
 }
