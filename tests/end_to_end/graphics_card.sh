@@ -1,10 +1,11 @@
-# A draft on a graphics card, as Mesa's lavapipe imitates one: as good as on the processor; pictures; what runs where.
+# A small draft on a graphics card, as Mesa's lavapipe imitates one: as good as on the processor; pictures; what runs where.
 . "$(dirname "$0")/lib.sh"
 card=(--splat-backend vulkan --splat-device llvmpipe)
-# The first steps of a small scene: an imitated card is a hundred times slower than the processor. Before step 100 no splat moves away,
-# so more of them are only more of the same.
+# The first steps of a small scene: an imitated card is a hundred times slower than the processor. Before step 100 no
+# splat is moved elsewhere, so more of them are only more of the same.
 short=(--quality draft --panorama-width 512 --panorama-cell 0.12 --panorama-cell-samples 64 --panorama-outside-detail 0
-  --walk-viewpoints 4 --walk-room-viewpoints 6 --views-size 128 --views-points 60000 --splat-count 30000 --splat-steps 40 --splat-eval-every 40)
+  --walk-viewpoints 4 --walk-room-viewpoints 6 --views-size 128 --views-points 60000
+  --splat-count 30000 --splat-steps 40 --splat-eval-every 40)
 held_out() { tail -n 1 "$1/splat/curve.csv" | cut -d, -f4; }
 
 expect 0 "$fastscene" make "$prompt" -o run "${short[@]}"
