@@ -139,9 +139,24 @@ void Editor::recolor(const EditStep& step) {
     build();
 }
 
+// The wall with a look of its own; there is one.
+void Editor::accent(int wall) {
+    const Plan& now = plan();
+    if (now.accent && now.accent_wall == wall) return;
+    const Material &own = now.style.accent_wall, &others = now.style.wall;
+    const bool alike = own.pattern == others.pattern && own.color_a == others.color_a;
+    if (now.accent && !alike)
+        throw Error("one wall has a look of its own, and wall {} has one already: paint that like the others first",
+                    now.accent_wall);
+    result_.document.plan.accent_wall = wall;
+    result_.document.surfaces.accent_wall = others;
+    build();
+}
+
 void Editor::recolor_surface(const EditStep& step, const std::string& said) {
     const Style& style = room_.furnished.plan.style;
     DocumentSurfaces& own = result_.document.surfaces;
+    if (step.wall >= 0) accent(step.wall);
     const std::vector<std::pair<std::string_view, std::pair<std::optional<Material>*, const Material*>>> parts{
         {"wall", {&own.wall, &style.wall}},
         {"accent_wall", {&own.accent_wall, &style.accent_wall}},
@@ -159,7 +174,8 @@ void Editor::recolor_surface(const EditStep& step, const std::string& said) {
         if (!step.wish.color.empty()) m.name = step.wish.color + " " + step.surface;
         *part.first = m;
     }
-    tell(step.surface, step.brighter != 1 ? (step.brighter > 1 ? "lighter" : "darker") : said);
+    const std::string name = step.wall >= 0 ? fmt::format("wall {}", step.wall) : step.surface;
+    tell(name, step.brighter != 1 ? (step.brighter > 1 ? "lighter" : "darker") : said);
     build();
 }
 
@@ -199,6 +215,7 @@ void Editor::apply(const EditStep& step) {
         case EditStep::Kind::recolor: return recolor(step);
         case EditStep::Kind::resize: return resize(step);
         case EditStep::Kind::reshape: return reshape(step);
+        case EditStep::Kind::line: return line_up(step);
         case EditStep::Kind::add: return add(step);
         case EditStep::Kind::replace: return replace(step);
         case EditStep::Kind::restyle: return restyle(step.value);

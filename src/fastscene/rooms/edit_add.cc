@@ -10,6 +10,7 @@
 #include "fastscene/rooms/layout_parts.h"
 #include "fastscene/rooms/lexicon.h"
 #include "fastscene/rooms/plan.h"
+#include "fastscene/rooms/prompt_text.h"
 
 namespace fastscene::editing {
 namespace {
@@ -35,6 +36,17 @@ Words counted_anew(Words words) {
     return words;
 }
 
+// "Two plants either side of the fireplace": the fireplace is there, and no thing to add.
+void check_new(const Words& words, const PromptObject& wish) {
+    const Words noun = tokens_of(wish.words);
+    for (std::size_t i = 1; i + noun.size() <= words.size(); ++i) {
+        if (part_of(words, i, i + noun.size()) != noun) continue;
+        for (std::size_t k = i; k-- > 0 && !is_joint(words[k]) && !is_one_of(words[k], {"a", "an", "with", "of"});)
+            if (is_one_of(words[k], {"the", "my", "our", "your", "its", "their"}))
+                throw UsageError("expected a place, found \"{}\"", text_of(words, k));
+    }
+}
+
 // What words ask for, beside each other in them: "a desk with a lamp".
 std::vector<PromptObject> wishes_of(const Editor& editor, const Words& words) {
     const std::string text = text_of(counted_anew(words));
@@ -42,7 +54,13 @@ std::vector<PromptObject> wishes_of(const Editor& editor, const Words& words) {
     const auto unknown = spec.words_with(PromptWord::Fate::not_understood);
     if (!unknown.empty()) throw UsageError("expected a thing to add, found \"{}\"", unknown.front().words);
     if (spec.objects.empty()) throw UsageError("expected a thing to add, found \"{}\"", text);
+    // "Three simple lamps" are three.
+    if (const auto number = number_said(words.front());
+        number && *number >= 1 && !is_one_of(words.front(), {"a", "an"}) && !spec.objects.front().counted)
+        spec.objects.front().count = static_cast<int>(*number), spec.objects.front().counted = true;
+    for (std::size_t k = 1; k < spec.objects.size(); ++k) check_new(words, spec.objects[k]);
     for (PromptObject& o : spec.objects) {
+        check_stand_in(o);
         if (is_shell(o.kind) || has_role(o.kind, Role::opening)) refuse_shell();
         o.relation = o.relation_to = o.relation_and = "";
         // "Books" are a stack of them.
@@ -101,6 +119,7 @@ struct Addition {
     std::vector<PromptObject> wishes;
     std::optional<Place> place;
     std::string shape{};  // of the first
+    Words said{};
 };
 
 Addition addition_of(const Editor& editor, const Words& words, const std::vector<std::string>& spoken) {
@@ -217,6 +236,28 @@ void add_with(Talk& talk, const std::vector<std::string>& ids, const std::vector
     }
 }
 
+// "It" is what was last put somewhere, or that at which it was put: where the first has no place for it, the other.
+std::optional<Addition> at_the_other(const Talk& talk, const Words& words, const std::vector<std::string>& spoken) {
+    if (!is_one_of(words.back(), {"it", "them"}) || talk.last_place.wish.relation_to.empty()) return {};
+    const std::vector<std::string> others = things_at(talk.editor, talk.last_place);
+    if (others.empty() || others == spoken) return {};
+    Addition out = addition_of(talk.editor, words, others);
+    return out.place ? std::optional(out) : std::nullopt;
+}
+
+// A lamp at each end of "it" stands by the sideboard, not by the mirror above that.
+Addition at_what_is_meant(const Talk& talk, const Words& words) {
+    const bool it = is_one_of(words.back(), {"it", "them"}) && !talk.last.empty();
+    const auto hangs = [](Mount mount) { return mount == Mount::wall || mount == Mount::ceiling; };
+    const bool hung = it && std::all_of(talk.last.begin(), talk.last.end(), [&](const std::string& id) {
+                          return hangs(talk.editor.placed(id).piece.mount);
+                      });
+    Addition out = addition_of(talk.editor, words, talk.last);
+    if (hung && out.place && !hangs(mount_of(talk.editor, out.wishes.front().kind)))
+        if (auto other = at_the_other(talk, words, talk.last)) return *other;
+    return out;
+}
+
 Place beside_those(const Talk& talk, const std::vector<std::string>& ids) {
     Place out;
     out.step.wish.relation = "next to", out.step.wish.relation_to = talk.editor.placed(ids.back()).piece.kind;
@@ -277,9 +318,12 @@ void add(Talk& talk, const Words& words) {
         return;
     }
     std::vector<Addition> all;
-    for (const Words& part : parts) all.push_back(addition_of(talk.editor, part, talk.last));
+    for (const Words& part : parts) {
+        all.push_back(at_what_is_meant(talk, part));
+        all.back().said = part;
+    }
     if (all.empty()) throw UsageError("expected a thing to add, found the end of the sentence");
-    talk.last.clear();
+    const std::vector<std::string> spoken_before = std::exchange(talk.last, {});
     std::vector<std::string> together;  // those that share the place of the next one
     for (std::size_t k = 0; k < all.size(); ++k) {
         const auto own = all[k].place;
@@ -289,15 +333,20 @@ void add(Talk& talk, const Words& words) {
         const std::size_t spoken = talk.last.size();
         try {
             add_wish(talk, first, shared);
+        } catch (const UsageError&) {
+            throw;
         } catch (const Error&) {
             // Two that do not fit into one corner: one by the other.
             const bool beside = shared && shared->step.wish.relation == "in the corner" && !together.empty();
-            if (!beside) throw;
-            add_wish(talk, first, beside_those(talk, together));
+            const auto other = beside ? std::nullopt : at_the_other(talk, all[k].said, spoken_before);
+            if (!beside && !other) throw;
+            add_wish(talk, first, beside ? beside_those(talk, together) : *other->place);
         }
         together = own ? std::vector<std::string>{} : part_of(talk.last, spoken);
         shape_as_asked(talk, part_of(talk.last, spoken), all[k].shape);
         add_with(talk, part_of(talk.last, spoken), all[k].wishes);
+        tell_unshown(talk, part_of(talk.last, spoken), first, all[k].said);
+        if (shared) talk.last_place = shared->step;
     }
 }
 
@@ -322,7 +371,13 @@ void replace(Talk& talk, const Words& old, const Words& by) {
     step.kind = EditStep::Kind::replace;
     step.ids = talk.things_of_parts(old);
     std::vector<Words> parts = parts_of(by);
-    // "with a bigger one", "with a blue one", "with a round one"
+    // "with a bigger one", "with a blue one", "with a round one", "with something round"
+    if (by.size() > 1 && by.front() == "something") {
+        Words one{"a"};
+        one.insert(one.end(), by.begin() + 1, by.end());
+        one.push_back("one");
+        return replace(talk, old, one);
+    }
     if (!by.empty() && is_one_of(by.back(), {"one", "ones"})) {
         Words all{"it"};
         for (const std::string& w : by)
@@ -343,6 +398,7 @@ void replace(Talk& talk, const Words& old, const Words& by) {
         if (const EditChange& change = changes[i]; change.what.starts_with("added in place of"))
             talk.last.push_back(change.id);
     shape_as_asked(talk, talk.last, shape_asked(parts.front()));
+    tell_unshown(talk, talk.last, step.wish, parts.front());
     for (std::size_t k = 1; k < parts.size(); ++k) {
         PromptObject wish = wishes_of(talk.editor, parts[k]).front();
         wish.relation = "next to", wish.relation_to = step.wish.kind;

@@ -222,10 +222,10 @@ std::vector<Placed> Editor::laid_out(const Standing& standing, const EditStep& s
     } else if (step.wall >= 0 || step.elsewhere || (step.position && wish.relation == "in the corner"))
         done = at_a_wall(layout, step, moving);
     else {
-        if (step.position) done = near_a_point(layout, step);
+        if (step.position) done = stand_near(layout, step) || near_a_point(layout, step);
         if (!done)
-            done = hang_above(layout, wish) || at_the_ends(layout) || in_the_middle(layout, step, moving) ||
-                   on_the_floor(layout, step);
+            done = hang_above(layout, wish) || hang_in_row(layout) || at_the_ends(layout) ||
+                   in_the_middle(layout, step, moving) || on_the_floor(layout, step);
         if (!done && wish.relation != kAtTheEnds && !step.on_floor) place_asked(layout);
         if (layout.mark() == before || !is_where_asked(plan(), layout.placed(), layout.placed().back(), wish)) {
             layout.undo(before);
@@ -237,6 +237,11 @@ std::vector<Placed> Editor::laid_out(const Standing& standing, const EditStep& s
                                return p.wish.kind != wish.kind || is_where_asked(plan(), layout.placed(), p, wish);
                            });
     }
+    constexpr float kThereabouts = 1.5f;  // metres
+    if (done && step.position && wish.relation.empty() &&
+        length(footprint_of(layout.placed().back()).center - *step.position) > kThereabouts)
+        done = false;
+    done = done && bring_nearer(layout, step, before);
     constexpr float kSame = 2e-3f;  // metres
     if (done && moving && length(layout.placed().back().piece.size_m - moving->piece.size_m) > kSame) done = false;
     if (!done) {

@@ -111,18 +111,19 @@ std::vector<Group> groups_of(const Words& words) {
 std::string surface_said(const Words& words) {
     Words bare = words;
     std::erase_if(bare, [](const std::string& w) {
-        return is_definite(w) || is_one_of(w, {"all", "whole", "entire", "room", "of", "a"});
+        return is_definite(w) || is_one_of(w, {"all", "whole", "entire", "room", "of", "a", "only", "just"});
     });
+    if (is_one_wall(words)) return "accent_wall";
     const std::string text = text_of(bare);
+    if (is_one_of(text, {"tiles", "tile", "tiling"})) return "tiles";
+    if (is_one_of(text, {"floor tiles", "tiled floor"})) return "floor";
+    if (is_one_of(text, {"wall tiles", "tiled walls"})) return "wall";
     if (text.find("accent wall") != std::string::npos) return "accent_wall";
     if (is_one_of(text, {"trim", "trims", "baseboard", "baseboards", "skirting", "skirting board", "skirting boards",
                          "molding", "moldings"}))
         return "trim";
     const auto word = look_up(text);
     if (word && is_one_of(word->meaning, {"wall", "floor", "ceiling"})) return word->meaning;
-    if (says_any(words, {"wall"}) && bare.size() > 1 &&
-        (bare.back() == "wall" || is_one_of(bare.front(), {"wall", "left", "right", "far", "back"})))
-        throw UsageError("a sentence paints all walls alike; \"accent_wall\" in the document's plan names one of them");
     return {};
 }
 
@@ -151,6 +152,23 @@ void suit_cloth(const Talk& talk, EditStep& step) {
     if (step.wish.material == "voile" && !soft) step.wish.material = "glass";
 }
 
+// "Longer": taller, where that is its longer side. Curtains hang to the floor at most.
+void along_its_length(const Talk& talk, EditStep& step) {
+    constexpr float kAtFloor = 0.1f;  // metres
+    const auto hangs = [](const Placed& p) {
+        return p.piece.mount == Mount::wall && has_role(p.piece.kind, Role::soft);
+    };
+    const bool upright = !step.ids.empty() && std::all_of(step.ids.begin(), step.ids.end(), [&](const std::string& id) {
+        const Placed& p = talk.editor.placed(id);
+        return hangs(p) || p.piece.size_m.y > std::max(p.piece.size_m.x, p.piece.size_m.z);
+    });
+    if (!upright) return;
+    std::swap(step.factor.x, step.factor.y);
+    for (const std::string& id : step.ids)
+        if (const Placed& p = talk.editor.placed(id); hangs(p) && p.position.y < kAtFloor && step.factor.y > 1)
+            throw Error("{}: it reaches the floor already", id);
+}
+
 // The things that it is of; none: a surface.
 std::vector<std::string> make_one(Talk& talk, const Words& subject, const Value& value) {
     EditStep step;
@@ -163,7 +181,14 @@ std::vector<std::string> make_one(Talk& talk, const Words& subject, const Value&
     step.brighter = value.brighter;
     if (value.resizes() && speaks_of_shell(subject)) refuse_shell();
     if (!value.resizes()) step.surface = surface_said(subject);
+    if (step.surface == "tiles") step.surface = tiled_surface(talk.editor);
+    if (step.surface == "accent_wall" && !says_any(subject, {"accent"})) {
+        Words which = subject;
+        std::erase_if(which, [](const std::string& w) { return is_one_of(w, {"only", "just"}); });
+        step.wall = wall_meant(talk.editor, which, talk.last);
+    }
     if (step.surface.empty()) step.ids = talk.things(subject);
+    if (value.length && value.by == Vec3f{}) along_its_length(talk, step);
     const bool lamps = !step.ids.empty() && std::all_of(step.ids.begin(), step.ids.end(), [&](const std::string& id) {
         return has_role(talk.editor.placed(id).piece.kind, Role::light);
     });
@@ -180,6 +205,7 @@ std::vector<std::string> make_one(Talk& talk, const Words& subject, const Value&
         one.ids = {id};
         const Vec3f size = talk.editor.placed(id).piece.size_m;
         for (std::size_t a = 0; a < 3; ++a) one.factor[a] = std::max(0.2f, 1 + value.by[a] / size[a]);
+        if (value.length) along_its_length(talk, one);
         talk.editor.apply(one);
     }
     return step.ids;
@@ -245,6 +271,14 @@ bool of_the_room(Talk& talk, const Words& words) {
     for (std::size_t i = 1; i < words.size() && of_room; ++i)
         if (const auto said = value_of(part_of(words, i))) {
             if (said->resizes()) refuse_shell();
+            // "the room pink" is its walls.
+            if (is_one_of(text_of(words, 0, i), {"the room", "this room", "my room", "the whole room"}) &&
+                !said->looks.color.empty() && said->looks.material.empty()) {
+                EditStep step;
+                step.kind = EditStep::Kind::recolor;
+                step.surface = "wall", step.wish = said->looks;
+                return talk.editor.apply(step), true;
+            }
             // "the walls of the room white"
             if (!surface_said(part_of(words, 0, i)).empty()) return false;
         }

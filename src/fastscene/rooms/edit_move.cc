@@ -352,6 +352,7 @@ void put(Talk& talk, const Words& words) {
     // "the walls to white"
     const std::size_t to = find_word(words, {"to"}, 1);
     if (to < words.size() && value_of(part_of(words, to + 1))) return make(talk, words);
+    if (const auto laid = laid_with(talk, words)) return add(talk, *laid);
     if (set_for_guests(talk, words) || put_one_by_one(talk, words)) return;
     const std::size_t end = next_place(words);
     const std::string thing = text_of(words, 0, end);

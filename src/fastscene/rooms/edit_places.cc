@@ -53,15 +53,6 @@ std::string opening_there(const Plan& plan, const std::string& kind) {
     throw UsageError("there is no {} in the room", kind);
 }
 
-Mount mount_of(const Editor& editor, const std::string& kind) {
-    PromptSpec spec = editor.room().spec;
-    Random rng(0, "mount");
-    Layout layout(editor.plan(), spec, rng);
-    PromptObject wish;
-    wish.kind = kind;
-    return layout.why_not(kind).empty() ? make_piece(layout.request(kind, &wish)).mount : Mount::floor;
-}
-
 std::string kind_of(const DocumentThing& t) { return t.asked && !t.asked->kind.empty() ? t.asked->kind : t.kind; }
 
 bool is_table(const std::string& kind) {
@@ -383,6 +374,15 @@ class Reader {
 };
 
 }  // namespace
+
+Mount mount_of(const Editor& editor, const std::string& kind) {
+    PromptSpec spec = editor.room().spec;
+    Random rng(0, "mount");
+    Layout layout(editor.plan(), spec, rng);
+    PromptObject wish;
+    wish.kind = kind;
+    return layout.why_not(kind).empty() ? make_piece(layout.request(kind, &wish)).mount : Mount::floor;
+}
 
 std::optional<Place> place_of(const Editor& editor, const Words& words, const std::string& kind,
                               const std::string& mover, const std::vector<std::string>& spoken) {

@@ -254,7 +254,9 @@ void Editor::face(const EditStep& step) {
         const Placed& p = placed(i);
         std::string fault;
         bool done = false;
-        const Vec2f ahead_now = *target - flat(p.position);
+        // Who sits at a desk has it before him.
+        const float sign = has_role(p.piece.kind, Role::work_place) ? -1.f : 1.f;
+        const Vec2f ahead_now = (*target - flat(p.position)) * sign;
         const float wrong_by = std::abs(std::remainder(std::atan2(ahead_now.x, ahead_now.y) - p.yaw, 2 * kPi));
         for (const auto& [off, aside] : turns()) {
             if (std::abs(aside) > wrong_by / 2) continue;  // it would hardly turn
@@ -262,7 +264,7 @@ void Editor::face(const EditStep& step) {
             for (int way = 0; way < ways && !done; ++way) {
                 const float angle = 2 * kPi * static_cast<float>(way) / kWays;
                 const Vec3f to = p.position + Vec3f{std::sin(angle), 0, std::cos(angle)} * off;
-                const Vec2f ahead = *target - flat(to);
+                const Vec2f ahead = (*target - flat(to)) * sign;
                 const float yaw = std::remainder(std::atan2(ahead.x, ahead.y) + aside, 2 * kPi);
                 if (off == 0 && aside == 0 && std::abs(std::remainder(yaw - p.yaw, 2 * kPi)) < kFaces) {
                     // By this very sentence: "before the fire, facing it".
@@ -290,11 +292,11 @@ void Editor::face(const EditStep& step) {
 
 namespace {
 
-// Its back stays at its wall, what hangs keeps its middle.
+// Its back stays at its wall, what hangs keeps its middle, curtains their rod.
 Vec3f after_resize(const Placed& p, Vec3f size) {
     Vec3f at = p.position;
     const Vec3f more = size - p.piece.size_m;
-    if (p.piece.mount == Mount::wall) at.y -= more.y / 2;
+    if (p.piece.mount == Mount::wall) at.y -= has_role(p.piece.kind, Role::soft) ? more.y : more.y / 2;
     else if (p.piece.mount == Mount::floor && p.piece.against_wall) at += front_of(p.yaw) * (more.z / 2);
     return at;
 }

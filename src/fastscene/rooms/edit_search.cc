@@ -70,6 +70,29 @@ void add_on_floor(const Plan& plan, Vec3f size, std::optional<float> own, std::v
         }
 }
 
+// How far a point is from the middle between the two that a place is said by.
+float off_middle(Layout& layout, Vec2f at) {
+    const PromptObject& wish = layout.spec().objects[0];
+    float least = 1e9f;
+    for (const Placed& a : layout.placed())
+        for (const Placed& b : layout.placed())
+            if (&a != &b && (a.piece.kind == wish.relation_to || a.wish.kind == wish.relation_to) &&
+                (b.piece.kind == wish.relation_and || b.wish.kind == wish.relation_and))
+                least = std::min(least, length((footprint_of(a).center + footprint_of(b).center) * 0.5f - at));
+    return least < 1e8f ? least : 0.f;
+}
+
+// Beside a bed is at its head.
+float off_head(Layout& layout, Vec2f at) {
+    const PromptObject& wish = layout.spec().objects[0];
+    float least = 1e9f;
+    for (const Placed& bed : layout.placed())
+        if (wish.relation == "next to" && has_role(bed.piece.kind, Role::bed) &&
+            (bed.piece.kind == wish.relation_to || bed.wish.kind == wish.relation_to))
+            least = std::min(least, std::max(0.f, dot(at - flat(bed.position), flat(front_of(bed.yaw)))));
+    return least < 1e8f ? 0.5f * least : 0.f;
+}
+
 bool looks_at(const std::string& relation) {
     return relation == "facing" || relation == "opposite" || relation == "in front of";
 }
@@ -134,7 +157,7 @@ bool Editor::search_finely(Layout& layout, const EditStep& step) const {
             if (const float far = distance_to(a, c.at); far < nearest) nearest = far, middle = a.center;
         if (!anchors.empty()) {
             if (looks_at(wish.relation)) c.yaw = std::atan2(middle.x - c.at.x, middle.y - c.at.y);
-            c.cost = nearest;
+            c.cost = wish.relation == "between" ? off_middle(layout, c.at) : nearest + off_head(layout, c.at);
         } else if (of_corner && length(c.at - *step.position) > kOfCorner) return true;
         else if (wish.relation == "in the middle") c.cost = length(c.at);
         else if (step.position) c.cost = length(c.at - *step.position);

@@ -259,6 +259,26 @@ Words covered(const Clause& clause) {
     return out;
 }
 
+// "widen the rug": wider.
+std::string size_word(const Clause& clause) {
+    static constexpr std::array<std::pair<std::string_view, std::string_view>, 6> kWays{{{"widen", "wider"},
+                                                                                         {"lengthen", "longer"},
+                                                                                         {"extend", "longer"},
+                                                                                         {"heighten", "taller"},
+                                                                                         {"shorten", "shorter"},
+                                                                                         {"narrow", "narrower"}}};
+    for (const auto& [verb, word] : kWays)
+        if (clause.said == verb) return std::string(word);
+    return clause.verb == Verb::larger ? "larger" : "smaller";
+}
+
+// "Throw a blanket over the sofa", "drop a rug by the bed": something new, put somewhere.
+bool comes(const Clause& clause) {
+    const std::size_t place = next_place(clause.words);
+    return is_one_of(clause.said, {"throw", "drop", "chuck"}) && place < clause.words.size() &&
+           begins_anew(clause.words) && !is_one_of(clause.words[place], {"from", "off", "away"});
+}
+
 bool says_value(const Words& words) {
     for (std::size_t i = 1; i < words.size(); ++i)
         if (value_of(part_of(words, i)) || is_one_of(words[i], {"to", "into"})) return true;
@@ -287,6 +307,7 @@ void Talk::act(const Clause& clause) {
     const Words& words = clause.words;
     if (clause.verb == Verb::refuse) refuse(clause);
     if (clause.verb == Verb::tidy) return tidy(*this, clause);
+    if (clause.verb == Verb::remark) return remark(*this, clause.words);
     there = clause.there, said = clause.said;
     if (words.empty())
         throw UsageError("expected what to change after \"{}\", found the end of the sentence", clause.said);
@@ -300,6 +321,7 @@ void Talk::act(const Clause& clause) {
     if (put_where(*this, clause)) return;
     switch (clause.verb) {
         case Verb::remove:
+            if (comes(clause)) return put(*this, words);
             // "take the vase to the desk"
             if (clause.said == "take" && end < words.size() && is_one_of(words[end], {"to", "into", "onto"}))
                 return move(*this, words);
@@ -334,8 +356,8 @@ void Talk::act(const Clause& clause) {
                 return swap(*this, words);
             return make(*this, words);
         case Verb::color: return make(*this, covered(clause));
-        case Verb::larger: return make(*this, with_word(words, "larger"));
-        case Verb::smaller: return make(*this, with_word(words, "smaller"));
+        case Verb::larger:
+        case Verb::smaller: return make(*this, with_word(words, size_word(clause)));
         case Verb::brighter: return make(*this, with_word(words, "brighter"));
         case Verb::darker: return make(*this, with_word(words, clause.said == "dim" ? "dimmer" : "darker"));
         case Verb::center: {
@@ -344,6 +366,8 @@ void Talk::act(const Clause& clause) {
             return put(*this, all);
         }
         case Verb::copy: return copy(*this, words);
+        case Verb::keep: return keep(*this, words);
+        case Verb::line: return line_up(*this, words);
         case Verb::kindle:
         case Verb::quench: {
             Words all = words;
@@ -352,6 +376,7 @@ void Talk::act(const Clause& clause) {
         }
         case Verb::tidy:
         case Verb::refuse:
+        case Verb::remark:
         case Verb::none: break;
     }
 }
@@ -366,6 +391,7 @@ EditResult edit_by_sentence(const RoomDocument& document, const std::string& sen
     const std::vector<editing::Clause> clauses = editing::clauses_of(sentence);
     for (std::size_t i = 0; i < clauses.size(); ++i)
         if (i + 1 == clauses.size() || !editing::picked_up(talk, clauses[i], clauses[i + 1])) talk.act(clauses[i]);
+    editing::check_kept(talk, document);
     return editor.result();
 }
 

@@ -1,0 +1,180 @@
+// Places as people mean them: close by, in a row, in the very place that was said.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "fastscene/base/error.h"
+#include "fastscene/base/is_one_of.h"
+#include "fastscene/rooms/catalogue.h"
+#include "fastscene/rooms/edit_parts.h"
+#include "fastscene/rooms/layout_relations.h"
+
+namespace fastscene::editing {
+namespace {
+
+// How far a box is from the things of a kind, or from the middle between two of them.
+float off_place(const std::vector<Placed>& all, const Footprint& box, const Placed* own, const PromptObject& wish) {
+    const auto is_of = [&](const Placed& p, const std::string& kind) {
+        return &p != own && (p.piece.kind == kind || p.wish.kind == kind);
+    };
+    float least = 1e9f;
+    for (const Placed& a : all) {
+        if (!is_of(a, wish.relation_to)) continue;
+        const Footprint there = footprint_of(a);
+        if (wish.relation != "between") {
+            const Vec2f to = there.center - box.center;
+            const Vec2f way = length(to) > 1e-3f ? to * (1 / length(to)) : Vec2f{0, 1};
+            least = std::min(least, distance_to(there, box.center) - extent(box, way));
+            continue;
+        }
+        for (const Placed& b : all)
+            if (&b != &a && is_of(b, wish.relation_and))
+                least = std::min(least, length((there.center + footprint_of(b).center) * 0.5f - box.center));
+    }
+    return least;
+}
+
+}  // namespace
+
+// From the ceiling above a thing, side by side along it.
+bool Editor::hang_in_row(Layout& layout) const {
+    const PromptObject& wish = layout.spec().objects[0];
+    if (wish.relation != "above" || wish.count < 2 || !layout.why_not(wish.kind).empty()) return false;
+    const PieceRequest request = layout.request(wish.kind, &wish);
+    const Piece piece = make_piece(request);
+    if (piece.mount != Mount::ceiling) return false;
+    const std::size_t before = layout.mark();
+    for (int i = 0; i < static_cast<int>(before); ++i) {
+        const Placed below = layout.placed()[static_cast<std::size_t>(i)];
+        if (below.piece.kind != wish.relation_to && below.wish.kind != wish.relation_to) continue;
+        const Vec3f size = below.piece.size_m;
+        const Vec3f along = size.z > size.x ? front_of(below.yaw) : right_of(below.yaw);
+        const float reach = std::max(size.x, size.z), wide = std::max(piece.size_m.x, piece.size_m.z);
+        const auto count = static_cast<float>(wish.count);
+        for (const float part : {0.7f, 0.85f, 1.f}) {
+            const float step = std::max(reach * part / count, wide + 0.05f);
+            if (step * (count - 1) + wide > reach + 0.4f) continue;
+            for (const float aside : {0.f, 0.1f, -0.1f, 0.2f, -0.2f}) {
+                int done = 0;
+                for (; done < wish.count; ++done) {
+                    const float at = (static_cast<float>(done) - 0.5f * (count - 1)) * step + aside;
+                    const auto k = layout.hanging(request, flat(below.position + along * at), wish);
+                    if (!k) break;
+                    layout.join(*k, i);
+                }
+                if (done == wish.count) return true;
+                layout.undo(before);
+            }
+        }
+    }
+    return false;
+}
+
+// What needs no wall, about the point where it was asked: "put a beanbag there".
+bool Editor::stand_near(Layout& layout, const EditStep& step) const {
+    constexpr int kRings = 8, kWaysAround = 12;
+    constexpr float kFarthest = 0.9f;  // metres: further off it is not there
+    const PromptObject& wish = layout.spec().objects[0];
+    if (!step.position || wish.count > 1 || !layout.why_not(wish.kind).empty()) return false;
+    const Piece piece = make_piece(layout.request(wish.kind, &wish));
+    if (piece.mount != Mount::floor || piece.against_wall) return false;
+    const Vec2f to_middle = *step.position * -1.f;
+    const float yaw = step.yaw.value_or(std::atan2(to_middle.x, to_middle.y));
+    for (int ring = 0; ring <= kRings; ++ring)
+        for (int way = 0; way < (ring == 0 ? 1 : kWaysAround); ++way) {
+            const float angle = 2 * kPi * static_cast<float>(way) / kWaysAround;
+            const Vec2f at = *step.position +
+                             Vec2f{std::sin(angle), std::cos(angle)} * (kFarthest * static_cast<float>(ring) / kRings);
+            if (layout.stand_at(piece, at, yaw, wish, {})) return true;
+        }
+    return false;
+}
+
+// Where a fine grid has a place closer to what was said than the layout's own, there. False: it stands nowhere now.
+bool Editor::bring_nearer(Layout& layout, const EditStep& step, std::size_t before) const {
+    constexpr float kClose = 0.3f, kGain = 0.15f;  // metres
+    const PromptObject wish = layout.spec().objects[0];
+    if (wish.count > 1 || layout.mark() != before + 1 ||
+        !is_one_of(wish.relation, {"next to", "behind", "in front of", "left of", "right of", "between"}))
+        return true;
+    const Placed found = layout.placed().back();
+    if (found.piece.mount != Mount::floor || found.flat || found.with >= 0) return true;
+    const auto off = [&] {
+        return off_place(layout.placed(), footprint_of(layout.placed().back()), &layout.placed().back(), wish);
+    };
+    const float now = off();
+    if (now > 1e8f || now < kClose) return true;
+    layout.undo(before);
+    if (search_finely(layout, step)) {
+        if (off() < now - kGain) return true;
+        layout.undo(before);
+    }
+    return layout.stand_at(found.piece, flat(found.position), found.yaw, wish, {}).has_value();
+}
+
+// Side by side, backs to one wall; the middle of the wall first.
+void Editor::line_up(const EditStep& step) {
+    if (step.ids.size() < 2) throw UsageError("expected several things to line up, found {}", step.ids.size());
+    std::vector<int> moving;
+    for (const std::string& id : step.ids) {
+        moving.push_back(index_of(id));
+        if (placed(moving.back()).piece.mount != Mount::floor || placed(moving.back()).flat)
+            throw UsageError("{}: only what stands on the floor is lined up at a wall", id);
+    }
+    const Standing standing = without(with_riders(moving));
+    PromptSpec spec = room_.spec;
+    spec.objects = {};
+    Random rng(room_.seed, "line");
+    Vec2f middle{};
+    for (const int i : moving) middle = middle + flat(placed(i).position) * (1.f / static_cast<float>(moving.size()));
+    std::vector<int> walls{0, 1, 2, 3};
+    if (step.wall >= 0) walls = {step.wall};
+    std::stable_sort(walls.begin(), walls.end(), [&](int a, int b) {
+        const auto off = [&](int w) { return dot(middle - flat(plan().wall(w).origin), flat(plan().wall(w).inward)); };
+        return off(a) < off(b);
+    });
+    std::string fault;
+    for (const int w : walls)
+        for (const float gap : {0.15f, 0.08f, 0.03f}) {
+            const WallFace face = plan().wall(w);
+            float total = -gap;
+            for (const int i : moving) total += placed(i).piece.size_m.x + gap;
+            std::vector<float> starts;
+            for (float u = 0; u + total <= face.length; u += 0.1f) starts.push_back(u);
+            std::stable_sort(starts.begin(), starts.end(), [&](float a, float b) {
+                const float half = (face.length - total) / 2;
+                return std::abs(a - half) < std::abs(b - half);
+            });
+            for (const float start : starts) {
+                Layout layout = begin_layout(spec, rng, standing.placed, nullptr);
+                std::vector<Pose> poses;
+                float u = start;
+                for (const int i : moving) {
+                    const Piece& piece = placed(i).piece;
+                    const Vec3f at = face.point(u + piece.size_m.x / 2, 0) + face.inward * (piece.size_m.z / 2 + 0.03f);
+                    const float yaw = std::atan2(face.inward.x, face.inward.z);
+                    if (!layout.stand_at(piece, flat(at), yaw, {}, {})) break;
+                    poses.push_back({{at.x, placed(i).position.y, at.z}, yaw});
+                    u += piece.size_m.x + gap;
+                }
+                if (poses.size() != moving.size()) continue;
+                try {
+                    checked([&] {
+                        for (std::size_t k = 0; k < moving.size(); ++k) {
+                            thing(moving[k]).with.clear();
+                            set_pose(moving[k], poses[k], {});
+                        }
+                    });
+                    return;
+                } catch (const Error& e) {
+                    if (fault.empty()) fault = e.what();
+                }
+            }
+        }
+    throw Error("{}: there is no free wall along which all {} of them could stand{}{}", step.ids.front(),
+                step.ids.size(), fault.empty() ? "" : ": ", fault);
+}
+
+}  // namespace fastscene::editing

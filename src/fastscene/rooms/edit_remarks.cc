@@ -1,0 +1,124 @@
+// What is said beside what is to be done, what is to stay, and what was not done as it was said.
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+
+#include "fastscene/base/error.h"
+#include "fastscene/base/is_one_of.h"
+#include "fastscene/rooms/catalogue.h"
+#include "fastscene/rooms/edit_parts.h"
+#include "fastscene/rooms/lexicon.h"
+#include "fastscene/rooms/prompt_text.h"
+
+namespace fastscene::editing {
+namespace {
+
+// The lexicon's word for what a wish was called, where that is not quite what stands there.
+std::optional<Word> stand_in_word(const PromptObject& wish) {
+    const auto word = look_up(wish.words);
+    if (!word || word->kind != WordKind::object || word->exact || word->meaning != wish.kind) return {};
+    return word;
+}
+
+}  // namespace
+
+// What it speaks of is "them" in what follows.
+void remark(Talk& talk, const Words& words) {
+    const std::size_t end = find_word(
+        words, {"is", "isn't", "isnt", "are", "aren't", "arent", "don't", "dont", "doesn't", "doesnt", "look", "looks",
+                "feel", "feels", "seem", "seems", "blocks", "clash", "clashes"});
+    if (end > 0 && end < words.size() && is_definite(words.front())) try {
+            talk.things_of_parts(part_of(words, 0, end));
+        } catch (const UsageError&) {  // a remark about nothing that stands there
+        }
+    talk.editor.note("room", fmt::format("nothing was done about \"{}\" but what follows it", text_of(words)));
+}
+
+void keep(Talk& talk, const Words& words) {
+    Words bare = words;
+    for (bool again = true; again && bare.size() > 1;) {
+        again = false;
+        for (const char* end :
+             {"as it is", "as they are", "as is", "where it is", "where they are", "how it is", "the way it is",
+              "the way they are", "the same", "unchanged", "alone", "there", "though"}) {
+            const Words tail = tokens_of(end);
+            if (bare.size() <= tail.size() || part_of(bare, bare.size() - tail.size()) != tail) continue;
+            bare.resize(bare.size() - tail.size());
+            again = true;
+        }
+    }
+    if (find_word(bare, {"only", "just"}) < bare.size() || next_place(bare) < bare.size())
+        throw UsageError("expected what is to stay as it is, found \"{}\"", text_of(words));
+    const std::vector<std::string> before = talk.last;
+    add_new(talk.kept, talk.things_of_parts(bare));
+    talk.last = before;
+}
+
+void check_kept(const Talk& talk, const RoomDocument& before) {
+    const auto thing_of = [](const RoomDocument& document, const std::string& id) {
+        const auto found = std::find_if(document.things.begin(), document.things.end(),
+                                        [&](const DocumentThing& t) { return t.id == id; });
+        return found == document.things.end() ? nullptr : &*found;
+    };
+    for (const std::string& id : talk.kept) {
+        const DocumentThing *was = thing_of(before, id), *is = thing_of(talk.editor.document(), id);
+        if (was && (!is || is->position != was->position || is->yaw != was->yaw || is->color != was->color ||
+                    is->material != was->material || is->size_m != was->size_m))
+            throw UsageError("{}: it was to stay as it is, and another part of the sentence changes it", id);
+    }
+}
+
+void check_stand_in(const PromptObject& wish) {
+    if (const auto word = stand_in_word(wish); word && word->far)
+        throw UsageError("there is no \"{}\" to add; the nearest is of the kind \"{}\"", wish.words,
+                         in_words(wish.kind));
+}
+
+void tell_unshown(Talk& talk, const std::vector<std::string>& ids, const PromptObject& wish, const Words& words) {
+    if (ids.empty()) return;
+    if (stand_in_word(wish))
+        talk.editor.note(ids.front(), fmt::format("stands in for \"{}\", which there is none of", wish.words));
+    std::vector<std::string> unshown;
+    for (const PromptWord& word : read_in_room(talk.editor, text_of(words)).words)
+        if (word.fate == PromptWord::Fate::approximated && word.words != wish.words && !number_said(word.words) &&
+            !look_up(word.words).value_or(Word{WordKind::object, ""}).meaning.empty() &&
+            !(look_up(word.words) && look_up(word.words)->kind == WordKind::object))
+            unshown.push_back(word.words);
+    if (!unshown.empty())
+        talk.editor.note(ids.front(), fmt::format("nothing of it shows \"{}\"", fmt::join(unshown, "\", \"")));
+}
+
+std::optional<Words> laid_with(const Talk& talk, const Words& words) {
+    const std::size_t with = find_word(words, {"with"}, 1);
+    const bool lays = is_one_of(talk.said, {"set", "lay", "decorate", "dress"});
+    if (!lays || with + 1 >= words.size() || !is_definite(words.front()) || next_place(words) < with) return {};
+    Words out = part_of(words, with + 1);
+    out.push_back("on");
+    out.insert(out.end(), words.begin(), words.begin() + static_cast<std::ptrdiff_t>(with));
+    return out;
+}
+
+void line_up(Talk& talk, const Words& words) {
+    const std::size_t end = next_place(words);
+    EditStep step;
+    step.kind = EditStep::Kind::line;
+    const std::vector<std::string> spoken = talk.last;
+    step.ids = talk.things_of_parts(part_of(words, 0, end));
+    Words there = part_of(words, end);
+    if (!there.empty() && is_one_of(text_of(there), {"in a row", "in a line", "side by side"})) there.clear();
+    if (!there.empty()) {
+        const auto relation = relation_at(there, 0);
+        const auto part = relation ? room_part(there, relation->next) : std::nullopt;
+        if (!part || !is_one_of(part->noun, {"wall", "window", "door"}))
+            throw UsageError("expected a wall to line things up at, found \"{}\"", text_of(there));
+        const bool any = part->noun == "wall" && part->next == there.size() &&
+                         std::all_of(part->modifiers.begin(), part->modifiers.end(), [](const std::string& w) {
+                             return is_definite(w) || is_one_of(w, {"a", "any", "one"});
+                         });
+        if (!any) step.wall = wall_meant(talk.editor, part_of(there, relation->next), spoken);
+    }
+    talk.editor.apply(step);
+}
+
+}  // namespace fastscene::editing
