@@ -101,6 +101,12 @@ Vec3f color_of(const Piece& piece) {
     return main < piece.materials.size() ? piece.materials[main].color_a : Vec3f{0.5f, 0.5f, 0.5f};
 }
 
+void repaint(Material& m, const EditStep& step, const Style& style) {
+    if (step.brighter == 1) return apply_wish(m, step.wish, true, style.palette);
+    for (Vec3f* c : {&m.color_a, &m.color_b, &m.color_c})
+        for (std::size_t a = 0; a < 3; ++a) (*c)[a] = std::min(0.85f, (*c)[a] * step.brighter);
+}
+
 }  // namespace
 
 std::string Editor::color_seen(const std::string& id) const {
@@ -139,24 +145,27 @@ void Editor::recolor(const EditStep& step) {
     build();
 }
 
-// The wall with a look of its own; there is one.
-void Editor::accent(int wall) {
+// One wall alone; the others keep their look.
+void Editor::recolor_wall(int wall, const EditStep& step, const std::string& said) {
     const Plan& now = plan();
-    if (now.accent && now.accent_wall == wall) return;
-    const Material &own = now.style.accent_wall, &others = now.style.wall;
-    const bool alike = own.pattern == others.pattern && own.color_a == others.color_a;
-    if (now.accent && !alike)
-        throw Error("one wall has a look of its own, and wall {} has one already: paint that like the others first",
-                    now.accent_wall);
-    result_.document.plan.accent_wall = wall;
-    result_.document.surfaces.accent_wall = others;
+    auto& own = result_.document.surfaces.walls[static_cast<std::size_t>(wall)];
+    Material m = own ? *own : now.accent && now.accent_wall == wall ? now.style.accent_wall : now.style.wall;
+    repaint(m, step, now.style);
+    if (!step.wish.color.empty()) m.name = step.wish.color + " wall";
+    own = m;
+    tell(fmt::format("wall {}", wall), step.brighter != 1 ? (step.brighter > 1 ? "lighter" : "darker") : said);
     build();
 }
 
 void Editor::recolor_surface(const EditStep& step, const std::string& said) {
     const Style& style = room_.furnished.plan.style;
     DocumentSurfaces& own = result_.document.surfaces;
-    if (step.wall >= 0) accent(step.wall);
+    if (step.wall >= 0) return recolor_wall(step.wall, step, said);
+    if (step.surface == "accent_wall") {
+        if (!plan().accent) throw Error("there is no accent wall in the room; name one: \"the wall behind the bed\"");
+        return recolor_wall(plan().accent_wall, step, said);
+    }
+    if (step.surface == "wall") own.walls = {};
     const std::vector<std::pair<std::string_view, std::pair<std::optional<Material>*, const Material*>>> parts{
         {"wall", {&own.wall, &style.wall}},
         {"accent_wall", {&own.accent_wall, &style.accent_wall}},
@@ -167,15 +176,11 @@ void Editor::recolor_surface(const EditStep& step, const std::string& said) {
         // "The walls" are all of them.
         if (name != step.surface && !(name == "accent_wall" && step.surface == "wall")) continue;
         Material m = *part.second;
-        if (step.brighter != 1)
-            for (Vec3f* c : {&m.color_a, &m.color_b, &m.color_c})
-                for (std::size_t a = 0; a < 3; ++a) (*c)[a] = std::min(0.85f, (*c)[a] * step.brighter);
-        else apply_wish(m, step.wish, true, style.palette);
+        repaint(m, step, style);
         if (!step.wish.color.empty()) m.name = step.wish.color + " " + step.surface;
         *part.first = m;
     }
-    const std::string name = step.wall >= 0 ? fmt::format("wall {}", step.wall) : step.surface;
-    tell(name, step.brighter != 1 ? (step.brighter > 1 ? "lighter" : "darker") : said);
+    tell(step.surface, step.brighter != 1 ? (step.brighter > 1 ? "lighter" : "darker") : said);
     build();
 }
 

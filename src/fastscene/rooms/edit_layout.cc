@@ -161,7 +161,7 @@ bool Editor::at_a_wall(Layout& layout, const EditStep& step, const Placed* movin
     if (!layout.why_not(wish.kind).empty()) return false;
     const PieceRequest request = layout.request(wish.kind, &wish);
     const Mount mount = make_piece(request).mount;
-    if (mount != Mount::floor && mount != Mount::wall) return false;
+    if (mount == Mount::ceiling) return false;
     const bool corner = wish.relation == "in the corner";
     const int own = moving ? wall_behind(plan(), *moving) : -1;
     std::vector<int> walls{step.wall};
@@ -171,6 +171,10 @@ bool Editor::at_a_wall(Layout& layout, const EditStep& step, const Placed* movin
     if (step.wall < 0 && step.elsewhere && !corner && own >= 0) walls.pop_back();
     if (step.opposite && own >= 0 && !corner) walls.resize(1);
     for (const int wall : walls) {
+        if (mount == Mount::surface) {
+            if (!corner && on_top_at_wall(layout, wall)) return true;
+            continue;
+        }
         Layout::WallWish there{.wall = wall, .center_pull = 0.4f, .corner = corner};
         if (step.position) there.near = step.position, there.at_most_from_near = 1.3f;
         const std::size_t before = layout.mark();
@@ -224,8 +228,8 @@ std::vector<Placed> Editor::laid_out(const Standing& standing, const EditStep& s
     else {
         if (step.position) done = stand_near(layout, step) || near_a_point(layout, step);
         if (!done)
-            done = hang_above(layout, wish) || hang_in_row(layout) || at_the_ends(layout) ||
-                   in_the_middle(layout, step, moving) || on_the_floor(layout, step);
+            done = hang_above(layout, wish) || hang_in_row(layout) || on_flat(layout) || on_top_beside(layout) ||
+                   at_the_ends(layout) || in_the_middle(layout, step, moving) || on_the_floor(layout, step);
         if (!done && wish.relation != kAtTheEnds && !step.on_floor) place_asked(layout);
         if (layout.mark() == before || !is_where_asked(plan(), layout.placed(), layout.placed().back(), wish)) {
             layout.undo(before);
@@ -381,6 +385,7 @@ std::vector<std::string> Editor::admit(const std::vector<Placed>& all, const Sta
 }
 
 void Editor::add(const EditStep& step) {
+    if (step.wish.relation == "on both sides of" && step.wish.count == 2) check_no_pair(step);
     const std::vector<Placed> all = with_added(step);
     admit(all, without({}), place_in_words(step));
     build();

@@ -50,7 +50,9 @@ bool names_things(const Words& words) {
 // Cuts "the sofa dark green", "the sofa to dark green"; no value: all of it is the subject.
 void cut(const Words& part, Words& subject, Words& value, Words& by) {
     subject = part;
-    if (value_of(part)) {
+    // "The tiles black" are tiles, no look.
+    const bool of_those = part.size() > 2 && is_definite(part.front());
+    if (!of_those && value_of(part)) {
         value = part, subject.clear();
         return;
     }
@@ -66,7 +68,7 @@ void cut(const Words& part, Words& subject, Words& value, Words& by) {
             return;
         }
     }
-    for (std::size_t i = 1; i < part.size(); ++i)
+    for (std::size_t i = of_those ? 2 : 1; i < part.size(); ++i)
         if (value_of(part_of(part, i))) {
             value = part_of(part, i), subject = part_of(part, 0, i);
             return;
@@ -182,7 +184,7 @@ std::vector<std::string> make_one(Talk& talk, const Words& subject, const Value&
     if (value.resizes() && speaks_of_shell(subject)) refuse_shell();
     if (!value.resizes()) step.surface = surface_said(subject);
     if (step.surface == "tiles") step.surface = tiled_surface(talk.editor);
-    if (step.surface == "accent_wall" && !says_any(subject, {"accent"})) {
+    else if (step.surface == "accent_wall" && !says_any(subject, {"accent"})) {
         Words which = subject;
         std::erase_if(which, [](const std::string& w) { return is_one_of(w, {"only", "just"}); });
         step.wall = wall_meant(talk.editor, which, talk.last);

@@ -94,6 +94,16 @@ bool put_at(Talk& talk, const std::vector<std::string>& ids, const Words& words,
     return true;
 }
 
+// "Push the chairs in": up to the table at which they stand; false: they stand at none.
+bool push_in(Talk& talk, const std::vector<std::string>& ids) {
+    for (const std::string& id : ids) {
+        const int at = talk.editor.placed(id).with;
+        if (at < 0) return false;
+        put_at(talk, {id}, {"to", talk.editor.document().things[static_cast<std::size_t>(at)].id}, {});
+    }
+    return true;
+}
+
 void move_one(Talk& talk, const std::vector<Words>& before, const Words& words) {
     std::string wrong;
     const std::vector<std::string> spoken = talk.last;
@@ -114,6 +124,7 @@ void move_one(Talk& talk, const std::vector<Words>& before, const Words& words) 
             continue;
         }
         talk.last = ids;
+        if (split.place == Words{"in"} && push_in(talk, ids)) return;
         if (put_at(talk, ids, split.place, spoken)) return;
         if (wrong.empty()) wrong = fmt::format("expected a place in the room, found \"{}\"", text_of(split.place));
     }

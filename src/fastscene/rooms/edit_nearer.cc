@@ -14,6 +14,12 @@
 namespace fastscene::editing {
 namespace {
 
+// A table or a cabinet, and nothing that one sits or lies on.
+bool is_free_top(const Placed& p) {
+    return p.on < 0 && !p.piece.surfaces.empty() && !has_role(p.piece.kind, Role::seat) &&
+           !has_role(p.piece.kind, Role::bed) && !has_role(p.piece.kind, Role::no_top);
+}
+
 // How far a box is from the things of a kind, or from the middle between two of them.
 float off_place(const std::vector<Placed>& all, const Footprint& box, const Placed* own, const PromptObject& wish) {
     const auto is_of = [&](const Placed& p, const std::string& kind) {
@@ -68,8 +74,103 @@ bool Editor::hang_in_row(Layout& layout) const {
                 layout.undo(before);
             }
         }
+        // Around what hangs there already.
+        int done = 0;
+        for (float at = -reach / 2 - 0.1f, last = -1e9f; at <= reach / 2 + 0.1f && done < wish.count; at += 0.05f) {
+            if (at - last < wide + 0.08f) continue;
+            const auto k = layout.hanging(request, flat(below.position + along * at), wish);
+            if (!k) continue;
+            layout.join(*k, i);
+            last = at, ++done;
+        }
+        if (done == wish.count) return true;
+        layout.undo(before);
     }
     return false;
+}
+
+// On a rug: what is set on tops, and what stands.
+bool Editor::on_flat(Layout& layout) const {
+    const PromptObject& wish = layout.spec().objects[0];
+    if (wish.relation != "on" || wish.count > 1 || !layout.why_not(wish.kind).empty()) return false;
+    const PieceRequest request = layout.request(wish.kind, &wish);
+    const Piece piece = make_piece(request);
+    if (piece.mount != Mount::surface) return false;
+    for (int i = 0; i < static_cast<int>(layout.placed().size()); ++i) {
+        const Placed rug = layout.placed()[static_cast<std::size_t>(i)];
+        if (!rug.flat || (rug.piece.kind != wish.relation_to && rug.wish.kind != wish.relation_to)) continue;
+        constexpr int kTries = 6;
+        for (int k = 0; k < kTries; ++k) {
+            const std::size_t before = layout.mark();
+            if (!layout.on_floor_near(flat(rug.position), request, wish)) continue;
+            if (stands_as_asked(plan(), layout.placed(), layout.placed().back(), wish).value_or(false)) return true;
+            layout.undo(before);
+        }
+    }
+    return false;
+}
+
+// "A lamp next to the bed" stands on what is closest by, at the bed's head first.
+bool Editor::on_top_beside(Layout& layout) const {
+    constexpr float kBy = 0.35f, kHigh = 1.3f;  // metres
+    const PromptObject& wish = layout.spec().objects[0];
+    if (wish.relation != "next to" || wish.count > 1 || !layout.why_not(wish.kind).empty()) return false;
+    const PieceRequest request = layout.request(wish.kind, &wish);
+    if (make_piece(request).mount != Mount::surface) return false;
+    std::vector<std::pair<float, int>> tops;
+    const std::vector<Placed> all = layout.placed();
+    for (const Placed& at : all) {
+        if (at.on >= 0 || (at.piece.kind != wish.relation_to && at.wish.kind != wish.relation_to)) continue;
+        for (int i = 0; i < static_cast<int>(all.size()); ++i) {
+            const Placed& top = all[static_cast<std::size_t>(i)];
+            if (&top == &at || !is_free_top(top) || top.piece.size_m.y > kHigh) continue;
+            const Footprint box = footprint_of(top);
+            const Vec2f to = flat(at.position) - box.center;
+            const float off = distance_to(footprint_of(at), box.center) -
+                              extent(box, to * (1 / std::max(1e-3f, length(to))));
+            const bool bed = has_role(at.piece.kind, Role::bed);
+            const float head = bed ? std::max(0.f, dot(box.center - flat(at.position), flat(front_of(at.yaw)))) : 0.f;
+            if (off < kBy) tops.emplace_back(off + head, i);
+        }
+    }
+    std::stable_sort(tops.begin(), tops.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+    return std::any_of(tops.begin(), tops.end(), [&](const auto& top) {
+        return layout.on_top(top.second, request, wish).has_value() &&
+               stands_as_asked(plan(), layout.placed(), layout.placed().back(), wish).value_or(false);
+    });
+}
+
+// What needs a top, on one that stands at a wall.
+bool Editor::on_top_at_wall(Layout& layout, int wall) const {
+    const PromptObject& wish = layout.spec().objects[0];
+    const PieceRequest request = layout.request(wish.kind, &wish);
+    const auto count = static_cast<int>(layout.placed().size());
+    for (int i = 0; i < count; ++i) {
+        const Placed top = layout.placed()[static_cast<std::size_t>(i)];
+        if (!is_free_top(top) || wall_behind(plan(), top) != wall) continue;
+        if (layout.on_top(i, request, wish)) return true;
+    }
+    return false;
+}
+
+// A pair that stands there already needs no other.
+void Editor::check_no_pair(const EditStep& step) const {
+    constexpr float kBy = 0.5f;  // metres
+    const std::vector<Placed>& all = room_.furnished.placed;
+    for (const Placed& at : all) {
+        if (asked_kind(at) != step.wish.relation_to && at.piece.kind != step.wish.relation_to) continue;
+        if (!step.at.empty() && std::find(step.at.begin(), step.at.end(), at.id) == step.at.end()) continue;
+        std::string left, right;
+        for (const Placed& p : all) {
+            if (p.piece.kind != step.wish.kind && asked_kind(p) != step.wish.kind) continue;
+            const Vec3f d = p.position - at.position;
+            const Footprint box = footprint_of(p);
+            if (distance_to(footprint_of(at), box.center) - std::max(box.half.x, box.half.y) > kBy) continue;
+            (dot(d, right_of(at.yaw)) > 0 ? right : left) = p.id;
+        }
+        if (!left.empty() && !right.empty())
+            throw Error("{}: {} and {} stand on both sides of {} already", step.wish.words, left, right, at.id);
+    }
 }
 
 // What needs no wall, about the point where it was asked: "put a beanbag there".

@@ -100,9 +100,13 @@ class Editor {
 
     // ---- edit_nearer.cc
     bool hang_in_row(Layout& layout) const;
+    bool on_flat(Layout& layout) const;
+    bool on_top_beside(Layout& layout) const;
+    bool on_top_at_wall(Layout& layout, int wall) const;
     bool stand_near(Layout& layout, const EditStep& step) const;
     bool bring_nearer(Layout& layout, const EditStep& step, std::size_t before) const;
     void line_up(const EditStep& step);
+    void check_no_pair(const EditStep& step) const;
 
     // ---- edit_shapes.cc
     void reshape(const EditStep& step);
@@ -121,7 +125,7 @@ class Editor {
     void take(const std::vector<std::string>& ids);
     void recolor(const EditStep& step);
     void recolor_surface(const EditStep& step, const std::string& said);
-    void accent(int wall);
+    void recolor_wall(int wall, const EditStep& step, const std::string& said);
     void restyle(const std::string& name);
     void light(const std::string& value);  // edit_light.cc
     void brighten(bool more, bool lamps_alone);

@@ -247,12 +247,10 @@ class Reader {
     std::optional<Place> at_wall_of(const Words& rest) {
         auto out = Reader(editor_, rest, kind_, mover_, spoken_).read();
         if (!out || !is_one_of(out->step.wish.relation, {"opposite", "behind"})) return out;
-        const auto anchors = things_at(editor_, out->step);
-        if (anchors.empty()) return out;
-        const Vec3f front = front_of(editor_.placed(anchors.front()).yaw);
-        const bool opposite = out->step.wish.relation == "opposite";
+        Words wall{"the", "wall"};
+        wall.insert(wall.end(), rest.begin(), rest.end());
         out = place("against");
-        out->step.wall = wall_towards(editor_.plan(), opposite ? front : front * -1.f);
+        out->step.wall = wall_meant(editor_, wall, spoken_);
         return out;
     }
 
@@ -299,6 +297,10 @@ class Reader {
         const Placed& first = editor_.room().furnished.placed[static_cast<std::size_t>(found.front())];
         if (looked.empty()) out.step.wish.relation = suited(name, kind_, first);
         if (name == "along" || name == "against") out.step.wish.relation = "next to";
+        // A blanket over a sofa lies on it.
+        if (name == "above" && find_word(words_, {"over", "across"}) < relation.next &&
+            furnishing::lies_on_seats(kind_))
+            out.step.wish.relation = "on";
         if (each)
             for (const int i : found)
                 out.each_at.push_back({editor_.document().things[static_cast<std::size_t>(i)].id});
@@ -326,7 +328,9 @@ class Reader {
         const bool both = part.says({"each", "both", "either", "every"});
         const bool seats = has_role(kind_, Role::seat) && !anchors.empty() &&
                            is_table(editor_.placed(anchors.front()).piece.kind);
-        if (part.says({"end"}) && seats) place.step.wish.relation = kAtTheEnds;
+        const bool on_top = both && furnishing::is_small(kind_) && !anchors.empty() &&
+                            !editor_.placed(anchors.front()).piece.surfaces.empty();
+        if (part.says({"end"}) && (seats || on_top)) place.step.wish.relation = kAtTheEnds;
         else if (both) place.step.wish.relation = "on both sides of";
         if (both) place.count = 2;
     }

@@ -231,13 +231,15 @@ namespace {
 struct Turned {
     float off, aside;  // metres, radians
 };
-std::vector<Turned> turns() {
+std::vector<Turned> turns(bool far) {
     constexpr float kNearly = 12 * kPi / 180;
     std::vector<Turned> out{{0, 0}};
     for (const float off : {0.06f, 0.12f, 0.2f, 0.3f}) out.push_back({off, 0});
     for (const float off : {0.f, 0.06f, 0.12f, 0.2f, 0.3f, 0.4f, 0.5f, 0.6f, 0.7f, 0.8f})
         for (const float part : {0.f, 1.f, -1.f, 2.f, -2.f})
             if (off > 0.3f || part != 0) out.push_back({off, part * kNearly});
+    for (const float off : {0.9f, 1.f, 1.1f, 1.2f})
+        if (far) out.push_back({off, 0});
     return out;
 }
 constexpr int kWays = 16;
@@ -258,7 +260,9 @@ void Editor::face(const EditStep& step) {
         const float sign = has_role(p.piece.kind, Role::work_place) ? -1.f : 1.f;
         const Vec2f ahead_now = (*target - flat(p.position)) * sign;
         const float wrong_by = std::abs(std::remainder(std::atan2(ahead_now.x, ahead_now.y) - p.yaw, 2 * kPi));
-        for (const auto& [off, aside] : turns()) {
+        const std::vector<int> seats = seats_at(i);
+        const bool sat_at = sign < 0 && !seats.empty();
+        for (const auto& [off, aside] : turns(sat_at)) {
             if (std::abs(aside) > wrong_by / 2) continue;  // it would hardly turn
             const int ways = off > 0 ? kWays : 1;
             for (int way = 0; way < ways && !done; ++way) {
@@ -275,7 +279,8 @@ void Editor::face(const EditStep& step) {
                 }
                 Placed turned = p;
                 turned.position = to, turned.yaw = yaw;
-                for (const std::vector<int>& along : {seats_at(i), std::vector<int>{}}) {
+                for (const std::vector<int>& along : {seats, std::vector<int>{}}) {
+                    if (sat_at && along.empty()) continue;  // nobody could sit at it
                     if (off > 0 && !stands_clear(i, footprint_of(turned), along)) continue;
                     const std::string wrong = new_fault(with_pose(i, {to, yaw}, along));
                     if (off == 0 && aside == 0) fault = wrong;

@@ -80,10 +80,10 @@ void tell_unshown(Talk& talk, const std::vector<std::string>& ids, const PromptO
     if (stand_in_word(wish))
         talk.editor.note(ids.front(), fmt::format("stands in for \"{}\", which there is none of", wish.words));
     std::vector<std::string> unshown;
-    for (const PromptWord& word : read_in_room(talk.editor, text_of(words)).words)
-        if (word.fate == PromptWord::Fate::approximated && word.words != wish.words && !number_said(word.words) &&
-            !look_up(word.words).value_or(Word{WordKind::object, ""}).meaning.empty() &&
-            !(look_up(word.words) && look_up(word.words)->kind == WordKind::object))
+    for (const PromptWord& word : read_in_room(talk.editor, text_of(words, 0, next_place(words))).words)
+        if (const auto known = look_up(word.words);
+            word.fate == PromptWord::Fate::approximated && word.words != wish.words && !number_said(word.words) &&
+            known && known->kind != WordKind::object && known->kind != WordKind::relation && !known->meaning.empty())
             unshown.push_back(word.words);
     if (!unshown.empty())
         talk.editor.note(ids.front(), fmt::format("nothing of it shows \"{}\"", fmt::join(unshown, "\", \"")));
@@ -109,14 +109,17 @@ void line_up(Talk& talk, const Words& words) {
     if (!there.empty() && is_one_of(text_of(there), {"in a row", "in a line", "side by side"})) there.clear();
     if (!there.empty()) {
         const auto relation = relation_at(there, 0);
-        const auto part = relation ? room_part(there, relation->next) : std::nullopt;
+        // "Along the wall" is a word of the lexicon.
+        std::size_t at = relation ? relation->next : there.size();
+        if (at == there.size()) at = 1;
+        const auto part = relation ? room_part(there, at) : std::nullopt;
         if (!part || !is_one_of(part->noun, {"wall", "window", "door"}))
             throw UsageError("expected a wall to line things up at, found \"{}\"", text_of(there));
         const bool any = part->noun == "wall" && part->next == there.size() &&
                          std::all_of(part->modifiers.begin(), part->modifiers.end(), [](const std::string& w) {
                              return is_definite(w) || is_one_of(w, {"a", "any", "one"});
                          });
-        if (!any) step.wall = wall_meant(talk.editor, part_of(there, relation->next), spoken);
+        if (!any) step.wall = wall_meant(talk.editor, part_of(there, at), spoken);
     }
     talk.editor.apply(step);
 }

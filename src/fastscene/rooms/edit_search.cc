@@ -196,7 +196,8 @@ bool Editor::search_finely(Layout& layout, const EditStep& step) const {
 bool Editor::at_the_ends(Layout& layout) const {
     const PromptObject& wish = layout.spec().objects[0];
     if (wish.relation != kAtTheEnds || !layout.why_not(wish.kind).empty()) return false;
-    const Piece piece = make_piece(layout.request(wish.kind, &wish));
+    const PieceRequest request = layout.request(wish.kind, &wish);
+    const Piece piece = make_piece(request);
     int done = 0;
     for (int t = 0; t < static_cast<int>(layout.placed().size()); ++t) {
         const Placed table = layout.placed()[static_cast<std::size_t>(t)];
@@ -204,6 +205,18 @@ bool Editor::at_the_ends(Layout& layout) const {
         const bool wide = table.piece.size_m.x >= table.piece.size_m.z;
         const Vec3f along = wide ? right_of(table.yaw) : front_of(table.yaw);
         const float half = (wide ? table.piece.size_m.x : table.piece.size_m.z) / 2;
+        if (piece.mount == Mount::surface) {
+            const float inside = std::max(piece.size_m.x, piece.size_m.z) / 2;
+            for (const float side : {1.f, -1.f})
+                for (const float in : {0.04f, 0.1f, 0.16f, 0.24f, 0.32f}) {
+                    if (done == std::max(1, wish.count)) return true;
+                    const Vec3f at = table.position + along * (side * (half - inside - in));
+                    if (!layout.on_top_at(t, request, flat(at), table.yaw, wish)) continue;
+                    ++done;
+                    break;
+                }
+            continue;
+        }
         for (const float side : {1.f, -1.f})
             for (const float gap : {0.02f, 0.12f, 0.2f}) {
                 if (done == std::max(1, wish.count)) return true;

@@ -137,7 +137,14 @@ bool is_among(const std::string& id, const std::vector<std::string>& ids) {
 
 }  // namespace
 
-std::vector<std::string> Talk::things(const Words& words) {
+std::vector<std::string> Talk::things(const Words& said_words) {
+    Words words = said_words;
+    // "them all", "both of them", "all of those"
+    if (words.size() > 1 && words.size() < 4 && find_word(words, {"them", "it", "those", "these"}) < words.size() &&
+        std::all_of(words.begin(), words.end(), [](const std::string& w) {
+            return is_one_of(w, {"them", "it", "those", "these", "all", "both", "of", "each"});
+        }))
+        words = {"them"};
     if (words.size() == 1 && is_one_of(words.front(), {"it", "them", "they", "that", "those", "these"})) {
         if (last.empty()) throw UsageError("what is \"{}\"? nothing was named before", words.front());
         return last;

@@ -98,11 +98,11 @@ int wall_meant(const Editor& editor, const Words& words, const std::vector<std::
 
 std::string tiled_surface(const Editor& editor) {
     const Style& style = editor.plan().style;
-    const bool floor = is_tiled(style.floor);
-    const bool wall = is_tiled(style.wall) || (editor.plan().accent && is_tiled(style.accent_wall));
-    if (floor && wall) throw UsageError("which tiles? expected \"the floor tiles\" or \"the wall tiles\"");
-    if (!floor && !wall) throw UsageError("there are no tiles in the room");
-    return floor ? "floor" : "wall";
+    const bool floor = is_tiled(style.floor), walls = is_tiled(style.wall);
+    const bool accent = editor.plan().accent && is_tiled(style.accent_wall);
+    if (floor && (walls || accent)) throw UsageError("which tiles? expected \"the floor tiles\" or \"the wall tiles\"");
+    if (!floor && !walls && !accent) throw UsageError("there are no tiles in the room");
+    return floor ? "floor" : walls ? "wall" : "accent_wall";
 }
 
 }  // namespace fastscene::editing
