@@ -102,7 +102,16 @@ Vec3f color_of(const Piece& piece) {
 }
 
 void repaint(Material& m, const EditStep& step, const Style& style) {
-    if (step.brighter == 1) return apply_wish(m, step.wish, true, style.palette);
+    if (step.brighter == 1) {
+        PromptObject wish = step.wish;
+        if (!wish.color2.empty() && wish.material.empty() && wish.pattern.empty()) {
+            // Tiles of two colors alternate.
+            if (!is_tiled(m))
+                throw UsageError("expected one color, or two with a pattern: \"white with black stripes\"");
+            wish.material = "tile";
+        }
+        return apply_wish(m, wish, true, style.palette);
+    }
     for (Vec3f* c : {&m.color_a, &m.color_b, &m.color_c})
         for (std::size_t a = 0; a < 3; ++a) (*c)[a] = std::min(0.85f, (*c)[a] * step.brighter);
 }

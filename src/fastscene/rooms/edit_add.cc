@@ -17,6 +17,16 @@ namespace {
 
 // "another chair", "two more plants", "a few books"
 Words counted_anew(Words words) {
+    // "Two pictures side by side" are two pictures.
+    for (const char* row : {"side by side", "next to each other", "in a row", "in a line"}) {
+        const Words phrase = tokens_of(row);
+        for (std::size_t i = 1; i + phrase.size() <= words.size(); ++i)
+            if (part_of(words, i, i + phrase.size()) == phrase) {
+                words.erase(words.begin() + static_cast<std::ptrdiff_t>(i),
+                            words.begin() + static_cast<std::ptrdiff_t>(i + phrase.size()));
+                break;
+            }
+    }
     if (!words.empty() && words.front() == "another") words.front() = "a";
     if (words.size() > 1 && words[0] == "a" &&
         is_one_of(words[1], {"second", "third", "fourth", "fifth", "sixth", "new", "extra", "further"}))
@@ -58,7 +68,8 @@ std::vector<PromptObject> wishes_of(const Editor& editor, const Words& words) {
     if (const auto number = number_said(words.front());
         number && *number >= 1 && !is_one_of(words.front(), {"a", "an"}) && !spec.objects.front().counted)
         spec.objects.front().count = static_cast<int>(*number), spec.objects.front().counted = true;
-    for (std::size_t k = 1; k < spec.objects.size(); ++k) check_new(words, spec.objects[k]);
+    for (std::size_t k = is_definite(words.front()) ? 1 : 0; k < spec.objects.size(); ++k)
+        check_new(words, spec.objects[k]);
     for (PromptObject& o : spec.objects) {
         check_stand_in(o);
         if (is_shell(o.kind) || has_role(o.kind, Role::opening)) refuse_shell();
@@ -122,7 +133,8 @@ struct Addition {
     Words said{};
 };
 
-Addition addition_of(const Editor& editor, const Words& words, const std::vector<std::string>& spoken) {
+Addition addition_of(const Editor& editor, const Words& said, const std::vector<std::string>& spoken) {
+    const Words words = counted_anew(said);
     const std::string shape = shape_asked(words);
     for (std::size_t end = next_place(words); end < words.size(); end = next_place(words, end + 1)) {
         const Words there = part_of(words, end);
@@ -241,6 +253,12 @@ std::optional<Addition> at_the_other(const Talk& talk, const Words& words, const
     if (!is_one_of(words.back(), {"it", "them"}) || talk.last_place.wish.relation_to.empty()) return {};
     const std::vector<std::string> others = things_at(talk.editor, talk.last_place);
     if (others.empty() || others == spoken) return {};
+    // What is to lie on a shelf lies there or nowhere; a mirror carries nothing.
+    constexpr float kCarries = 0.08f;  // metres deep
+    const bool carrier = std::any_of(spoken.begin(), spoken.end(), [&](const std::string& id) {
+        return talk.editor.placed(id).piece.size_m.z > kCarries;
+    });
+    if (carrier && words.size() > 1 && words[words.size() - 2] == "on") return {};
     Addition out = addition_of(talk.editor, words, others);
     return out.place ? std::optional(out) : std::nullopt;
 }
@@ -253,7 +271,12 @@ Addition at_what_is_meant(const Talk& talk, const Words& words) {
                           return hangs(talk.editor.placed(id).piece.mount);
                       });
     Addition out = addition_of(talk.editor, words, talk.last);
-    if (hung && out.place && !hangs(mount_of(talk.editor, out.wishes.front().kind)))
+    // On a shelf is on it.
+    const bool on_it = out.place && out.place->step.wish.relation == "on" &&
+                       std::any_of(talk.last.begin(), talk.last.end(), [&](const std::string& id) {
+                           return !talk.editor.placed(id).piece.surfaces.empty();
+                       });
+    if (hung && !on_it && out.place && !hangs(mount_of(talk.editor, out.wishes.front().kind)))
         if (auto other = at_the_other(talk, words, talk.last)) return *other;
     return out;
 }
@@ -268,6 +291,15 @@ Place beside_those(const Talk& talk, const std::vector<std::string>& ids) {
 }  // namespace
 
 namespace {
+
+Words joined_parts(const std::vector<Words>& parts) {
+    Words out;
+    for (const Words& part : parts) {
+        if (!out.empty()) out.push_back(",");
+        out.insert(out.end(), part.begin(), part.end());
+    }
+    return out;
+}
 
 // "curtains in the same color as the rug"; false: no such words.
 bool add_like_another(Talk& talk, const Words& words) {
@@ -294,7 +326,46 @@ void add(Talk& talk, const Words& words) {
         add(talk, part_of(words, 0, facing));
         return face(talk, {"them", "facing", "each", "other"});
     }
-    const std::vector<Words> parts = parts_of(words);
+    // "The tv is too small, get a bigger one": in place of that.
+    if (words.size() > 2 && words.back() == "one" && !talk.last.empty() &&
+        value_of(part_of(words, 1, words.size() - 1)))
+        return replace(talk, {"it"}, words);
+    std::vector<Words> parts = parts_of(words);
+    // "an armchair by the sofa, facing the tv"
+    if (parts.size() > 1 && parts.back().front() == "facing") {
+        Words all{"them"};
+        all.insert(all.end(), parts.back().begin(), parts.back().end());
+        parts.pop_back();
+        add(talk, joined_parts(parts));
+        return face(talk, all);
+    }
+    // "a shelf over the desk with a plant and a candle on it"
+    if (const std::size_t with = find_word(words, {"with"}, 1);
+        with + 1 < words.size() && is_one_of(words.back(), {"it", "them"}) &&
+        find_word(words, {"and", ","}, with) < words.size() && begins_anew(part_of(words, with + 1)) &&
+        next_place(part_of(words, with + 1)) < words.size() - with - 1) {
+        add(talk, part_of(words, 0, with));
+        const std::vector<std::string> carriers = talk.last;
+        const std::vector<Words> riders = parts_of(part_of(words, with + 1));
+        const Words there = part_of(riders.back(), next_place(riders.back()));
+        for (Words rider : riders) {
+            if (next_place(rider) == rider.size()) rider.insert(rider.end(), there.begin(), there.end());
+            talk.last = carriers;
+            add(talk, rider);
+        }
+        talk.last = carriers;
+        return;
+    }
+    // "a rug before the bed, light yellow"
+    if (parts.size() > 1 && !number_said(parts.back().front()))
+        if (const auto value = value_of(parts.back()); value && !value->resizes() && value->brighter == 1) {
+            const Words look = parts.back();
+            parts.pop_back();
+            add(talk, joined_parts(parts));
+            Words all{"them"};
+            all.insert(all.end(), look.begin(), look.end());
+            return make(talk, all);
+        }
     // "brick walls and a concrete floor"
     if (parts.size() > 1 && std::all_of(parts.begin(), parts.end(), [&](const Words& w) {
             return is_one_of(noun_of(w.back()), {"wall", "floor", "ceiling"});
@@ -320,7 +391,7 @@ void add(Talk& talk, const Words& words) {
     std::vector<Addition> all;
     for (const Words& part : parts) {
         all.push_back(at_what_is_meant(talk, part));
-        all.back().said = part;
+        all.back().said = counted_anew(part);
     }
     if (all.empty()) throw UsageError("expected a thing to add, found the end of the sentence");
     const std::vector<std::string> spoken_before = std::exchange(talk.last, {});
@@ -377,6 +448,13 @@ void replace(Talk& talk, const Words& old, const Words& by) {
         one.insert(one.end(), by.begin() + 1, by.end());
         one.push_back("one");
         return replace(talk, old, one);
+    }
+    // "a leather one in brown"
+    if (const std::size_t one = find_word(by, {"one", "ones"}, 1); one + 2 < by.size() && by[one + 1] == "in") {
+        Words all = part_of(by, 0, one);
+        all.insert(all.end(), by.begin() + static_cast<std::ptrdiff_t>(one) + 2, by.end());
+        all.push_back(by[one]);
+        return replace(talk, old, all);
     }
     if (!by.empty() && is_one_of(by.back(), {"one", "ones"})) {
         Words all{"it"};

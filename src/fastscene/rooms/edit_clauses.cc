@@ -30,7 +30,8 @@ constexpr std::array<Row, 24> kBeginnings{{
      "reposition|transfer|tuck"},
     {Verb::put,
      "put|place|set|stand|hang|lay|position|mount|lean|put down|put up|lay down|set down|hang up|stack|"
-     "pile|pile up|scatter|spread|drape|toss|stick|pop|prop|prop up|rest|squeeze|slot|plop|pin|string|sit|"
+     "pile|pile up|scatter|spread|drape|toss|stick|pop|prop|prop up|rest|squeeze|slot|plop|pin|string|sit|roll "
+     "out|unroll|"
      "decorate|dress|arrange"},
     {Verb::make, "make|change|switch|give"},
     {Verb::refuse, "open|close|shut|rearrange|reorganize|redecorate|improve|fix|undo|redo|divide"},
@@ -50,7 +51,7 @@ constexpr std::array<Row, 24> kBeginnings{{
     {Verb::keep, "keep|leave"},
     {Verb::line, "line up|line|align"},
     {Verb::turn, "turn|rotate|spin|flip"},
-    {Verb::face, "face|point|orient|aim"},
+    {Verb::face, "face|point|orient|aim|angle"},
     {Verb::color, "paint|color|recolor|dye|tint|repaint|reupholster|cover|tile|carpet|plaster"},
     {Verb::larger, "enlarge|scale up|widen|lengthen|extend|heighten"},
     {Verb::smaller, "shrink|scale down|reduce|shorten|narrow"},
@@ -300,9 +301,13 @@ Words part_of(const Words& words, std::size_t from, std::size_t to) {
 std::vector<Words> parts_of(const Words& words) {
     std::vector<Words> parts{{}};
     bool between = false;
-    for (const std::string& w : words) {
+    for (std::size_t i = 0; i < words.size(); ++i) {
+        const std::string& w = words[i];
         if (w == "between") between = true;
-        if (is_joint(w) && !(between && w == "and")) {
+        // "between the beds and a poster": of two of a kind it is said already between what.
+        const bool said = i > 0 && i + 1 < words.size() && (words[i - 1].ends_with("s") || words[i - 1] == "them") &&
+                          is_one_of(words[i + 1], {"a", "an", "another", "some", "two", "three"});
+        if (is_joint(w) && !(between && w == "and" && !said)) {
             if (!parts.back().empty()) parts.emplace_back();
             between = false;
             continue;

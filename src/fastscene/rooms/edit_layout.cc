@@ -265,16 +265,24 @@ std::vector<Placed> Editor::laid_out(const Standing& standing, const EditStep& s
 }
 
 void Editor::place(const EditStep& step) {
-    for (const std::string& id : step.ids) {
-        const int index = index_of(id);
-        const std::vector<int> seats = seats_at(index);
-        if (!seats.empty()) try {
-                place_one(index, seats, step);
-                continue;
-            } catch (const Error&) {  // there is no room for them: it goes alone
-            }
-        place_one(index, {}, step);
-    }
+    std::vector<std::string> already;
+    for (const std::string& id : step.ids) try {
+            place_with_seats(index_of(id), step);
+        } catch (const AlreadySo&) {
+            if (step.ids.size() == 1) throw;
+            already.push_back(id);
+        }
+    if (already.size() == step.ids.size()) throw AlreadySo(already.front() + ": it stands there already");
+    for (const std::string& id : already) tell(id, "stands there already");
+}
+
+void Editor::place_with_seats(int index, const EditStep& step) {
+    const std::vector<int> seats = seats_at(index);
+    if (!seats.empty()) try {
+            return place_one(index, seats, step);
+        } catch (const Error&) {  // there is no room for them: it goes alone
+        }
+    place_one(index, {}, step);
 }
 
 void Editor::place_one(int index, const std::vector<int>& along, EditStep step) {
@@ -300,7 +308,7 @@ void Editor::place_one(int index, const std::vector<int>& along, EditStep step) 
     const bool there = step.wall < 0 && !step.elsewhere && step.at.empty() && !wish.relation.empty() &&
                        is_where_asked(plan(), room_.furnished.placed, placed(index), now);
     if (length(found.position - was.position) < (there ? kNudge : kThere))
-        throw Error("{}: it stands there already", id);
+        throw AlreadySo(id + ": it stands there already");
     try {
         checked([&] { stand_at_found(index, found, standing, step, along); });
     } catch (const Error& e) {

@@ -51,7 +51,7 @@ bool names_things(const Words& words) {
 void cut(const Words& part, Words& subject, Words& value, Words& by) {
     subject = part;
     // "The tiles black" are tiles, no look.
-    const bool of_those = part.size() > 2 && is_definite(part.front());
+    const bool of_those = part.size() > 2 && is_definite(part.front()) && !is_one_of(part.front(), {"it", "them"});
     if (!of_those && value_of(part)) {
         value = part, subject.clear();
         return;
@@ -199,6 +199,12 @@ std::vector<std::string> make_one(Talk& talk, const Words& subject, const Value&
     suit_cloth(talk, step);
     if (says_any(subject, {"worktop", "worktops", "countertop", "countertops"})) of_the_top(step.wish);
     if (value.by == Vec3f{}) {
+        if (step.brighter != 1 && !step.wish.material.empty()) {  // dark wood: wood first
+            EditStep first = step;
+            first.brighter = 1;
+            talk.editor.apply(first);
+            step.wish = {};
+        }
         talk.editor.apply(step);
         return step.ids;
     }

@@ -85,11 +85,17 @@ bool put_at(Talk& talk, const std::vector<std::string>& ids, const Words& words,
     if (!place && !why_not.empty()) throw Error("{}", why_not);
     if (!place) return false;
     place->step.kind = EditStep::Kind::place;
-    for (std::size_t k = 0; k < ids.size(); ++k) {
-        place->step.ids = {ids[k]};
-        if (!place->each_at.empty()) place->step.at = place->each_at[k % place->each_at.size()];
-        talk.editor.apply(place->step);
-    }
+    std::vector<std::string> already;
+    for (std::size_t k = 0; k < ids.size(); ++k) try {
+            place->step.ids = {ids[k]};
+            if (!place->each_at.empty()) place->step.at = place->each_at[k % place->each_at.size()];
+            talk.editor.apply(place->step);
+        } catch (const AlreadySo&) {
+            if (ids.size() == 1) throw;
+            already.push_back(ids[k]);
+        }
+    if (already.size() == ids.size()) throw AlreadySo(already.front() + ": it stands there already");
+    for (const std::string& id : already) talk.editor.note(id, "stands there already");
     talk.last_place = place->step;
     return true;
 }

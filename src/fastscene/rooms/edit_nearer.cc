@@ -169,7 +169,8 @@ void Editor::check_no_pair(const EditStep& step) const {
             (dot(d, right_of(at.yaw)) > 0 ? right : left) = p.id;
         }
         if (!left.empty() && !right.empty())
-            throw Error("{}: {} and {} stand on both sides of {} already", step.wish.words, left, right, at.id);
+            throw AlreadySo(
+                fmt::format("{}: {} and {} stand on both sides of {} already", step.wish.words, left, right, at.id));
     }
 }
 
@@ -201,7 +202,8 @@ bool Editor::bring_nearer(Layout& layout, const EditStep& step, std::size_t befo
         !is_one_of(wish.relation, {"next to", "behind", "in front of", "left of", "right of", "between"}))
         return true;
     const Placed found = layout.placed().back();
-    if (found.piece.mount != Mount::floor || found.flat || found.with >= 0) return true;
+    if (found.piece.mount != Mount::floor || found.flat) return true;
+    if (found.with >= 0 && has_role(found.piece.kind, Role::seat)) return true;  // drawn up
     const auto off = [&] {
         return off_place(layout.placed(), footprint_of(layout.placed().back()), &layout.placed().back(), wish);
     };
@@ -212,7 +214,9 @@ bool Editor::bring_nearer(Layout& layout, const EditStep& step, std::size_t befo
         if (off() < now - kGain) return true;
         layout.undo(before);
     }
-    return layout.stand_at(found.piece, flat(found.position), found.yaw, wish, {}).has_value();
+    const auto again = layout.stand_at(found.piece, flat(found.position), found.yaw, wish, {});
+    if (again && found.with >= 0) layout.join(*again, found.with);
+    return again.has_value();
 }
 
 // Side by side, backs to one wall; the middle of the wall first.

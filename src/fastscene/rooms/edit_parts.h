@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "fastscene/base/error.h"
 #include "fastscene/rooms/edit.h"
 
 namespace fastscene::editing {
@@ -83,6 +84,7 @@ class Editor {
     bool near_a_point(Layout& layout, const EditStep& step) const;
     std::string why_none_added(EditStep step) const;
     void place(const EditStep& step);
+    void place_with_seats(int index, const EditStep& step);
     void place_one(int index, const std::vector<int>& along, EditStep step);
     void stand_at_found(int index, const Placed& found, const Standing& standing, const EditStep& step,
                         const std::vector<int>& along);
@@ -135,6 +137,12 @@ class Editor {
     Run run_;
     EditResult result_;
     DocumentRoom room_;
+};
+
+// What was asked for is so without any change: another part of the sentence may do something.
+class AlreadySo : public Error {
+  public:
+    explicit AlreadySo(const std::string& what) : Error("{}", what) {}
 };
 
 struct Talk;
@@ -226,7 +234,8 @@ std::optional<EditStep> on_support(const Editor& editor, const Words& words);
 // Of several of different kinds, the one that "the table" means in such a room; none: nobody could tell.
 std::vector<int> main_of(const Editor& editor, const std::vector<int>& found);
 
-// ---- edit_remarks.cc: what is said beside what is to be done, and what was not done as it was said
+// ---- edit_remarks.cc, by edit_sentence.cc: what is said beside what is to be done, and what was not done as it was
+// said
 
 void remark(Talk& talk, const Words& words);
 void keep(Talk& talk, const Words& words);
@@ -235,6 +244,7 @@ void check_kept(const Talk& talk, const RoomDocument& before);
 void check_stand_in(const PromptObject& wish);
 // Of what came by these words: what stands in for something else, and which words nothing of it shows.
 void tell_unshown(Talk& talk, const std::vector<std::string>& ids, const PromptObject& wish, const Words& words);
+bool done_with(Talk& talk, const Clause& clause);
 // "the table with plates and candles" -> "plates and candles on the table"; nothing: no such words.
 std::optional<Words> laid_with(const Talk& talk, const Words& words);
 // "the chairs along the wall", "the plants under the window"
@@ -246,6 +256,7 @@ void line_up(Talk& talk, const Words& words);
 bool is_one_wall(const Words& words);
 // Its number; throws UsageError where nobody could tell which.
 int wall_meant(const Editor& editor, const Words& words, const std::vector<std::string>& spoken);
+bool is_tiled(const Material& m);
 // "the tiles": floor, wall; throws UsageError where both are tiled, or none.
 std::string tiled_surface(const Editor& editor);
 

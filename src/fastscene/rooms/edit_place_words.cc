@@ -114,6 +114,9 @@ std::size_t next_place(const Words& words, std::size_t from) {
         const bool named = is_one_of(words[i], {"left", "right", "back"}) && is_definite(words[i - 1]) &&
                            i + 1 < words.size() && words[i + 1] != "of";
         if (!named && std::find(kPlaces.begin(), kPlaces.end(), words[i]) != kPlaces.end()) return i;
+        if (words[i] == "together" || words[i] == "apart" ||
+            (words[i] == "out" && (i + 1 == words.size() || is_one_of(words[i + 1], {"a", "slightly"}))))
+            return i;
         // "a bit to the left", "50 cm to the left"
         if (i + 2 < words.size() && is_one_of(words[i], {"either", "both", "each"}) &&
             is_one_of(words[i + 1], {"side", "sides", "end", "ends"}) && words[i + 2] == "of")

@@ -330,7 +330,9 @@ class Reader {
                            is_table(editor_.placed(anchors.front()).piece.kind);
         const bool on_top = both && furnishing::is_small(kind_) && !anchors.empty() &&
                             !editor_.placed(anchors.front()).piece.surfaces.empty();
-        if (part.says({"end"}) && (seats || on_top)) place.step.wish.relation = kAtTheEnds;
+        const bool bed = !anchors.empty() && has_role(editor_.placed(anchors.front()).piece.kind, Role::bed);
+        if (part.says({"end"}) && bed && !both) place.step.wish.relation = "at the foot of";
+        else if (part.says({"end"}) && (seats || on_top)) place.step.wish.relation = kAtTheEnds;
         else if (both) place.step.wish.relation = "on both sides of";
         if (both) place.count = 2;
     }

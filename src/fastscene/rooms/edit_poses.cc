@@ -274,7 +274,7 @@ void Editor::face(const EditStep& step) {
                     // By this very sentence: "before the fire, facing it".
                     done = std::any_of(result_.changes.begin(), result_.changes.end(),
                                        [&](const EditChange& c) { return c.id == id; });
-                    if (!done) throw Error("{}: it faces the {} already", id, in_words(step.wish.relation_to));
+                    if (!done) throw AlreadySo(id + ": it faces the " + in_words(step.wish.relation_to) + " already");
                     break;
                 }
                 Placed turned = p;

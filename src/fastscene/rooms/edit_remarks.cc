@@ -48,6 +48,9 @@ void keep(Talk& talk, const Words& words) {
             again = true;
         }
     }
+    if (is_one_of(text_of(bare), {"the rest", "everything else", "all else", "the others", "the other ones",
+                                  "all others", "the other things"}))
+        return;
     if (find_word(bare, {"only", "just"}) < bare.size() || next_place(bare) < bare.size())
         throw UsageError("expected what is to stay as it is, found \"{}\"", text_of(words));
     const std::vector<std::string> before = talk.last;
@@ -78,7 +81,7 @@ void check_stand_in(const PromptObject& wish) {
 void tell_unshown(Talk& talk, const std::vector<std::string>& ids, const PromptObject& wish, const Words& words) {
     if (ids.empty()) return;
     if (stand_in_word(wish))
-        talk.editor.note(ids.front(), fmt::format("stands in for \"{}\", which there is none of", wish.words));
+        talk.editor.note(ids.front(), fmt::format("the nearest thing there is to \"{}\"", wish.words));
     std::vector<std::string> unshown;
     for (const PromptWord& word : read_in_room(talk.editor, text_of(words, 0, next_place(words))).words)
         if (const auto known = look_up(word.words);
@@ -87,6 +90,23 @@ void tell_unshown(Talk& talk, const std::vector<std::string>& ids, const PromptO
             unshown.push_back(word.words);
     if (!unshown.empty())
         talk.editor.note(ids.front(), fmt::format("nothing of it shows \"{}\"", fmt::join(unshown, "\", \"")));
+}
+
+// "Angle the chairs towards each other with a table between them": what comes with what was done; false: no such words.
+bool done_with(Talk& talk, const Clause& clause) {
+    const Words& words = clause.words;
+    const bool stands = clause.verb == Verb::move || clause.verb == Verb::turn || clause.verb == Verb::face ||
+                        ((clause.verb == Verb::put || clause.verb == Verb::line) && !begins_anew(words));
+    if (!stands || !is_one_of(words.back(), {"it", "them", "each"})) return false;
+    const std::size_t with = find_word(words, {"with"}, 2);
+    if (with + 3 >= words.size() || !(number_said(words[with + 1]) || words[with + 1] == "another")) return false;
+    const Words rest = part_of(words, with + 1);
+    if (next_place(rest) == rest.size()) return false;
+    Clause first = clause;
+    first.words = part_of(words, 0, with);
+    talk.act(first);
+    add(talk, rest);
+    return true;
 }
 
 std::optional<Words> laid_with(const Talk& talk, const Words& words) {

@@ -279,10 +279,18 @@ std::string size_word(const Clause& clause) {
     return clause.verb == Verb::larger ? "larger" : "smaller";
 }
 
+// "Arrange the chairs to face the piano"
+bool to_face(const Words& words) {
+    const std::size_t face = find_word(words, {"face"}, 2);
+    return face < words.size() && words[face - 1] == "to" && is_definite(words.front()) &&
+           next_place(words) == face - 1;
+}
+
 // "Throw a blanket over the sofa", "drop a rug by the bed": something new, put somewhere.
 bool comes(const Clause& clause) {
+    constexpr std::string_view kThrown = "|throw|drop|chuck|";
     const std::size_t place = next_place(clause.words);
-    return is_one_of(clause.said, {"throw", "drop", "chuck"}) && place < clause.words.size() &&
+    return kThrown.find("|" + clause.said + "|") != kThrown.npos && place < clause.words.size() &&
            begins_anew(clause.words) && !is_one_of(clause.words[place], {"from", "off", "away"});
 }
 
@@ -325,7 +333,7 @@ void Talk::act(const Clause& clause) {
         remove(*this, old);
         return add(*this, by);
     }
-    if (put_where(*this, clause)) return;
+    if (put_where(*this, clause) || done_with(*this, clause)) return;
     switch (clause.verb) {
         case Verb::remove:
             if (comes(clause)) return put(*this, words);
@@ -338,9 +346,11 @@ void Talk::act(const Clause& clause) {
             return clear(*this, words.back() == "off" ? part_of(words, 0, words.size() - 1) : words);
         case Verb::move:
             if (says_so_that(words)) return turn(*this, words);
+            if (to_face(words)) return face(*this, words);
             return move(*this, lowered(clause));
         case Verb::put:
             if (says_so_that(words)) return turn(*this, words);
+            if (to_face(words)) return face(*this, words);
             return put(*this, words);
         case Verb::add:
             // "get the sofa out", "the plants to the window" stand already
@@ -396,8 +406,16 @@ EditResult edit_by_sentence(const RoomDocument& document, const std::string& sen
     editing::Editor editor(document, std::move(pack), run);
     editing::Talk talk{editor};
     const std::vector<editing::Clause> clauses = editing::clauses_of(sentence);
-    for (std::size_t i = 0; i < clauses.size(); ++i)
-        if (i + 1 == clauses.size() || !editing::picked_up(talk, clauses[i], clauses[i + 1])) talk.act(clauses[i]);
+    std::vector<editing::AlreadySo> already;
+    std::size_t told = 0;
+    for (std::size_t i = 0; i < clauses.size(); ++i) try {
+            if (i + 1 == clauses.size() || !editing::picked_up(talk, clauses[i], clauses[i + 1])) talk.act(clauses[i]);
+            if (clauses[i].verb == editing::Verb::remark) ++told;
+        } catch (const editing::AlreadySo& e) {
+            already.push_back(e);
+        }
+    if (!already.empty() && editor.result().changes.size() == told) throw already.front();
+    for (const editing::AlreadySo& e : already) editor.note("room", e.what());
     editing::check_kept(talk, document);
     return editor.result();
 }

@@ -61,7 +61,7 @@ Difference difference(const RoomDocument& before, const RoomDocument& after) {
         const DocumentThing& n = *found->second;
         if (n.position != t->position || n.yaw != t->yaw) out.moved.insert(id);
         if (n.color != t->color || n.material != t->material || n.holder_color != t->holder_color ||
-            n.seed != t->seed || n.size_m != t->size_m || n.lit != t->lit)
+            n.holder_material != t->holder_material || n.seed != t->seed || n.size_m != t->size_m || n.lit != t->lit)
             out.other.insert(id);
     }
     for (const auto& [id, t] : now)
@@ -226,6 +226,8 @@ Seen seen(const RoomDocument& before, const RoomDocument& after) {
         if (differs(s.floor, t.floor)) out.looks.insert("floor");
         if (differs(s.ceiling, t.ceiling)) out.looks.insert("ceiling");
         if (differs(s.trim, t.trim)) out.looks.insert("trim");
+        for (std::size_t w = 0; w < s.walls.size(); ++w)
+            if (differs(s.walls[w], t.walls[w])) out.looks.insert("wall_" + std::to_string(w));
     } else {
         out.looks.insert("style");
     }

@@ -225,7 +225,13 @@ std::optional<Value> value_of(const Words& words) {
         out.shape = shape;
         return out;
     }
-    const auto looks = looks_of(text_of(words));
+    auto looks = looks_of(text_of(words));
+    // "Dark herringbone parquet"
+    if (!looks && words.size() > 1 && is_one_of(words.front(), {"dark", "light", "pale"})) {
+        looks = looks_of(text_of(words, 1));
+        if (!looks || looks->material.empty() || !looks->color.empty()) return {};
+        out.brighter = words.front() == "dark" ? 0.6f : 1.5f;
+    }
     if (!looks) return {};
     out.looks = *looks;
     return out;

@@ -34,13 +34,14 @@ std::optional<int> wall_with(const Plan& plan, const std::string& kind) {
     return out;
 }
 
+}  // namespace
+
 bool is_tiled(const Material& m) {
     return m.pattern == Pattern::tile || m.pattern == Pattern::subway || m.pattern == Pattern::checker;
 }
 
-}  // namespace
-
 bool is_one_wall(const Words& words) {
+    if (is_one_of(text_of(words), {"one wall", "a wall", "one of the walls", "only one wall"})) return true;
     Words bare = words;
     std::erase_if(bare, [](const std::string& w) { return is_definite(w) || is_one_of(w, {"only", "just", "one"}); });
     const std::size_t wall = find_word(bare, {"wall"});

@@ -376,6 +376,8 @@ std::vector<std::string> named(const Editor& editor, const std::string& words) {
                                                                            : 0;
     if (tokens.front() == "half" && found.size() % 2 != 0)
         throw UsageError("half of {} things is no number of them, in \"{}\"", found.size(), words);
+    if (has_word(tokens, {"row", "rows"}) && has_word(tokens, {"of"}))
+        throw UsageError("nobody could tell which row; name them by number or place, found \"{}\"", words);
     if (count > found.size())
         throw UsageError("there {} only {} of \"{}\" in the room", found.size() == 1 ? "is" : "are", found.size(),
                          words);
