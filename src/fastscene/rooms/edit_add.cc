@@ -126,6 +126,23 @@ void shape_as_asked(Talk& talk, const std::vector<std::string>& ids, const std::
     }
 }
 
+// "Two ferns from the ceiling" are hanging ferns, where there are such. Throws UsageError for what does not hang.
+Words hung_from_ceiling(const Editor& editor, Words words) {
+    const std::size_t from = find_word(words, {"from", "off"}, 1);
+    if (from + 2 >= words.size() || words[from + 2] != "ceiling") return words;
+    words.erase(words.begin() + static_cast<std::ptrdiff_t>(from),
+                words.begin() + static_cast<std::ptrdiff_t>(from) + 3);
+    const auto hangs = [&](const Words& all) {
+        const PromptSpec spec = read_in_room(editor, text_of(all, 0, next_place(all)));
+        return !spec.objects.empty() && mount_of(editor, spec.objects.front().kind) == Mount::ceiling;
+    };
+    if (hangs(words)) return words;
+    Words hanging = words;
+    hanging.insert(hanging.begin() + (number_said(words.front()) ? 1 : 0), "hanging");
+    if (hangs(hanging)) return hanging;
+    throw UsageError("nothing of that kind hangs from a ceiling, found \"{}\"", text_of(words, 0, next_place(words)));
+}
+
 struct Addition {
     std::vector<PromptObject> wishes;
     std::optional<Place> place;
@@ -134,7 +151,7 @@ struct Addition {
 };
 
 Addition addition_of(const Editor& editor, const Words& said, const std::vector<std::string>& spoken) {
-    const Words words = counted_anew(said);
+    const Words words = hung_from_ceiling(editor, counted_anew(said));
     const std::string shape = shape_asked(words);
     for (std::size_t end = next_place(words); end < words.size(); end = next_place(words, end + 1)) {
         const Words there = part_of(words, end);
@@ -318,6 +335,19 @@ bool add_like_another(Talk& talk, const Words& words) {
 
 }  // namespace
 
+// "a teapot and two cups on it": all of them on what was last spoken of.
+void add_there(Talk& talk, const Words& words) {
+    const std::vector<std::string> carriers = talk.last;
+    const std::vector<Words> riders = parts_of(words);
+    const Words there = part_of(riders.back(), next_place(riders.back()));
+    for (Words rider : riders) {
+        if (next_place(rider) == rider.size()) rider.insert(rider.end(), there.begin(), there.end());
+        talk.last = carriers;
+        add(talk, rider);
+    }
+    talk.last = carriers;
+}
+
 // "a floor lamp beside the bed and two plants in the corner"; a place holds for those before it that name none.
 void add(Talk& talk, const Words& words) {
     // "two armchairs before the fire facing each other"
@@ -345,16 +375,7 @@ void add(Talk& talk, const Words& words) {
         find_word(words, {"and", ","}, with) < words.size() && begins_anew(part_of(words, with + 1)) &&
         next_place(part_of(words, with + 1)) < words.size() - with - 1) {
         add(talk, part_of(words, 0, with));
-        const std::vector<std::string> carriers = talk.last;
-        const std::vector<Words> riders = parts_of(part_of(words, with + 1));
-        const Words there = part_of(riders.back(), next_place(riders.back()));
-        for (Words rider : riders) {
-            if (next_place(rider) == rider.size()) rider.insert(rider.end(), there.begin(), there.end());
-            talk.last = carriers;
-            add(talk, rider);
-        }
-        talk.last = carriers;
-        return;
+        return add_there(talk, part_of(words, with + 1));
     }
     // "a rug before the bed, light yellow"
     if (parts.size() > 1 && !number_said(parts.back().front()))
@@ -477,7 +498,13 @@ void replace(Talk& talk, const Words& old, const Words& by) {
             talk.last.push_back(change.id);
     shape_as_asked(talk, talk.last, shape_asked(parts.front()));
     tell_unshown(talk, talk.last, step.wish, parts.front());
+    const std::vector<std::string> fresh = talk.last;
     for (std::size_t k = 1; k < parts.size(); ++k) {
+        talk.last = fresh;
+        if (next_place(parts[k]) < parts[k].size()) {  // "two armchairs and a table between them"
+            add(talk, parts[k]);
+            continue;
+        }
         PromptObject wish = wishes_of(talk.editor, parts[k]).front();
         wish.relation = "next to", wish.relation_to = step.wish.kind;
         add_wish(talk, wish, {});

@@ -44,6 +44,11 @@ bool is_where_asked(const Plan& plan, const std::vector<Placed>& all, const Plac
     if (wish.relation == "around" && has_role(piece.piece.kind, Role::seat) &&
         !is_drawn_up(all, piece, wish.relation_to))
         return false;
+    // Nothing stands "around a table" on top of a bookshelf.
+    constexpr float kHigh = 1.4f;  // metres
+    if (piece.on >= 0 && piece.position.y > kHigh &&
+        is_one_of(wish.relation, {"next to", "around", "in front of", "between"}))
+        return false;
     return stands_as_asked(plan, all, piece, wish).value_or(wish.relation.empty());
 }
 

@@ -35,6 +35,24 @@ std::vector<Split> splits_of(const Words& words) {
     return out;
 }
 
+// The second next to the first, or as near as they come from where they stand.
+bool put_together(Talk& talk, const std::vector<std::string>& ids) {
+    constexpr float kTogether = 0.35f;  // metres
+    const auto off = [&] {
+        const Footprint a = footprint_of(talk.editor.placed(ids[0])), b = footprint_of(talk.editor.placed(ids[1]));
+        const Vec2f way = (b.center - a.center) * (1 / std::max(0.01f, length(b.center - a.center)));
+        return length(b.center - a.center) - extent(a, way) - extent(b, way);
+    };
+    if (off() < 0.02f) throw AlreadySo(ids[1] + ": it stands there already");
+    EditStep step;
+    step.kind = EditStep::Kind::place;
+    step.wish.relation = "next to", step.wish.relation_to = talk.editor.placed(ids[0]).piece.kind;
+    step.ids = {ids[1]}, step.at = {ids[0]};
+    talk.editor.apply(step);
+    if (off() > kTogether) throw Error("{}: there is no free place for it close to {}", ids[1], ids[0]);
+    return true;
+}
+
 // "to the left of the bed": as far as there is room, when that is not a place.
 bool shifted(Talk& talk, const std::vector<std::string>& ids, const Words& place) {
     std::vector<EditStep> steps;
@@ -54,6 +72,7 @@ bool shifted(Talk& talk, const std::vector<std::string>& ids, const Words& place
             steps.push_back(step);
         }
     }
+    if (text_of(place) == "together" && ids.size() == 2 && !steps.empty()) return put_together(talk, ids);
     for (const std::string& id : steps.empty() ? ids : std::vector<std::string>{})
         if (const auto step = shift_of(talk.editor, place, id)) steps.push_back(*step);
     if (steps.size() < ids.size() || steps.empty()) return false;

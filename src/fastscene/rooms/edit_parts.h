@@ -366,6 +366,7 @@ bool says_so_that(const Words& words);             // "the desk so that it faces
 Words instead_of(const Words& old, const Words& by);
 // ---- edit_add.cc
 void add(Talk& talk, const Words& words);
+void add_there(Talk& talk, const Words& words);
 void copy(Talk& talk, const Words& words);
 void replace(Talk& talk, const Words& old, const Words& by);
 void swap(Talk& talk, Words words);

@@ -217,7 +217,12 @@ class Reader {
         out.step.each = !moving_ && part.says({"each", "every", "all"});
         std::optional<Vec2f> near;
         if (const auto direction = direction_said(editor_, part)) near = flat(*direction) * 100.f;
-        if (!rest.empty() && rest.front() != "of") near = point_of(rest);
+        if (rest.size() > 2 && is_one_of(rest.front(), {"furthest", "farthest", "closest", "nearest"})) {
+            Words at = rest;
+            at[0] = "next", at[1] = "to";
+            near = point_of(at);
+            if (near && rest.front().starts_with("f")) near = *near * -1.f;
+        } else if (!rest.empty() && rest.front() != "of") near = point_of(rest);
         if (near && !rest.empty() && rest.front() == "opposite") near = *near * -1.f;
         if (!rest.empty() && rest.front() != "of" && !near) return {};
         if (near) {
@@ -265,9 +270,30 @@ class Reader {
             if ((part.says({"window"}) && o.kind == Opening::Kind::window) ||
                 (part.says({"door"}) && o.kind != Opening::Kind::window))
                 out.step.wall = o.wall;
+        if (const auto wall = wall_that_looks(part)) out.step.wall = *wall;
         out.step.elsewhere = moving_ && part.is_other();
         out.step.opposite = part.says({"opposite"}) || (part.noun == "side" && part.is_other());
         return out;
+    }
+
+    // "The brick wall": the one that looks so; nothing: all do, or it was not said how it looks.
+    std::optional<int> wall_that_looks(const Part& part) const {
+        const Plan& plan = editor_.plan();
+        for (const std::string& word : part.modifiers) {
+            const auto look = is_definite(word) ? std::nullopt : looks_of(word);
+            if (!look || is_one_of(word, {"a", "an"})) continue;
+            std::vector<int> walls;
+            for (int w = 0; w < 4; ++w) {
+                const auto& own = plan.own_walls[static_cast<std::size_t>(w)];
+                const Material& m = own                                    ? *own
+                                    : plan.accent && plan.accent_wall == w ? plan.style.accent_wall
+                                                                           : plan.style.wall;
+                if (m.name.find(word) != m.name.npos) walls.push_back(w);
+            }
+            if (walls.empty()) throw UsageError("there is no {} wall in the room", word);
+            if (walls.size() == 1) return walls.front();
+        }
+        return {};
     }
 
     std::optional<Place> at_thing(const Relation& relation) {

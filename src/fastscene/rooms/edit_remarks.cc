@@ -32,6 +32,11 @@ void remark(Talk& talk, const Words& words) {
             talk.things_of_parts(part_of(words, 0, end));
         } catch (const UsageError&) {  // a remark about nothing that stands there
         }
+    // "I hate that bookshelf"
+    if (const std::size_t felt = find_word(words, {"hate", "love", "dislike"}); felt + 1 < words.size()) try {
+            talk.things_of_parts(part_of(words, felt + 1));
+        } catch (const UsageError&) {
+        }
     talk.editor.note("room", fmt::format("nothing was done about \"{}\" but what follows it", text_of(words)));
 }
 
@@ -99,13 +104,16 @@ bool done_with(Talk& talk, const Clause& clause) {
                         ((clause.verb == Verb::put || clause.verb == Verb::line) && !begins_anew(words));
     if (!stands || !is_one_of(words.back(), {"it", "them", "each"})) return false;
     const std::size_t with = find_word(words, {"with"}, 2);
-    if (with + 3 >= words.size() || !(number_said(words[with + 1]) || words[with + 1] == "another")) return false;
+    if (with + 3 >= words.size()) return false;
+    const bool anew = number_said(words[with + 1]) || words[with + 1] == "another";
+    if (!anew && (!is_definite(words[with + 1]) || is_one_of(words[with + 1], {"it", "them"}))) return false;
     const Words rest = part_of(words, with + 1);
     if (next_place(rest) == rest.size()) return false;
     Clause first = clause;
     first.words = part_of(words, 0, with);
     talk.act(first);
-    add(talk, rest);
+    if (anew) add_there(talk, rest);
+    else move(talk, rest);
     return true;
 }
 

@@ -318,7 +318,24 @@ bool picked_up(Talk& talk, const Clause& clause, const Clause& next) {
 
 }  // namespace
 
-void Talk::act(const Clause& clause) {
+namespace {
+
+// "Bigger so six people fit": why, which changes nothing. Where it begins.
+std::size_t purpose_at(const Clause& clause) {
+    const bool states = clause.verb == Verb::make || clause.verb == Verb::larger || clause.verb == Verb::smaller ||
+                        clause.verb == Verb::add || clause.verb == Verb::replace || clause.verb == Verb::color;
+    const std::size_t so = find_word(clause.words, {"so", "because"}, 2);
+    return states && so + 2 < clause.words.size() ? so : clause.words.size();
+}
+
+}  // namespace
+
+void Talk::act(const Clause& whole) {
+    Clause clause = whole;
+    if (const std::size_t why = purpose_at(whole); why < whole.words.size()) {
+        editor.note("room", fmt::format("nothing was done about \"{}\"", text_of(whole.words, why)));
+        clause.words.resize(why);
+    }
     const Words& words = clause.words;
     if (clause.verb == Verb::refuse) refuse(clause);
     if (clause.verb == Verb::tidy) return tidy(*this, clause);
