@@ -57,6 +57,22 @@ void check_new(const Words& words, const PromptObject& wish) {
     }
 }
 
+// "Some toys for the kids" are some toys.
+Words without_whom(Words words) {
+    for (std::size_t i = 1; i < words.size(); ++i) {
+        if (words[i] != "for") continue;
+        const std::size_t next = i + 1 < words.size() && is_definite(words[i + 1]) ? i + 2 : i + 1;
+        if (next >= words.size()) continue;
+        const std::string& who = words[next];
+        if (is_one_of(who.ends_with("s") && who.size() > 2 ? who.substr(0, who.size() - 1) : who,
+                      {"kid", "children", "guest", "visitor", "customer", "us", "me", "everyone", "people", "patient",
+                       "student"}))
+            words.erase(words.begin() + static_cast<std::ptrdiff_t>(i),
+                        words.begin() + static_cast<std::ptrdiff_t>(next) + 1);
+    }
+    return words;
+}
+
 // What words ask for, beside each other in them: "a desk with a lamp".
 std::vector<PromptObject> wishes_of(const Editor& editor, const Words& words) {
     const std::string text = text_of(counted_anew(words));
@@ -126,21 +142,27 @@ void shape_as_asked(Talk& talk, const std::vector<std::string>& ids, const std::
     }
 }
 
-// "Two ferns from the ceiling" are hanging ferns, where there are such. Throws UsageError for what does not hang.
-Words hung_from_ceiling(const Editor& editor, Words words) {
+// "Hang two ferns", "two ferns from the ceiling" are hanging ferns, where there are such. Throws UsageError for what
+// does not hang.
+Words hung_up(const Talk& talk, Words words) {
+    const Editor& editor = talk.editor;
     const std::size_t from = find_word(words, {"from", "off"}, 1);
-    if (from + 2 >= words.size() || words[from + 2] != "ceiling") return words;
-    words.erase(words.begin() + static_cast<std::ptrdiff_t>(from),
-                words.begin() + static_cast<std::ptrdiff_t>(from) + 3);
+    const bool from_ceiling = from + 2 < words.size() && words[from + 2] == "ceiling";
+    if (from_ceiling)
+        words.erase(words.begin() + static_cast<std::ptrdiff_t>(from),
+                    words.begin() + static_cast<std::ptrdiff_t>(from) + 3);
+    else if (!talk.said.starts_with("hang") || find_word(words, {"wall", "walls", "on"}) < words.size()) return words;
     const auto hangs = [&](const Words& all) {
         const PromptSpec spec = read_in_room(editor, text_of(all, 0, next_place(all)));
-        return !spec.objects.empty() && mount_of(editor, spec.objects.front().kind) == Mount::ceiling;
+        if (spec.objects.empty()) return true;  // said elsewhere
+        const Mount mount = mount_of(editor, spec.objects.front().kind);
+        return mount == Mount::ceiling || (!from_ceiling && mount == Mount::wall);
     };
     if (hangs(words)) return words;
     Words hanging = words;
     hanging.insert(hanging.begin() + (number_said(words.front()) ? 1 : 0), "hanging");
     if (hangs(hanging)) return hanging;
-    throw UsageError("nothing of that kind hangs from a ceiling, found \"{}\"", text_of(words, 0, next_place(words)));
+    throw UsageError("nothing of that kind hangs, found \"{}\"", text_of(words, 0, next_place(words)));
 }
 
 struct Addition {
@@ -150,8 +172,9 @@ struct Addition {
     Words said{};
 };
 
-Addition addition_of(const Editor& editor, const Words& said, const std::vector<std::string>& spoken) {
-    const Words words = hung_from_ceiling(editor, counted_anew(said));
+Addition addition_of(const Talk& talk, const Words& said, const std::vector<std::string>& spoken) {
+    const Editor& editor = talk.editor;
+    const Words words = hung_up(talk, counted_anew(without_whom(said)));
     const std::string shape = shape_asked(words);
     for (std::size_t end = next_place(words); end < words.size(); end = next_place(words, end + 1)) {
         const Words there = part_of(words, end);
@@ -276,7 +299,7 @@ std::optional<Addition> at_the_other(const Talk& talk, const Words& words, const
         return talk.editor.placed(id).piece.size_m.z > kCarries;
     });
     if (carrier && words.size() > 1 && words[words.size() - 2] == "on") return {};
-    Addition out = addition_of(talk.editor, words, others);
+    Addition out = addition_of(talk, words, others);
     return out.place ? std::optional(out) : std::nullopt;
 }
 
@@ -287,7 +310,7 @@ Addition at_what_is_meant(const Talk& talk, const Words& words) {
     const bool hung = it && std::all_of(talk.last.begin(), talk.last.end(), [&](const std::string& id) {
                           return hangs(talk.editor.placed(id).piece.mount);
                       });
-    Addition out = addition_of(talk.editor, words, talk.last);
+    Addition out = addition_of(talk, words, talk.last);
     // On a shelf is on it.
     const bool on_it = out.place && out.place->step.wish.relation == "on" &&
                        std::any_of(talk.last.begin(), talk.last.end(), [&](const std::string& id) {

@@ -341,7 +341,7 @@ void Editor::stand_at_found(int index, const Placed& found, const Standing& stan
 }
 
 // As large as it is usual; where there is no room for that, smaller; of a number that was not said, as many as fit.
-std::vector<Placed> Editor::with_added(const EditStep& step) const {
+std::vector<Placed> Editor::with_added(const EditStep& step, bool& smaller) const {
     const Standing standing = without({});
     const auto usual_size = [&](const PromptObject& wish) {
         PromptSpec spec = room_.spec;
@@ -355,6 +355,9 @@ std::vector<Placed> Editor::with_added(const EditStep& step) const {
             EditStep one = step;
             one.wish.count = count;
             if (scale < 1) one.wish.size_m = usual_size(one.wish) * scale;
+            // Nobody sits on a chair for dolls.
+            constexpr float kLeastSeat = 0.8f;
+            if (scale < kLeastSeat && has_role(step.wish.kind, Role::seat)) break;
             if (scale < 1 && (step.wish.size_m != Vec3f{} || one.wish.size_m == Vec3f{})) break;
             const std::vector<Placed> all = laid_out(standing, one, nullptr);
             // Pictures and mirrors shrink to the wall that is free: half as wide as usual, nobody calls them large.
@@ -362,6 +365,7 @@ std::vector<Placed> Editor::with_added(const EditStep& step) const {
             usual.size.clear();
             if (!all.empty() && step.wish.size == "large" && all.back().piece.size_m.x < 0.5f * usual_size(usual).x)
                 break;
+            smaller = scale < 1;
             if (!all.empty()) return all;
         }
     throw Error("{}", why_none_added(step));
@@ -399,8 +403,10 @@ std::vector<std::string> Editor::admit(const std::vector<Placed>& all, const Sta
 
 void Editor::add(const EditStep& step) {
     if (step.wish.relation == "on both sides of" && step.wish.count == 2) check_no_pair(step);
-    const std::vector<Placed> all = with_added(step);
-    admit(all, without({}), place_in_words(step));
+    bool smaller = false;
+    const std::vector<Placed> all = with_added(step, smaller);
+    for (const std::string& id : admit(all, without({}), place_in_words(step)))
+        if (smaller) tell(id, "smaller than usual: there was no more room");
     build();
 }
 

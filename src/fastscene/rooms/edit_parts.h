@@ -88,7 +88,7 @@ class Editor {
     void place_one(int index, const std::vector<int>& along, EditStep step);
     void stand_at_found(int index, const Placed& found, const Standing& standing, const EditStep& step,
                         const std::vector<int>& along);
-    std::vector<Placed> with_added(const EditStep& step) const;
+    std::vector<Placed> with_added(const EditStep& step, bool& smaller) const;
     void add(const EditStep& step);
     std::vector<std::string> admit(const std::vector<Placed>& all, const Standing& standing, const std::string& how);
 

@@ -327,6 +327,10 @@ class Reader {
         if (name == "above" && find_word(words_, {"over", "across"}) < relation.next &&
             furnishing::lies_on_seats(kind_))
             out.step.wish.relation = "on";
+        // A candle on each side of the mantel stands on it.
+        const bool top = furnishing::is_small(kind_) && !first.piece.surfaces.empty() &&
+                         !has_role(first.piece.kind, Role::seat) && !has_role(first.piece.kind, Role::bed);
+        if (name == "on both sides of" && top) out.step.wish.relation = kAtTheEnds, out.count = 2;
         if (each)
             for (const int i : found)
                 out.each_at.push_back({editor_.document().things[static_cast<std::size_t>(i)].id});

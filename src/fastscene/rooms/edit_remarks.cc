@@ -91,8 +91,18 @@ void tell_unshown(Talk& talk, const std::vector<std::string>& ids, const PromptO
     for (const PromptWord& word : read_in_room(talk.editor, text_of(words, 0, next_place(words))).words)
         if (const auto known = look_up(word.words);
             word.fate == PromptWord::Fate::approximated && word.words != wish.words && !number_said(word.words) &&
-            known && known->kind != WordKind::object && known->kind != WordKind::relation && !known->meaning.empty())
+            known && known->kind != WordKind::object && shape_said({word.words}).empty() &&
+            known->kind != WordKind::relation && !known->meaning.empty())
             unshown.push_back(word.words);
+    // "A space poster" with no print of space
+    const Words nouns = tokens_of(wish.words);
+    const std::size_t noun = nouns.empty() ? words.size() : find_word(words, {nouns.back()});
+    for (std::size_t i = 0;
+         has_role(wish.kind, Role::shows_motif) && wish.pattern.empty() && i < noun && noun < words.size(); ++i)
+        if (const auto known = look_up(words[i]);
+            !number_said(words[i]) && !is_definite(words[i]) &&
+            (!known || known->kind == WordKind::filler || known->kind == WordKind::room))
+            unshown.push_back(words[i]);
     if (!unshown.empty())
         talk.editor.note(ids.front(), fmt::format("nothing of it shows \"{}\"", fmt::join(unshown, "\", \"")));
 }
@@ -128,6 +138,12 @@ std::optional<Words> laid_with(const Talk& talk, const Words& words) {
 }
 
 void line_up(Talk& talk, const Words& words) {
+    // "line the racks up along the wall"
+    if (const std::size_t up = find_word(words, {"up"}, 1); up < words.size()) {
+        Words bare = words;
+        bare.erase(bare.begin() + static_cast<std::ptrdiff_t>(up));
+        return line_up(talk, bare);
+    }
     const std::size_t end = next_place(words);
     EditStep step;
     step.kind = EditStep::Kind::line;
