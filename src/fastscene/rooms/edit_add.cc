@@ -379,6 +379,17 @@ void add(Talk& talk, const Words& words) {
         add(talk, part_of(words, 0, facing));
         return face(talk, {"them", "facing", "each", "other"});
     }
+    // "A coffee machine on a small table in the corner": first the table, where there is none.
+    if (const std::size_t on = find_word(words, {"on"}, 2);
+        parts_of(words).size() == 1 && on + 2 < words.size() && is_one_of(words[on + 1], {"a", "an"}) &&
+        !is_one_of(words.back(), {"it", "them"}) && noun_of(words.back()) != "wall" &&
+        all_named(talk.editor, text_of(words, on + 1, next_place(words, on + 1))).empty() &&
+        !room_part(words, on + 1)) {
+        add(talk, part_of(words, on + 1));
+        Words all = part_of(words, 0, on);
+        all.insert(all.end(), {"on", "it"});
+        return add(talk, all);
+    }
     // "The tv is too small, get a bigger one": in place of that.
     if (words.size() > 2 && words.back() == "one" && !talk.last.empty() &&
         value_of(part_of(words, 1, words.size() - 1)))
@@ -486,6 +497,13 @@ void replace(Talk& talk, const Words& old, const Words& by) {
     step.kind = EditStep::Kind::replace;
     step.ids = talk.things_of_parts(old);
     std::vector<Words> parts = parts_of(by);
+    // "a loveseat facing the sofa"
+    if (const std::size_t facing = find_word(by, {"facing"}, 2); facing + 1 < by.size()) {
+        replace(talk, old, part_of(by, 0, facing));
+        Words all{"them"};
+        all.insert(all.end(), by.begin() + static_cast<std::ptrdiff_t>(facing), by.end());
+        return face(talk, all);
+    }
     // "with a bigger one", "with a blue one", "with a round one", "with something round"
     if (by.size() > 1 && by.front() == "something") {
         Words one{"a"};

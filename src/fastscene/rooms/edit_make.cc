@@ -349,6 +349,28 @@ bool says_on_or_off(const Words& words) {
 
 }  // namespace
 
+namespace {
+
+// "Every desk a plant": one at each; false: no such words.
+bool given(Talk& talk, const Words& words) {
+    for (std::size_t i = 2; i < words.size(); ++i) {
+        if (!is_one_of(words[i], {"a", "an", "two", "three", "some"})) continue;
+        Words all = part_of(words, i);
+        const auto last = look_up(all.back());
+        if (all.size() < 2 || !last || last->kind != WordKind::object || value_of(all) || shape_said({all[1]}) != "" ||
+            !names_things(all) || all_named(talk.editor, text_of(words, 0, i)).empty() ||
+            is_one_of(all.back(), {"color", "look", "shape"}))
+            return false;
+        all.push_back("at");
+        all.insert(all.end(), words.begin(), words.begin() + static_cast<std::ptrdiff_t>(i));
+        add(talk, all);
+        return true;
+    }
+    return false;
+}
+
+}  // namespace
+
 bool each_on_or_off(const Words& words) {
     const std::vector<Words> parts = parts_of(words);
     return parts.size() > 1 && std::all_of(parts.begin(), parts.end(), says_on_or_off);
@@ -362,6 +384,7 @@ void make(Talk& talk, const Words& words) {
     }
     // "the room brick walls and a concrete floor"
     if (talk.said == "give" && words.size() > 3 && noun_of(words[1]) == "room") return add(talk, part_of(words, 2));
+    if (talk.said == "give" && given(talk, words)) return;
     if (make_by_turns(talk, words)) return;
     if (const std::string lamps = lamps_said(words); !lamps.empty()) return light(talk, lamps);
     if (shine_said(talk, words)) return;

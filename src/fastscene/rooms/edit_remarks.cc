@@ -56,6 +56,7 @@ void keep(Talk& talk, const Words& words) {
     if (is_one_of(text_of(bare), {"the rest", "everything else", "all else", "the others", "the other ones",
                                   "all others", "the other things"}))
         return;
+    if (text_of(bare).starts_with("the others ") && value_of(part_of(bare, 2))) return;
     if (find_word(bare, {"only", "just"}) < bare.size() || next_place(bare) < bare.size())
         throw UsageError("expected what is to stay as it is, found \"{}\"", text_of(words));
     const std::vector<std::string> before = talk.last;

@@ -286,6 +286,16 @@ bool to_face(const Words& words) {
            next_place(words) == face - 1;
 }
 
+// "The lights", "the floor lamp"
+bool has_lights(const Talk& talk, const Words& words) {
+    const std::vector<int> found = all_named(talk.editor, text_of(words));
+    return is_one_of(words.back(), {"lights", "lamps", "lighting"}) ||
+           (!found.empty() && std::all_of(found.begin(), found.end(), [&](int i) {
+               return has_role(talk.editor.room().furnished.placed[static_cast<std::size_t>(i)].piece.kind,
+                               Role::light);
+           }));
+}
+
 // "Throw a blanket over the sofa", "drop a rug by the bed": something new, put somewhere.
 bool comes(const Clause& clause) {
     constexpr std::string_view kThrown = "|throw|drop|chuck|";
@@ -381,6 +391,9 @@ void Talk::act(const Clause& whole) {
         }
         case Verb::swap: return swap(*this, words);
         case Verb::turn:
+            if (const std::size_t down = find_word(words, {"down", "up"}, 1);
+                down < words.size() && has_lights(*this, part_of(words, 0, down)))
+                return make(*this, with_word(part_of(words, 0, down), words[down] == "down" ? "dimmer" : "brighter"));
             if (!lamps_said(words).empty() || each_on_or_off(words)) return make(*this, words);
             return turn(*this, words);
         case Verb::face: return face(*this, words);
