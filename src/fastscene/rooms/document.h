@@ -3,6 +3,7 @@
 // the floor is y = 0 and the middle of the plan's box the origin.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <filesystem>
 #include <memory>
@@ -47,6 +48,7 @@ struct DocumentThing {
 struct DocumentSurfaces {
     std::optional<Material> floor, wall, accent_wall, ceiling, trim, wood, wood2, metal, fabric, fabric2, leather,
         curtain, rug, tap, wet_wall, wet_floor;
+    std::array<std::optional<Material>, 4> walls;  // by number: of those that are not like the others
     std::optional<std::vector<Vec3f>> palette;
     std::optional<Shelves> shelves;
 };

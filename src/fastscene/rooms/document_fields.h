@@ -194,6 +194,10 @@ void visit_fields(DocumentSurfaces& s, V&& v) {
     visit_surfaces(s, [&](std::string_view key, std::optional<Material>& m, Material Style::*, std::string_view said) {
         v(key, m, Rule{}, said);
     });
+    v("wall_0", s.walls[0], Rule{}, "The far wall, where it is not like the others.");
+    v("wall_1", s.walls[1], Rule{}, "Wall 1, at +x.");
+    v("wall_2", s.walls[2], Rule{}, "Wall 2, the near one.");
+    v("wall_3", s.walls[3], Rule{}, "Wall 3, at -x.");
     v("palette", s.palette, Rule{.low = 0, .high = kMostColor, .color = true},
       "Six colors of cushions, books, art and vases; the first is the accent.");
     v("shelves", s.shelves, Rule{}, "What stands on shelves.");

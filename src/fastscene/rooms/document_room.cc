@@ -140,6 +140,7 @@ class Builder {
             if (given.accent_wall) plan.accent = true, plan.accent_wall = *given.accent_wall;
             plan.beams |= given.beams, plan.neon |= given.neon, plan.coffers |= given.coffers;
             dress(document_.surfaces, plan.style);
+            plan.own_walls = document_.surfaces.walls;
             return plan;
         }
         Plan plan = plan_from(given, document_.surfaces, "/plan");
@@ -157,6 +158,7 @@ class Builder {
         Plan plan;
         plan.style = document_.style.empty() ? all_styles().front() : style_named(document_.style);
         dress(surfaces, plan.style);
+        plan.own_walls = surfaces.walls;
         const RoomType& type = room_type(document_.type);
         plan.width = given.width > 0 ? given.width : (type.width_low_m + type.width_high_m) / 2;
         plan.depth = given.depth > 0 ? given.depth : (type.depth_low_m + type.depth_high_m) / 2;
@@ -339,6 +341,7 @@ RoomDocument document_of(const PromptSpec& spec, const FurnishedRoom& furnished,
     out.camera = DocumentCamera{furnished.camera, furnished.looks};
     out.plan = plan_of(furnished.plan);
     out.surfaces = surfaces_of(furnished.plan.style, style_named(out.style));
+    out.surfaces.walls = furnished.plan.own_walls;
     std::vector<std::string> ids = thing_ids(furnished);
     out.things = things_of(furnished.placed, ids);
     if (const auto& next = furnished.plan.next) {

@@ -101,6 +101,21 @@ Vec3f color_of(const Piece& piece) {
     return main < piece.materials.size() ? piece.materials[main].color_a : Vec3f{0.5f, 0.5f, 0.5f};
 }
 
+void repaint(Material& m, const EditStep& step, const Style& style) {
+    if (step.brighter == 1) {
+        PromptObject wish = step.wish;
+        if (!wish.color2.empty() && wish.material.empty() && wish.pattern.empty()) {
+            // Tiles of two colors alternate.
+            if (!is_tiled(m))
+                throw UsageError("expected one color, or two with a pattern: \"white with black stripes\"");
+            wish.material = "tile";
+        }
+        return apply_wish(m, wish, true, style.palette);
+    }
+    for (Vec3f* c : {&m.color_a, &m.color_b, &m.color_c})
+        for (std::size_t a = 0; a < 3; ++a) (*c)[a] = std::min(0.85f, (*c)[a] * step.brighter);
+}
+
 }  // namespace
 
 std::string Editor::color_seen(const std::string& id) const {
@@ -139,9 +154,27 @@ void Editor::recolor(const EditStep& step) {
     build();
 }
 
+// One wall alone; the others keep their look.
+void Editor::recolor_wall(int wall, const EditStep& step, const std::string& said) {
+    const Plan& now = plan();
+    auto& own = result_.document.surfaces.walls[static_cast<std::size_t>(wall)];
+    Material m = own ? *own : now.accent && now.accent_wall == wall ? now.style.accent_wall : now.style.wall;
+    repaint(m, step, now.style);
+    if (!step.wish.color.empty()) m.name = step.wish.color + " wall";
+    own = m;
+    tell(fmt::format("wall {}", wall), step.brighter != 1 ? (step.brighter > 1 ? "lighter" : "darker") : said);
+    build();
+}
+
 void Editor::recolor_surface(const EditStep& step, const std::string& said) {
     const Style& style = room_.furnished.plan.style;
     DocumentSurfaces& own = result_.document.surfaces;
+    if (step.wall >= 0) return recolor_wall(step.wall, step, said);
+    if (step.surface == "accent_wall") {
+        if (!plan().accent) throw Error("there is no accent wall in the room; name one: \"the wall behind the bed\"");
+        return recolor_wall(plan().accent_wall, step, said);
+    }
+    if (step.surface == "wall") own.walls = {};
     const std::vector<std::pair<std::string_view, std::pair<std::optional<Material>*, const Material*>>> parts{
         {"wall", {&own.wall, &style.wall}},
         {"accent_wall", {&own.accent_wall, &style.accent_wall}},
@@ -152,10 +185,7 @@ void Editor::recolor_surface(const EditStep& step, const std::string& said) {
         // "The walls" are all of them.
         if (name != step.surface && !(name == "accent_wall" && step.surface == "wall")) continue;
         Material m = *part.second;
-        if (step.brighter != 1)
-            for (Vec3f* c : {&m.color_a, &m.color_b, &m.color_c})
-                for (std::size_t a = 0; a < 3; ++a) (*c)[a] = std::min(0.85f, (*c)[a] * step.brighter);
-        else apply_wish(m, step.wish, true, style.palette);
+        repaint(m, step, style);
         if (!step.wish.color.empty()) m.name = step.wish.color + " " + step.surface;
         *part.first = m;
     }
@@ -199,6 +229,7 @@ void Editor::apply(const EditStep& step) {
         case EditStep::Kind::recolor: return recolor(step);
         case EditStep::Kind::resize: return resize(step);
         case EditStep::Kind::reshape: return reshape(step);
+        case EditStep::Kind::line: return line_up(step);
         case EditStep::Kind::add: return add(step);
         case EditStep::Kind::replace: return replace(step);
         case EditStep::Kind::restyle: return restyle(step.value);

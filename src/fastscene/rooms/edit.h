@@ -22,6 +22,7 @@ struct EditStep {
         recolor,  // color, material, pattern; on a surface (wall, floor, ceiling, trim) as `surface`
         resize,   // by `factor`: as much of it as there is room for, or `exactly`
         reshape,  // into the shape `value`: round, oval, square, rectangular
+        line,     // `ids` side by side with their backs to a wall: `wall`, or that with room for them
         add,      // `wish`, where it says, near `position`, or where such things stand
         replace,  // by `wish`, as many as it says, each where one of `ids` stood
         restyle,  // the room, by `value`
@@ -33,7 +34,7 @@ struct EditStep {
     PromptObject wish{};  // what to add; of a move the place, of a recoloring the looks
     // Of a place: the very things that relation_to and relation_and mean; none: any of that kind.
     std::vector<std::string> at{}, at_and{};
-    int wall = -1;                    // … at this wall
+    int wall = -1;                    // … at this wall; of a recoloring, that wall alone
     bool elsewhere = false;           // … not where it is now: another wall, another corner
     bool opposite = false;            // … but at the wall that faces it
     bool each = false;                // add: in as many corners as have room

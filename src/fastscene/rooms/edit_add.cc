@@ -10,12 +10,23 @@
 #include "fastscene/rooms/layout_parts.h"
 #include "fastscene/rooms/lexicon.h"
 #include "fastscene/rooms/plan.h"
+#include "fastscene/rooms/prompt_text.h"
 
 namespace fastscene::editing {
 namespace {
 
 // "another chair", "two more plants", "a few books"
 Words counted_anew(Words words) {
+    // "Two pictures side by side" are two pictures.
+    for (const char* row : {"side by side", "next to each other", "in a row", "in a line"}) {
+        const Words phrase = tokens_of(row);
+        for (std::size_t i = 1; i + phrase.size() <= words.size(); ++i)
+            if (part_of(words, i, i + phrase.size()) == phrase) {
+                words.erase(words.begin() + static_cast<std::ptrdiff_t>(i),
+                            words.begin() + static_cast<std::ptrdiff_t>(i + phrase.size()));
+                break;
+            }
+    }
     if (!words.empty() && words.front() == "another") words.front() = "a";
     if (words.size() > 1 && words[0] == "a" &&
         is_one_of(words[1], {"second", "third", "fourth", "fifth", "sixth", "new", "extra", "further"}))
@@ -35,6 +46,33 @@ Words counted_anew(Words words) {
     return words;
 }
 
+// "Two plants either side of the fireplace": the fireplace is there, and no thing to add.
+void check_new(const Words& words, const PromptObject& wish) {
+    const Words noun = tokens_of(wish.words);
+    for (std::size_t i = 1; i + noun.size() <= words.size(); ++i) {
+        if (part_of(words, i, i + noun.size()) != noun) continue;
+        for (std::size_t k = i; k-- > 0 && !is_joint(words[k]) && !is_one_of(words[k], {"a", "an", "with", "of"});)
+            if (is_one_of(words[k], {"the", "my", "our", "your", "its", "their"}))
+                throw UsageError("expected a place, found \"{}\"", text_of(words, k));
+    }
+}
+
+// "Some toys for the kids" are some toys.
+Words without_whom(Words words) {
+    for (std::size_t i = 1; i < words.size(); ++i) {
+        if (words[i] != "for") continue;
+        const std::size_t next = i + 1 < words.size() && is_definite(words[i + 1]) ? i + 2 : i + 1;
+        if (next >= words.size()) continue;
+        const std::string& who = words[next];
+        if (is_one_of(who.ends_with("s") && who.size() > 2 ? who.substr(0, who.size() - 1) : who,
+                      {"kid", "children", "guest", "visitor", "customer", "us", "me", "everyone", "people", "patient",
+                       "student"}))
+            words.erase(words.begin() + static_cast<std::ptrdiff_t>(i),
+                        words.begin() + static_cast<std::ptrdiff_t>(next) + 1);
+    }
+    return words;
+}
+
 // What words ask for, beside each other in them: "a desk with a lamp".
 std::vector<PromptObject> wishes_of(const Editor& editor, const Words& words) {
     const std::string text = text_of(counted_anew(words));
@@ -42,7 +80,14 @@ std::vector<PromptObject> wishes_of(const Editor& editor, const Words& words) {
     const auto unknown = spec.words_with(PromptWord::Fate::not_understood);
     if (!unknown.empty()) throw UsageError("expected a thing to add, found \"{}\"", unknown.front().words);
     if (spec.objects.empty()) throw UsageError("expected a thing to add, found \"{}\"", text);
+    // "Three simple lamps" are three.
+    if (const auto number = number_said(words.front());
+        number && *number >= 1 && !is_one_of(words.front(), {"a", "an"}) && !spec.objects.front().counted)
+        spec.objects.front().count = static_cast<int>(*number), spec.objects.front().counted = true;
+    for (std::size_t k = is_definite(words.front()) ? 1 : 0; k < spec.objects.size(); ++k)
+        check_new(words, spec.objects[k]);
     for (PromptObject& o : spec.objects) {
+        check_stand_in(o);
         if (is_shell(o.kind) || has_role(o.kind, Role::opening)) refuse_shell();
         o.relation = o.relation_to = o.relation_and = "";
         // "Books" are a stack of them.
@@ -97,13 +142,39 @@ void shape_as_asked(Talk& talk, const std::vector<std::string>& ids, const std::
     }
 }
 
+// "Hang two ferns", "two ferns from the ceiling" are hanging ferns, where there are such. Throws UsageError for what
+// does not hang.
+Words hung_up(const Talk& talk, Words words) {
+    const Editor& editor = talk.editor;
+    const std::size_t from = find_word(words, {"from", "off"}, 1);
+    const bool from_ceiling = from + 2 < words.size() && words[from + 2] == "ceiling";
+    if (from_ceiling)
+        words.erase(words.begin() + static_cast<std::ptrdiff_t>(from),
+                    words.begin() + static_cast<std::ptrdiff_t>(from) + 3);
+    else if (!talk.said.starts_with("hang") || find_word(words, {"wall", "walls", "on"}) < words.size()) return words;
+    const auto hangs = [&](const Words& all) {
+        const PromptSpec spec = read_in_room(editor, text_of(all, 0, next_place(all)));
+        if (spec.objects.empty()) return true;  // said elsewhere
+        const Mount mount = mount_of(editor, spec.objects.front().kind);
+        return mount == Mount::ceiling || (!from_ceiling && mount == Mount::wall);
+    };
+    if (hangs(words)) return words;
+    Words hanging = words;
+    hanging.insert(hanging.begin() + (number_said(words.front()) ? 1 : 0), "hanging");
+    if (hangs(hanging)) return hanging;
+    throw UsageError("nothing of that kind hangs, found \"{}\"", text_of(words, 0, next_place(words)));
+}
+
 struct Addition {
     std::vector<PromptObject> wishes;
     std::optional<Place> place;
     std::string shape{};  // of the first
+    Words said{};
 };
 
-Addition addition_of(const Editor& editor, const Words& words, const std::vector<std::string>& spoken) {
+Addition addition_of(const Talk& talk, const Words& said, const std::vector<std::string>& spoken) {
+    const Editor& editor = talk.editor;
+    const Words words = hung_up(talk, counted_anew(without_whom(said)));
     const std::string shape = shape_asked(words);
     for (std::size_t end = next_place(words); end < words.size(); end = next_place(words, end + 1)) {
         const Words there = part_of(words, end);
@@ -217,6 +288,39 @@ void add_with(Talk& talk, const std::vector<std::string>& ids, const std::vector
     }
 }
 
+// "It" is what was last put somewhere, or that at which it was put: where the first has no place for it, the other.
+std::optional<Addition> at_the_other(const Talk& talk, const Words& words, const std::vector<std::string>& spoken) {
+    if (!is_one_of(words.back(), {"it", "them"}) || talk.last_place.wish.relation_to.empty()) return {};
+    const std::vector<std::string> others = things_at(talk.editor, talk.last_place);
+    if (others.empty() || others == spoken) return {};
+    // What is to lie on a shelf lies there or nowhere; a mirror carries nothing.
+    constexpr float kCarries = 0.08f;  // metres deep
+    const bool carrier = std::any_of(spoken.begin(), spoken.end(), [&](const std::string& id) {
+        return talk.editor.placed(id).piece.size_m.z > kCarries;
+    });
+    if (carrier && words.size() > 1 && words[words.size() - 2] == "on") return {};
+    Addition out = addition_of(talk, words, others);
+    return out.place ? std::optional(out) : std::nullopt;
+}
+
+// A lamp at each end of "it" stands by the sideboard, not by the mirror above that.
+Addition at_what_is_meant(const Talk& talk, const Words& words) {
+    const bool it = is_one_of(words.back(), {"it", "them"}) && !talk.last.empty();
+    const auto hangs = [](Mount mount) { return mount == Mount::wall || mount == Mount::ceiling; };
+    const bool hung = it && std::all_of(talk.last.begin(), talk.last.end(), [&](const std::string& id) {
+                          return hangs(talk.editor.placed(id).piece.mount);
+                      });
+    Addition out = addition_of(talk, words, talk.last);
+    // On a shelf is on it.
+    const bool on_it = out.place && out.place->step.wish.relation == "on" &&
+                       std::any_of(talk.last.begin(), talk.last.end(), [&](const std::string& id) {
+                           return !talk.editor.placed(id).piece.surfaces.empty();
+                       });
+    if (hung && !on_it && out.place && !hangs(mount_of(talk.editor, out.wishes.front().kind)))
+        if (auto other = at_the_other(talk, words, talk.last)) return *other;
+    return out;
+}
+
 Place beside_those(const Talk& talk, const std::vector<std::string>& ids) {
     Place out;
     out.step.wish.relation = "next to", out.step.wish.relation_to = talk.editor.placed(ids.back()).piece.kind;
@@ -227,6 +331,15 @@ Place beside_those(const Talk& talk, const std::vector<std::string>& ids) {
 }  // namespace
 
 namespace {
+
+Words joined_parts(const std::vector<Words>& parts) {
+    Words out;
+    for (const Words& part : parts) {
+        if (!out.empty()) out.push_back(",");
+        out.insert(out.end(), part.begin(), part.end());
+    }
+    return out;
+}
 
 // "curtains in the same color as the rug"; false: no such words.
 bool add_like_another(Talk& talk, const Words& words) {
@@ -245,6 +358,19 @@ bool add_like_another(Talk& talk, const Words& words) {
 
 }  // namespace
 
+// "a teapot and two cups on it": all of them on what was last spoken of.
+void add_there(Talk& talk, const Words& words) {
+    const std::vector<std::string> carriers = talk.last;
+    const std::vector<Words> riders = parts_of(words);
+    const Words there = part_of(riders.back(), next_place(riders.back()));
+    for (Words rider : riders) {
+        if (next_place(rider) == rider.size()) rider.insert(rider.end(), there.begin(), there.end());
+        talk.last = carriers;
+        add(talk, rider);
+    }
+    talk.last = carriers;
+}
+
 // "a floor lamp beside the bed and two plants in the corner"; a place holds for those before it that name none.
 void add(Talk& talk, const Words& words) {
     // "two armchairs before the fire facing each other"
@@ -253,7 +379,48 @@ void add(Talk& talk, const Words& words) {
         add(talk, part_of(words, 0, facing));
         return face(talk, {"them", "facing", "each", "other"});
     }
-    const std::vector<Words> parts = parts_of(words);
+    // "A coffee machine on a small table in the corner": first the table, where there is none.
+    if (const std::size_t on = find_word(words, {"on"}, 2);
+        parts_of(words).size() == 1 && on + 2 < words.size() && is_one_of(words[on + 1], {"a", "an"}) &&
+        !is_one_of(words.back(), {"it", "them"}) && noun_of(words.back()) != "wall" &&
+        all_named(talk.editor, text_of(words, on + 1, next_place(words, on + 1))).empty() &&
+        !room_part(words, on + 1)) {
+        add(talk, part_of(words, on + 1));
+        Words all = part_of(words, 0, on);
+        all.insert(all.end(), {"on", "it"});
+        return add(talk, all);
+    }
+    // "The tv is too small, get a bigger one": in place of that.
+    if (words.size() > 2 && words.back() == "one" && !talk.last.empty() &&
+        value_of(part_of(words, 1, words.size() - 1)))
+        return replace(talk, {"it"}, words);
+    std::vector<Words> parts = parts_of(words);
+    // "an armchair by the sofa, facing the tv"
+    if (parts.size() > 1 && parts.back().front() == "facing") {
+        Words all{"them"};
+        all.insert(all.end(), parts.back().begin(), parts.back().end());
+        parts.pop_back();
+        add(talk, joined_parts(parts));
+        return face(talk, all);
+    }
+    // "a shelf over the desk with a plant and a candle on it"
+    if (const std::size_t with = find_word(words, {"with"}, 1);
+        with + 1 < words.size() && is_one_of(words.back(), {"it", "them"}) &&
+        find_word(words, {"and", ","}, with) < words.size() && begins_anew(part_of(words, with + 1)) &&
+        next_place(part_of(words, with + 1)) < words.size() - with - 1) {
+        add(talk, part_of(words, 0, with));
+        return add_there(talk, part_of(words, with + 1));
+    }
+    // "a rug before the bed, light yellow"
+    if (parts.size() > 1 && !number_said(parts.back().front()))
+        if (const auto value = value_of(parts.back()); value && !value->resizes() && value->brighter == 1) {
+            const Words look = parts.back();
+            parts.pop_back();
+            add(talk, joined_parts(parts));
+            Words all{"them"};
+            all.insert(all.end(), look.begin(), look.end());
+            return make(talk, all);
+        }
     // "brick walls and a concrete floor"
     if (parts.size() > 1 && std::all_of(parts.begin(), parts.end(), [&](const Words& w) {
             return is_one_of(noun_of(w.back()), {"wall", "floor", "ceiling"});
@@ -277,9 +444,12 @@ void add(Talk& talk, const Words& words) {
         return;
     }
     std::vector<Addition> all;
-    for (const Words& part : parts) all.push_back(addition_of(talk.editor, part, talk.last));
+    for (const Words& part : parts) {
+        all.push_back(at_what_is_meant(talk, part));
+        all.back().said = counted_anew(part);
+    }
     if (all.empty()) throw UsageError("expected a thing to add, found the end of the sentence");
-    talk.last.clear();
+    const std::vector<std::string> spoken_before = std::exchange(talk.last, {});
     std::vector<std::string> together;  // those that share the place of the next one
     for (std::size_t k = 0; k < all.size(); ++k) {
         const auto own = all[k].place;
@@ -289,15 +459,20 @@ void add(Talk& talk, const Words& words) {
         const std::size_t spoken = talk.last.size();
         try {
             add_wish(talk, first, shared);
+        } catch (const UsageError&) {
+            throw;
         } catch (const Error&) {
             // Two that do not fit into one corner: one by the other.
             const bool beside = shared && shared->step.wish.relation == "in the corner" && !together.empty();
-            if (!beside) throw;
-            add_wish(talk, first, beside_those(talk, together));
+            const auto other = beside ? std::nullopt : at_the_other(talk, all[k].said, spoken_before);
+            if (!beside && !other) throw;
+            add_wish(talk, first, beside ? beside_those(talk, together) : *other->place);
         }
         together = own ? std::vector<std::string>{} : part_of(talk.last, spoken);
         shape_as_asked(talk, part_of(talk.last, spoken), all[k].shape);
         add_with(talk, part_of(talk.last, spoken), all[k].wishes);
+        tell_unshown(talk, part_of(talk.last, spoken), first, all[k].said);
+        if (shared) talk.last_place = shared->step;
     }
 }
 
@@ -322,7 +497,27 @@ void replace(Talk& talk, const Words& old, const Words& by) {
     step.kind = EditStep::Kind::replace;
     step.ids = talk.things_of_parts(old);
     std::vector<Words> parts = parts_of(by);
-    // "with a bigger one", "with a blue one", "with a round one"
+    // "a loveseat facing the sofa"
+    if (const std::size_t facing = find_word(by, {"facing"}, 2); facing + 1 < by.size()) {
+        replace(talk, old, part_of(by, 0, facing));
+        Words all{"them"};
+        all.insert(all.end(), by.begin() + static_cast<std::ptrdiff_t>(facing), by.end());
+        return face(talk, all);
+    }
+    // "with a bigger one", "with a blue one", "with a round one", "with something round"
+    if (by.size() > 1 && by.front() == "something") {
+        Words one{"a"};
+        one.insert(one.end(), by.begin() + 1, by.end());
+        one.push_back("one");
+        return replace(talk, old, one);
+    }
+    // "a leather one in brown"
+    if (const std::size_t one = find_word(by, {"one", "ones"}, 1); one + 2 < by.size() && by[one + 1] == "in") {
+        Words all = part_of(by, 0, one);
+        all.insert(all.end(), by.begin() + static_cast<std::ptrdiff_t>(one) + 2, by.end());
+        all.push_back(by[one]);
+        return replace(talk, old, all);
+    }
     if (!by.empty() && is_one_of(by.back(), {"one", "ones"})) {
         Words all{"it"};
         for (const std::string& w : by)
@@ -343,7 +538,14 @@ void replace(Talk& talk, const Words& old, const Words& by) {
         if (const EditChange& change = changes[i]; change.what.starts_with("added in place of"))
             talk.last.push_back(change.id);
     shape_as_asked(talk, talk.last, shape_asked(parts.front()));
+    tell_unshown(talk, talk.last, step.wish, parts.front());
+    const std::vector<std::string> fresh = talk.last;
     for (std::size_t k = 1; k < parts.size(); ++k) {
+        talk.last = fresh;
+        if (next_place(parts[k]) < parts[k].size()) {  // "two armchairs and a table between them"
+            add(talk, parts[k]);
+            continue;
+        }
         PromptObject wish = wishes_of(talk.editor, parts[k]).front();
         wish.relation = "next to", wish.relation_to = step.wish.kind;
         add_wish(talk, wish, {});

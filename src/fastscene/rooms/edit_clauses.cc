@@ -18,16 +18,23 @@ struct Row {
     Verb verb;
     std::string_view beginnings;  // with "|" between them
 };
-constexpr std::array<Row, 22> kBeginnings{{
+constexpr std::array<Row, 24> kBeginnings{{
     {Verb::remove,
      "remove|delete|erase|take away|take out|take|drop|get rid of|throw out|throw away|throw|"
-     "lose|discard|ditch|hide|clear away|clear out|without|no more|no|i dont like|"
+     "lose|discard|ditch|hide|clear away|clear out|without|no more|no|i dont like|chuck out|chuck|bin|scrap|"
+     "toss out|take down|eliminate|"
      "i do not like|i dont want|i do not want|i dont need|we dont need|there should be no"},
     {Verb::clear, "clear|empty"},
-    {Verb::move, "move|shift|bring|push|pull|slide|drag|relocate|lower|raise|lift|carry"},
-    {Verb::put, "put|place|set|stand|hang|lay|position|mount|lean|put down|put up|lay down|set down|hang up"},
+    {Verb::move,
+     "move|shift|bring|push|pull|slide|drag|relocate|lower|raise|lift|carry|nudge|scoot|shove|swing|"
+     "reposition|transfer|tuck"},
+    {Verb::put,
+     "put|place|set|stand|hang|lay|position|mount|lean|put down|put up|lay down|set down|hang up|stack|"
+     "pile|pile up|scatter|spread|drape|toss|stick|pop|prop|prop up|rest|squeeze|slot|plop|pin|string|sit|roll "
+     "out|unroll|"
+     "decorate|dress|arrange"},
     {Verb::make, "make|change|switch|give"},
-    {Verb::refuse, "open|close|shut|rearrange|reorganize|arrange|redecorate|improve|fix|undo|redo|keep|leave"},
+    {Verb::refuse, "open|close|shut|rearrange|reorganize|redecorate|improve|fix|undo|redo|divide"},
     {Verb::tidy, "tidy|tidy up|clean|clean up|declutter|straighten up"},
     {Verb::center, "center|centre"},
     {Verb::brighter, "brighten|brighten up|lighten|lighten up|light up|turn up|illuminate"},
@@ -39,13 +46,15 @@ constexpr std::array<Row, 22> kBeginnings{{
     {Verb::want,
      "i need|we need|i want|we want|i wish|i would like|we would like|id like|id love|"
      "i would love|i prefer|id prefer|let"},
-    {Verb::replace, "replace|exchange|substitute"},
+    {Verb::replace, "replace|exchange|substitute|swap out|switch out|change out|trade|trade in"},
     {Verb::swap, "swap|interchange"},
+    {Verb::keep, "keep|leave"},
+    {Verb::line, "line up|line|align"},
     {Verb::turn, "turn|rotate|spin|flip"},
-    {Verb::face, "face|point|orient|aim"},
+    {Verb::face, "face|point|orient|aim|angle"},
     {Verb::color, "paint|color|recolor|dye|tint|repaint|reupholster|cover|tile|carpet|plaster"},
-    {Verb::larger, "enlarge|scale up"},
-    {Verb::smaller, "shrink|scale down|reduce"},
+    {Verb::larger, "enlarge|scale up|widen|lengthen|extend|heighten"},
+    {Verb::smaller, "shrink|scale down|reduce|shorten|narrow"},
     {Verb::copy, "duplicate|copy|clone"},
     {Verb::kindle, "light|ignite|kindle"},
     {Verb::quench, "put out|blow out|extinguish|snuff out|snuff"},
@@ -173,6 +182,27 @@ bool is_statement(const Words& words, std::size_t at) {
     return false;
 }
 
+// "the chairs don't match, make them black": a remark, and then what is to be done. Where the remark ends; nothing: it
+// is none, or nothing follows.
+std::optional<std::size_t> remark_ends(const Words& words, std::size_t at) {
+    if (!is_definite(words[at]) && !is_one_of(words[at], {"it's", "its", "there", "there's", "i", "we", "too"}))
+        return {};
+    std::size_t end = at;
+    while (end < words.size() && !is_joint(words[end])) ++end;
+    const bool states = std::any_of(
+        words.begin() + static_cast<std::ptrdiff_t>(at), words.begin() + static_cast<std::ptrdiff_t>(end),
+        [](const std::string& w) {
+            return is_one_of(w, {"is",      "isn't",   "isnt",   "are",   "aren't",  "arent", "don't", "dont",
+                                 "doesn't", "doesnt",  "look",   "looks", "feel",    "feels", "seem",  "seems",
+                                 "it's",    "there's", "blocks", "clash", "clashes", "hate",  "love",  "bored"});
+        });
+    std::size_t next = end;
+    while (next < words.size() && is_joint(words[next])) ++next;
+    next = next < words.size() ? past_polite(words, next) : next;
+    if (!states || next >= words.size() || !beginning_at(words, next)) return {};
+    return end;
+}
+
 // Ends of a clause that say nothing: "from the room", "please", "for me".
 void trim(Words& words, const Words& all_rooms) {
     const auto is_room = [&](const std::string& w) {
@@ -271,9 +301,13 @@ Words part_of(const Words& words, std::size_t from, std::size_t to) {
 std::vector<Words> parts_of(const Words& words) {
     std::vector<Words> parts{{}};
     bool between = false;
-    for (const std::string& w : words) {
+    for (std::size_t i = 0; i < words.size(); ++i) {
+        const std::string& w = words[i];
         if (w == "between") between = true;
-        if (is_joint(w) && !(between && w == "and")) {
+        // "between the beds and a poster": of two of a kind it is said already between what.
+        const bool said = i > 0 && i + 1 < words.size() && (words[i - 1].ends_with("s") || words[i - 1] == "them") &&
+                          is_one_of(words[i + 1], {"a", "an", "another", "some", "two", "three"});
+        if (is_joint(w) && !(between && w == "and" && !said)) {
             if (!parts.back().empty()) parts.emplace_back();
             between = false;
             continue;
@@ -313,6 +347,11 @@ std::vector<Clause> clauses_of(const std::string& sentence) {
                 i = from + found->words.size();
                 continue;
             }
+            if (const auto end = from < words.size() ? remark_ends(words, from) : std::nullopt) {
+                out.push_back({Verb::remark, "", part_of(words, from, *end)});
+                i = *end;
+                continue;
+            }
             const bool says = from < words.size() && is_statement(words, from);
             const bool asks = out.empty() && from < words.size() &&
                               (number_said(words[from]) || is_one_of(words[from], {"another", "some", "more"}));
@@ -333,6 +372,7 @@ std::vector<Clause> clauses_of(const std::string& sentence) {
     }
     for (Clause& clause : out) {
         while (!clause.words.empty() && is_joint(clause.words.back())) clause.words.pop_back();
+        if (clause.words.size() > 2 && clause.words.back() == "instead") clause.words.pop_back();
         const std::size_t n = clause.words.size();
         clause.there = n > 1 &&
                        (clause.words.back() == "there" || (n > 3 && stands_at(clause.words, n - 3, "in its place")));

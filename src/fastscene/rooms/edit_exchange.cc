@@ -206,6 +206,10 @@ void Editor::replace(const EditStep& step) {
         place_of_new.push_back(k);
     }
     const std::vector<std::string> fresh = admit(all, standing, " in place of " + step.ids.front());
+    for (std::size_t n = 0; n < fresh.size(); ++n)
+        if (const Placed& p = all[standing.placed.size() + n];
+            step.wish.size == "large" && p.on >= 0 && p.piece.kind != step.wish.kind)
+            tell(fresh[n], "a small one: it stands where that stood");
     std::vector<std::string> onto(olds.size());
     for (std::size_t n = 0; n < fresh.size(); ++n)
         if (const auto k = static_cast<std::size_t>(place_of_new[std::min(n, place_of_new.size() - 1)]);

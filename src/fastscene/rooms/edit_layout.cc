@@ -44,6 +44,11 @@ bool is_where_asked(const Plan& plan, const std::vector<Placed>& all, const Plac
     if (wish.relation == "around" && has_role(piece.piece.kind, Role::seat) &&
         !is_drawn_up(all, piece, wish.relation_to))
         return false;
+    // Nothing stands "around a table" on top of a bookshelf.
+    constexpr float kHigh = 1.4f;  // metres
+    if (piece.on >= 0 && piece.position.y > kHigh &&
+        is_one_of(wish.relation, {"next to", "around", "in front of", "between"}))
+        return false;
     return stands_as_asked(plan, all, piece, wish).value_or(wish.relation.empty());
 }
 
@@ -161,7 +166,7 @@ bool Editor::at_a_wall(Layout& layout, const EditStep& step, const Placed* movin
     if (!layout.why_not(wish.kind).empty()) return false;
     const PieceRequest request = layout.request(wish.kind, &wish);
     const Mount mount = make_piece(request).mount;
-    if (mount != Mount::floor && mount != Mount::wall) return false;
+    if (mount == Mount::ceiling) return false;
     const bool corner = wish.relation == "in the corner";
     const int own = moving ? wall_behind(plan(), *moving) : -1;
     std::vector<int> walls{step.wall};
@@ -171,6 +176,10 @@ bool Editor::at_a_wall(Layout& layout, const EditStep& step, const Placed* movin
     if (step.wall < 0 && step.elsewhere && !corner && own >= 0) walls.pop_back();
     if (step.opposite && own >= 0 && !corner) walls.resize(1);
     for (const int wall : walls) {
+        if (mount == Mount::surface) {
+            if (!corner && on_top_at_wall(layout, wall)) return true;
+            continue;
+        }
         Layout::WallWish there{.wall = wall, .center_pull = 0.4f, .corner = corner};
         if (step.position) there.near = step.position, there.at_most_from_near = 1.3f;
         const std::size_t before = layout.mark();
@@ -222,10 +231,10 @@ std::vector<Placed> Editor::laid_out(const Standing& standing, const EditStep& s
     } else if (step.wall >= 0 || step.elsewhere || (step.position && wish.relation == "in the corner"))
         done = at_a_wall(layout, step, moving);
     else {
-        if (step.position) done = near_a_point(layout, step);
+        if (step.position) done = stand_near(layout, step) || near_a_point(layout, step);
         if (!done)
-            done = hang_above(layout, wish) || at_the_ends(layout) || in_the_middle(layout, step, moving) ||
-                   on_the_floor(layout, step);
+            done = hang_above(layout, wish) || hang_in_row(layout) || on_flat(layout) || on_top_beside(layout) ||
+                   at_the_ends(layout) || in_the_middle(layout, step, moving) || on_the_floor(layout, step);
         if (!done && wish.relation != kAtTheEnds && !step.on_floor) place_asked(layout);
         if (layout.mark() == before || !is_where_asked(plan(), layout.placed(), layout.placed().back(), wish)) {
             layout.undo(before);
@@ -237,6 +246,11 @@ std::vector<Placed> Editor::laid_out(const Standing& standing, const EditStep& s
                                return p.wish.kind != wish.kind || is_where_asked(plan(), layout.placed(), p, wish);
                            });
     }
+    constexpr float kThereabouts = 1.5f;  // metres
+    if (done && step.position && wish.relation.empty() &&
+        length(footprint_of(layout.placed().back()).center - *step.position) > kThereabouts)
+        done = false;
+    done = done && bring_nearer(layout, step, before);
     constexpr float kSame = 2e-3f;  // metres
     if (done && moving && length(layout.placed().back().piece.size_m - moving->piece.size_m) > kSame) done = false;
     if (!done) {
@@ -256,16 +270,24 @@ std::vector<Placed> Editor::laid_out(const Standing& standing, const EditStep& s
 }
 
 void Editor::place(const EditStep& step) {
-    for (const std::string& id : step.ids) {
-        const int index = index_of(id);
-        const std::vector<int> seats = seats_at(index);
-        if (!seats.empty()) try {
-                place_one(index, seats, step);
-                continue;
-            } catch (const Error&) {  // there is no room for them: it goes alone
-            }
-        place_one(index, {}, step);
-    }
+    std::vector<std::string> already;
+    for (const std::string& id : step.ids) try {
+            place_with_seats(index_of(id), step);
+        } catch (const AlreadySo&) {
+            if (step.ids.size() == 1) throw;
+            already.push_back(id);
+        }
+    if (already.size() == step.ids.size()) throw AlreadySo(already.front() + ": it stands there already");
+    for (const std::string& id : already) tell(id, "stands there already");
+}
+
+void Editor::place_with_seats(int index, const EditStep& step) {
+    const std::vector<int> seats = seats_at(index);
+    if (!seats.empty()) try {
+            return place_one(index, seats, step);
+        } catch (const Error&) {  // there is no room for them: it goes alone
+        }
+    place_one(index, {}, step);
 }
 
 void Editor::place_one(int index, const std::vector<int>& along, EditStep step) {
@@ -291,7 +313,7 @@ void Editor::place_one(int index, const std::vector<int>& along, EditStep step) 
     const bool there = step.wall < 0 && !step.elsewhere && step.at.empty() && !wish.relation.empty() &&
                        is_where_asked(plan(), room_.furnished.placed, placed(index), now);
     if (length(found.position - was.position) < (there ? kNudge : kThere))
-        throw Error("{}: it stands there already", id);
+        throw AlreadySo(id + ": it stands there already");
     try {
         checked([&] { stand_at_found(index, found, standing, step, along); });
     } catch (const Error& e) {
@@ -319,7 +341,7 @@ void Editor::stand_at_found(int index, const Placed& found, const Standing& stan
 }
 
 // As large as it is usual; where there is no room for that, smaller; of a number that was not said, as many as fit.
-std::vector<Placed> Editor::with_added(const EditStep& step) const {
+std::vector<Placed> Editor::with_added(const EditStep& step, bool& smaller) const {
     const Standing standing = without({});
     const auto usual_size = [&](const PromptObject& wish) {
         PromptSpec spec = room_.spec;
@@ -333,6 +355,9 @@ std::vector<Placed> Editor::with_added(const EditStep& step) const {
             EditStep one = step;
             one.wish.count = count;
             if (scale < 1) one.wish.size_m = usual_size(one.wish) * scale;
+            // Nobody sits on a chair for dolls.
+            constexpr float kLeastSeat = 0.8f;
+            if (scale < kLeastSeat && has_role(step.wish.kind, Role::seat)) break;
             if (scale < 1 && (step.wish.size_m != Vec3f{} || one.wish.size_m == Vec3f{})) break;
             const std::vector<Placed> all = laid_out(standing, one, nullptr);
             // Pictures and mirrors shrink to the wall that is free: half as wide as usual, nobody calls them large.
@@ -340,6 +365,7 @@ std::vector<Placed> Editor::with_added(const EditStep& step) const {
             usual.size.clear();
             if (!all.empty() && step.wish.size == "large" && all.back().piece.size_m.x < 0.5f * usual_size(usual).x)
                 break;
+            smaller = scale < 1;
             if (!all.empty()) return all;
         }
     throw Error("{}", why_none_added(step));
@@ -376,8 +402,11 @@ std::vector<std::string> Editor::admit(const std::vector<Placed>& all, const Sta
 }
 
 void Editor::add(const EditStep& step) {
-    const std::vector<Placed> all = with_added(step);
-    admit(all, without({}), place_in_words(step));
+    if (step.wish.relation == "on both sides of" && step.wish.count == 2) check_no_pair(step);
+    bool smaller = false;
+    const std::vector<Placed> all = with_added(step, smaller);
+    for (const std::string& id : admit(all, without({}), place_in_words(step)))
+        if (smaller) tell(id, "smaller than usual: there was no more room");
     build();
 }
 

@@ -50,7 +50,9 @@ bool names_things(const Words& words) {
 // Cuts "the sofa dark green", "the sofa to dark green"; no value: all of it is the subject.
 void cut(const Words& part, Words& subject, Words& value, Words& by) {
     subject = part;
-    if (value_of(part)) {
+    // "The tiles black" are tiles, no look.
+    const bool of_those = part.size() > 2 && is_definite(part.front()) && !is_one_of(part.front(), {"it", "them"});
+    if (!of_those && value_of(part)) {
         value = part, subject.clear();
         return;
     }
@@ -66,7 +68,7 @@ void cut(const Words& part, Words& subject, Words& value, Words& by) {
             return;
         }
     }
-    for (std::size_t i = 1; i < part.size(); ++i)
+    for (std::size_t i = of_those ? 2 : 1; i < part.size(); ++i)
         if (value_of(part_of(part, i))) {
             value = part_of(part, i), subject = part_of(part, 0, i);
             return;
@@ -111,18 +113,19 @@ std::vector<Group> groups_of(const Words& words) {
 std::string surface_said(const Words& words) {
     Words bare = words;
     std::erase_if(bare, [](const std::string& w) {
-        return is_definite(w) || is_one_of(w, {"all", "whole", "entire", "room", "of", "a"});
+        return is_definite(w) || is_one_of(w, {"all", "whole", "entire", "room", "of", "a", "only", "just"});
     });
+    if (is_one_wall(words)) return "accent_wall";
     const std::string text = text_of(bare);
+    if (is_one_of(text, {"tiles", "tile", "tiling"})) return "tiles";
+    if (is_one_of(text, {"floor tiles", "tiled floor"})) return "floor";
+    if (is_one_of(text, {"wall tiles", "tiled walls"})) return "wall";
     if (text.find("accent wall") != std::string::npos) return "accent_wall";
     if (is_one_of(text, {"trim", "trims", "baseboard", "baseboards", "skirting", "skirting board", "skirting boards",
                          "molding", "moldings"}))
         return "trim";
     const auto word = look_up(text);
     if (word && is_one_of(word->meaning, {"wall", "floor", "ceiling"})) return word->meaning;
-    if (says_any(words, {"wall"}) && bare.size() > 1 &&
-        (bare.back() == "wall" || is_one_of(bare.front(), {"wall", "left", "right", "far", "back"})))
-        throw UsageError("a sentence paints all walls alike; \"accent_wall\" in the document's plan names one of them");
     return {};
 }
 
@@ -151,6 +154,23 @@ void suit_cloth(const Talk& talk, EditStep& step) {
     if (step.wish.material == "voile" && !soft) step.wish.material = "glass";
 }
 
+// "Longer": taller, where that is its longer side. Curtains hang to the floor at most.
+void along_its_length(const Talk& talk, EditStep& step) {
+    constexpr float kAtFloor = 0.1f;  // metres
+    const auto hangs = [](const Placed& p) {
+        return p.piece.mount == Mount::wall && has_role(p.piece.kind, Role::soft);
+    };
+    const bool upright = !step.ids.empty() && std::all_of(step.ids.begin(), step.ids.end(), [&](const std::string& id) {
+        const Placed& p = talk.editor.placed(id);
+        return hangs(p) || p.piece.size_m.y > std::max(p.piece.size_m.x, p.piece.size_m.z);
+    });
+    if (!upright) return;
+    std::swap(step.factor.x, step.factor.y);
+    for (const std::string& id : step.ids)
+        if (const Placed& p = talk.editor.placed(id); hangs(p) && p.position.y < kAtFloor && step.factor.y > 1)
+            throw Error("{}: it reaches the floor already", id);
+}
+
 // The things that it is of; none: a surface.
 std::vector<std::string> make_one(Talk& talk, const Words& subject, const Value& value) {
     EditStep step;
@@ -163,7 +183,14 @@ std::vector<std::string> make_one(Talk& talk, const Words& subject, const Value&
     step.brighter = value.brighter;
     if (value.resizes() && speaks_of_shell(subject)) refuse_shell();
     if (!value.resizes()) step.surface = surface_said(subject);
+    if (step.surface == "tiles") step.surface = tiled_surface(talk.editor);
+    else if (step.surface == "accent_wall" && !says_any(subject, {"accent"})) {
+        Words which = subject;
+        std::erase_if(which, [](const std::string& w) { return is_one_of(w, {"only", "just"}); });
+        step.wall = wall_meant(talk.editor, which, talk.last);
+    }
     if (step.surface.empty()) step.ids = talk.things(subject);
+    if (value.length && value.by == Vec3f{}) along_its_length(talk, step);
     const bool lamps = !step.ids.empty() && std::all_of(step.ids.begin(), step.ids.end(), [&](const std::string& id) {
         return has_role(talk.editor.placed(id).piece.kind, Role::light);
     });
@@ -172,6 +199,12 @@ std::vector<std::string> make_one(Talk& talk, const Words& subject, const Value&
     suit_cloth(talk, step);
     if (says_any(subject, {"worktop", "worktops", "countertop", "countertops"})) of_the_top(step.wish);
     if (value.by == Vec3f{}) {
+        if (step.brighter != 1 && !step.wish.material.empty()) {  // dark wood: wood first
+            EditStep first = step;
+            first.brighter = 1;
+            talk.editor.apply(first);
+            step.wish = {};
+        }
         talk.editor.apply(step);
         return step.ids;
     }
@@ -180,6 +213,7 @@ std::vector<std::string> make_one(Talk& talk, const Words& subject, const Value&
         one.ids = {id};
         const Vec3f size = talk.editor.placed(id).piece.size_m;
         for (std::size_t a = 0; a < 3; ++a) one.factor[a] = std::max(0.2f, 1 + value.by[a] / size[a]);
+        if (value.length) along_its_length(talk, one);
         talk.editor.apply(one);
     }
     return step.ids;
@@ -245,6 +279,14 @@ bool of_the_room(Talk& talk, const Words& words) {
     for (std::size_t i = 1; i < words.size() && of_room; ++i)
         if (const auto said = value_of(part_of(words, i))) {
             if (said->resizes()) refuse_shell();
+            // "the room pink" is its walls.
+            if (is_one_of(text_of(words, 0, i), {"the room", "this room", "my room", "the whole room"}) &&
+                !said->looks.color.empty() && said->looks.material.empty()) {
+                EditStep step;
+                step.kind = EditStep::Kind::recolor;
+                step.surface = "wall", step.wish = said->looks;
+                return talk.editor.apply(step), true;
+            }
             // "the walls of the room white"
             if (!surface_said(part_of(words, 0, i)).empty()) return false;
         }
@@ -307,6 +349,28 @@ bool says_on_or_off(const Words& words) {
 
 }  // namespace
 
+namespace {
+
+// "Every desk a plant": one at each; false: no such words.
+bool given(Talk& talk, const Words& words) {
+    for (std::size_t i = 2; i < words.size(); ++i) {
+        if (!is_one_of(words[i], {"a", "an", "two", "three", "some"})) continue;
+        Words all = part_of(words, i);
+        const auto last = look_up(all.back());
+        if (all.size() < 2 || !last || last->kind != WordKind::object || value_of(all) || shape_said({all[1]}) != "" ||
+            !names_things(all) || all_named(talk.editor, text_of(words, 0, i)).empty() ||
+            is_one_of(all.back(), {"color", "look", "shape"}))
+            return false;
+        all.push_back("at");
+        all.insert(all.end(), words.begin(), words.begin() + static_cast<std::ptrdiff_t>(i));
+        add(talk, all);
+        return true;
+    }
+    return false;
+}
+
+}  // namespace
+
 bool each_on_or_off(const Words& words) {
     const std::vector<Words> parts = parts_of(words);
     return parts.size() > 1 && std::all_of(parts.begin(), parts.end(), says_on_or_off);
@@ -320,6 +384,7 @@ void make(Talk& talk, const Words& words) {
     }
     // "the room brick walls and a concrete floor"
     if (talk.said == "give" && words.size() > 3 && noun_of(words[1]) == "room") return add(talk, part_of(words, 2));
+    if (talk.said == "give" && given(talk, words)) return;
     if (make_by_turns(talk, words)) return;
     if (const std::string lamps = lamps_said(words); !lamps.empty()) return light(talk, lamps);
     if (shine_said(talk, words)) return;

@@ -35,6 +35,24 @@ std::vector<Split> splits_of(const Words& words) {
     return out;
 }
 
+// The second next to the first, or as near as they come from where they stand.
+bool put_together(Talk& talk, const std::vector<std::string>& ids) {
+    constexpr float kTogether = 0.35f;  // metres
+    const auto off = [&] {
+        const Footprint a = footprint_of(talk.editor.placed(ids[0])), b = footprint_of(talk.editor.placed(ids[1]));
+        const Vec2f way = (b.center - a.center) * (1 / std::max(0.01f, length(b.center - a.center)));
+        return length(b.center - a.center) - extent(a, way) - extent(b, way);
+    };
+    if (off() < 0.02f) throw AlreadySo(ids[1] + ": it stands there already");
+    EditStep step;
+    step.kind = EditStep::Kind::place;
+    step.wish.relation = "next to", step.wish.relation_to = talk.editor.placed(ids[0]).piece.kind;
+    step.ids = {ids[1]}, step.at = {ids[0]};
+    talk.editor.apply(step);
+    if (off() > kTogether) throw Error("{}: there is no free place for it close to {}", ids[1], ids[0]);
+    return true;
+}
+
 // "to the left of the bed": as far as there is room, when that is not a place.
 bool shifted(Talk& talk, const std::vector<std::string>& ids, const Words& place) {
     std::vector<EditStep> steps;
@@ -54,6 +72,7 @@ bool shifted(Talk& talk, const std::vector<std::string>& ids, const Words& place
             steps.push_back(step);
         }
     }
+    if (text_of(place) == "together" && ids.size() == 2 && !steps.empty()) return put_together(talk, ids);
     for (const std::string& id : steps.empty() ? ids : std::vector<std::string>{})
         if (const auto step = shift_of(talk.editor, place, id)) steps.push_back(*step);
     if (steps.size() < ids.size() || steps.empty()) return false;
@@ -85,12 +104,28 @@ bool put_at(Talk& talk, const std::vector<std::string>& ids, const Words& words,
     if (!place && !why_not.empty()) throw Error("{}", why_not);
     if (!place) return false;
     place->step.kind = EditStep::Kind::place;
-    for (std::size_t k = 0; k < ids.size(); ++k) {
-        place->step.ids = {ids[k]};
-        if (!place->each_at.empty()) place->step.at = place->each_at[k % place->each_at.size()];
-        talk.editor.apply(place->step);
-    }
+    std::vector<std::string> already;
+    for (std::size_t k = 0; k < ids.size(); ++k) try {
+            place->step.ids = {ids[k]};
+            if (!place->each_at.empty()) place->step.at = place->each_at[k % place->each_at.size()];
+            talk.editor.apply(place->step);
+        } catch (const AlreadySo&) {
+            if (ids.size() == 1) throw;
+            already.push_back(ids[k]);
+        }
+    if (already.size() == ids.size()) throw AlreadySo(already.front() + ": it stands there already");
+    for (const std::string& id : already) talk.editor.note(id, "stands there already");
     talk.last_place = place->step;
+    return true;
+}
+
+// "Push the chairs in": up to the table at which they stand; false: they stand at none.
+bool push_in(Talk& talk, const std::vector<std::string>& ids) {
+    for (const std::string& id : ids) {
+        const int at = talk.editor.placed(id).with;
+        if (at < 0) return false;
+        put_at(talk, {id}, {"to", talk.editor.document().things[static_cast<std::size_t>(at)].id}, {});
+    }
     return true;
 }
 
@@ -114,6 +149,7 @@ void move_one(Talk& talk, const std::vector<Words>& before, const Words& words) 
             continue;
         }
         talk.last = ids;
+        if (split.place == Words{"in"} && push_in(talk, ids)) return;
         if (put_at(talk, ids, split.place, spoken)) return;
         if (wrong.empty()) wrong = fmt::format("expected a place in the room, found \"{}\"", text_of(split.place));
     }
@@ -352,6 +388,7 @@ void put(Talk& talk, const Words& words) {
     // "the walls to white"
     const std::size_t to = find_word(words, {"to"}, 1);
     if (to < words.size() && value_of(part_of(words, to + 1))) return make(talk, words);
+    if (const auto laid = laid_with(talk, words)) return add(talk, *laid);
     if (set_for_guests(talk, words) || put_one_by_one(talk, words)) return;
     const std::size_t end = next_place(words);
     const std::string thing = text_of(words, 0, end);

@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "fastscene/base/error.h"
 #include "fastscene/rooms/edit.h"
 
 namespace fastscene::editing {
@@ -31,6 +32,8 @@ class Editor {
     const Plan& plan() const { return room_.furnished.plan; }
     const std::shared_ptr<const FurniturePack>& pack() const { return pack_; }
     const EditResult& result() const { return result_; }
+    // Tells what was not done as it was said.
+    void note(const std::string& id, const std::string& what) { tell(id, what); }
     int index_of(const std::string& id) const;
     const Placed& placed(const std::string& id) const;
     std::string color_seen(const std::string& id) const;  // by name, else "#rrggbb"
@@ -81,10 +84,11 @@ class Editor {
     bool near_a_point(Layout& layout, const EditStep& step) const;
     std::string why_none_added(EditStep step) const;
     void place(const EditStep& step);
+    void place_with_seats(int index, const EditStep& step);
     void place_one(int index, const std::vector<int>& along, EditStep step);
     void stand_at_found(int index, const Placed& found, const Standing& standing, const EditStep& step,
                         const std::vector<int>& along);
-    std::vector<Placed> with_added(const EditStep& step) const;
+    std::vector<Placed> with_added(const EditStep& step, bool& smaller) const;
     void add(const EditStep& step);
     std::vector<std::string> admit(const std::vector<Placed>& all, const Standing& standing, const std::string& how);
 
@@ -95,6 +99,16 @@ class Editor {
     bool on_the_floor(Layout& layout, const EditStep& step) const;
     bool hang_behind(Layout& layout) const;
     bool stands_clear(int index, const Footprint& box, const std::vector<int>& along) const;
+
+    // ---- edit_nearer.cc
+    bool hang_in_row(Layout& layout) const;
+    bool on_flat(Layout& layout) const;
+    bool on_top_beside(Layout& layout) const;
+    bool on_top_at_wall(Layout& layout, int wall) const;
+    bool stand_near(Layout& layout, const EditStep& step) const;
+    bool bring_nearer(Layout& layout, const EditStep& step, std::size_t before) const;
+    void line_up(const EditStep& step);
+    void check_no_pair(const EditStep& step) const;
 
     // ---- edit_shapes.cc
     void reshape(const EditStep& step);
@@ -113,6 +127,7 @@ class Editor {
     void take(const std::vector<std::string>& ids);
     void recolor(const EditStep& step);
     void recolor_surface(const EditStep& step, const std::string& said);
+    void recolor_wall(int wall, const EditStep& step, const std::string& said);
     void restyle(const std::string& name);
     void light(const std::string& value);  // edit_light.cc
     void brighten(bool more, bool lamps_alone);
@@ -123,6 +138,14 @@ class Editor {
     EditResult result_;
     DocumentRoom room_;
 };
+
+// What was asked for is so without any change: another part of the sentence may do something.
+class AlreadySo : public Error {
+  public:
+    explicit AlreadySo(const std::string& what) : Error("{}", what) {}
+};
+
+struct Talk;
 
 // ---- edit_clauses.cc: a sentence as clauses, each with its verb
 
@@ -151,6 +174,9 @@ enum class Verb : unsigned char {
     copy,
     kindle,  // "light the candles", "put out the fire"
     quench,
+    keep,    // "leave the rug as it is"
+    line,    // "line up the chairs along the wall"
+    remark,  // "the chairs don't match": what follows says what is to be done
     refuse,  // understood, and nothing that a sentence does
 };
 struct Clause {
@@ -208,6 +234,32 @@ std::optional<EditStep> on_support(const Editor& editor, const Words& words);
 // Of several of different kinds, the one that "the table" means in such a room; none: nobody could tell.
 std::vector<int> main_of(const Editor& editor, const std::vector<int>& found);
 
+// ---- edit_remarks.cc, by edit_sentence.cc: what is said beside what is to be done, and what was not done as it was
+// said
+
+void remark(Talk& talk, const Words& words);
+void keep(Talk& talk, const Words& words);
+void check_kept(const Talk& talk, const RoomDocument& before);
+// Throws UsageError for what only something quite different stands for: a piano for a keyboard.
+void check_stand_in(const PromptObject& wish);
+// Of what came by these words: what stands in for something else, and which words nothing of it shows.
+void tell_unshown(Talk& talk, const std::vector<std::string>& ids, const PromptObject& wish, const Words& words);
+bool done_with(Talk& talk, const Clause& clause);
+// "the table with plates and candles" -> "plates and candles on the table"; nothing: no such words.
+std::optional<Words> laid_with(const Talk& talk, const Words& words);
+// "the chairs along the wall", "the plants under the window"
+void line_up(Talk& talk, const Words& words);
+
+// ---- edit_walls.cc: "the wall behind the bed"
+
+// Whether words mean one wall and not all.
+bool is_one_wall(const Words& words);
+// Its number; throws UsageError where nobody could tell which.
+int wall_meant(const Editor& editor, const Words& words, const std::vector<std::string>& spoken);
+bool is_tiled(const Material& m);
+// "the tiles": floor, wall; throws UsageError where both are tiled, or none.
+std::string tiled_surface(const Editor& editor);
+
 // ---- edit_place_words.cc: the words of places
 
 struct Relation {
@@ -244,6 +296,7 @@ struct Place {
 // `mover`: the id of what is to move there; empty: it comes new. `spoken`: what "it" and "them" are.
 std::optional<Place> place_of(const Editor& editor, const Words& words, const std::string& kind,
                               const std::string& mover, const std::vector<std::string>& spoken = {});
+Mount mount_of(const Editor& editor, const std::string& kind);
 // The things that a place is at.
 std::vector<std::string> things_at(const Editor& editor, const EditStep& place);
 // Takes "50 cm", "half a meter" out of the words: metres.
@@ -261,6 +314,7 @@ struct Value {
     bool exactly = false;  // "twice as large", "20 percent", "10 cm": that or nothing
     std::string shape;     // round oval square rectangular
     bool shines = false;   // "brighter", "dimmer": of lamps that is their light
+    bool length = false;   // "longer", "shorter": of what is taller than wide that is its height
     bool resizes() const { return !(factor == Vec3f{1, 1, 1}) || !(by == Vec3f{}) || !shape.empty(); }
 };
 // Nothing unless all the words are looks or sizes.
@@ -291,6 +345,7 @@ struct Talk {
     bool there = false;                // the clause ends with "there"
     std::optional<Vec2f> last_gone{};  // where what was removed last stood: "there"
     std::string last_gone_from{};      // … and what carried it; "clear the table and put a bowl there"
+    std::vector<std::string> kept{};   // "leave the rug as it is"
 
     std::vector<std::string> things(const Words& words);
     std::vector<std::string> things_of_parts(const Words& words);
@@ -311,6 +366,7 @@ bool says_so_that(const Words& words);             // "the desk so that it faces
 Words instead_of(const Words& old, const Words& by);
 // ---- edit_add.cc
 void add(Talk& talk, const Words& words);
+void add_there(Talk& talk, const Words& words);
 void copy(Talk& talk, const Words& words);
 void replace(Talk& talk, const Words& old, const Words& by);
 void swap(Talk& talk, Words words);

@@ -11,7 +11,7 @@ namespace {
 
 // Beginnings of places that the lexicon does not have, or that an edit means in its own way. "to", "at" and "in" mean
 // what suits the thing and the place.
-constexpr std::array<std::pair<std::string_view, std::string_view>, 27> kRelations{{
+constexpr std::array<std::pair<std::string_view, std::string_view>, 34> kRelations{{
     {"to", "to"},
     {"into", "to"},
     {"over to", "to"},
@@ -39,6 +39,13 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 27> kRelatio
     {"to the foot of", "at the foot of"},
     {"to the side of", "next to"},
     {"by the side of", "next to"},
+    {"either side of", "on both sides of"},
+    {"on either side of", "on both sides of"},
+    {"at either side of", "on both sides of"},
+    {"both sides of", "on both sides of"},
+    {"each side of", "on both sides of"},
+    {"in between", "between"},
+    {"on top of", "on"},
 }};
 
 }  // namespace
@@ -87,7 +94,8 @@ std::optional<Part> room_part(const Words& words, std::size_t at) {
             !is_one_of(w, {"a",     "an",    "each",  "every",     "all",  "four",   "other",    "another",
                            "left",  "right", "far",   "near",      "back", "front",  "opposite", "one",
                            "any",   "free",  "empty", "different", "same", "side",   "bare",     "big",
-                           "large", "hand",  "of",    "some",      "both", "either", "opposite"}))
+                           "large", "hand",  "of",    "some",      "both", "either", "opposite"}) &&
+            !(i + 1 < words.size() && words[i + 1] == "wall" && looks_of(w)))
             return {};
         out.modifiers.push_back(w);
     }
@@ -107,7 +115,13 @@ std::size_t next_place(const Words& words, std::size_t from) {
         const bool named = is_one_of(words[i], {"left", "right", "back"}) && is_definite(words[i - 1]) &&
                            i + 1 < words.size() && words[i + 1] != "of";
         if (!named && std::find(kPlaces.begin(), kPlaces.end(), words[i]) != kPlaces.end()) return i;
+        if (words[i] == "together" || words[i] == "apart" ||
+            (words[i] == "out" && (i + 1 == words.size() || is_one_of(words[i + 1], {"a", "slightly"}))))
+            return i;
         // "a bit to the left", "50 cm to the left"
+        if (i + 2 < words.size() && is_one_of(words[i], {"either", "both", "each"}) &&
+            is_one_of(words[i + 1], {"side", "sides", "end", "ends"}) && words[i + 2] == "of")
+            return i;
         const bool much = is_one_of(words[i], {"slightly", "upwards", "downwards"}) ||
                           (i + 2 < words.size() && words[i] == "a" && is_one_of(words[i + 1], {"bit", "little"}));
         const bool measure = i + 1 < words.size() && number_said(words[i]) &&

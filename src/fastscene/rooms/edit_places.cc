@@ -53,15 +53,6 @@ std::string opening_there(const Plan& plan, const std::string& kind) {
     throw UsageError("there is no {} in the room", kind);
 }
 
-Mount mount_of(const Editor& editor, const std::string& kind) {
-    PromptSpec spec = editor.room().spec;
-    Random rng(0, "mount");
-    Layout layout(editor.plan(), spec, rng);
-    PromptObject wish;
-    wish.kind = kind;
-    return layout.why_not(kind).empty() ? make_piece(layout.request(kind, &wish)).mount : Mount::floor;
-}
-
 std::string kind_of(const DocumentThing& t) { return t.asked && !t.asked->kind.empty() ? t.asked->kind : t.kind; }
 
 bool is_table(const std::string& kind) {
@@ -226,7 +217,12 @@ class Reader {
         out.step.each = !moving_ && part.says({"each", "every", "all"});
         std::optional<Vec2f> near;
         if (const auto direction = direction_said(editor_, part)) near = flat(*direction) * 100.f;
-        if (!rest.empty() && rest.front() != "of") near = point_of(rest);
+        if (rest.size() > 2 && is_one_of(rest.front(), {"furthest", "farthest", "closest", "nearest"})) {
+            Words at = rest;
+            at[0] = "next", at[1] = "to";
+            near = point_of(at);
+            if (near && rest.front().starts_with("f")) near = *near * -1.f;
+        } else if (!rest.empty() && rest.front() != "of") near = point_of(rest);
         if (near && !rest.empty() && rest.front() == "opposite") near = *near * -1.f;
         if (!rest.empty() && rest.front() != "of" && !near) return {};
         if (near) {
@@ -256,12 +252,10 @@ class Reader {
     std::optional<Place> at_wall_of(const Words& rest) {
         auto out = Reader(editor_, rest, kind_, mover_, spoken_).read();
         if (!out || !is_one_of(out->step.wish.relation, {"opposite", "behind"})) return out;
-        const auto anchors = things_at(editor_, out->step);
-        if (anchors.empty()) return out;
-        const Vec3f front = front_of(editor_.placed(anchors.front()).yaw);
-        const bool opposite = out->step.wish.relation == "opposite";
+        Words wall{"the", "wall"};
+        wall.insert(wall.end(), rest.begin(), rest.end());
         out = place("against");
-        out->step.wall = wall_towards(editor_.plan(), opposite ? front : front * -1.f);
+        out->step.wall = wall_meant(editor_, wall, spoken_);
         return out;
     }
 
@@ -276,9 +270,30 @@ class Reader {
             if ((part.says({"window"}) && o.kind == Opening::Kind::window) ||
                 (part.says({"door"}) && o.kind != Opening::Kind::window))
                 out.step.wall = o.wall;
+        if (const auto wall = wall_that_looks(part)) out.step.wall = *wall;
         out.step.elsewhere = moving_ && part.is_other();
         out.step.opposite = part.says({"opposite"}) || (part.noun == "side" && part.is_other());
         return out;
+    }
+
+    // "The brick wall": the one that looks so; nothing: all do, or it was not said how it looks.
+    std::optional<int> wall_that_looks(const Part& part) const {
+        const Plan& plan = editor_.plan();
+        for (const std::string& word : part.modifiers) {
+            const auto look = is_definite(word) ? std::nullopt : looks_of(word);
+            if (!look || is_one_of(word, {"a", "an"})) continue;
+            std::vector<int> walls;
+            for (int w = 0; w < 4; ++w) {
+                const auto& own = plan.own_walls[static_cast<std::size_t>(w)];
+                const Material& m = own                                    ? *own
+                                    : plan.accent && plan.accent_wall == w ? plan.style.accent_wall
+                                                                           : plan.style.wall;
+                if (m.name.find(word) != m.name.npos) walls.push_back(w);
+            }
+            if (walls.empty()) throw UsageError("there is no {} wall in the room", word);
+            if (walls.size() == 1) return walls.front();
+        }
+        return {};
     }
 
     std::optional<Place> at_thing(const Relation& relation) {
@@ -308,6 +323,14 @@ class Reader {
         const Placed& first = editor_.room().furnished.placed[static_cast<std::size_t>(found.front())];
         if (looked.empty()) out.step.wish.relation = suited(name, kind_, first);
         if (name == "along" || name == "against") out.step.wish.relation = "next to";
+        // A blanket over a sofa lies on it.
+        if (name == "above" && find_word(words_, {"over", "across"}) < relation.next &&
+            furnishing::lies_on_seats(kind_))
+            out.step.wish.relation = "on";
+        // A candle on each side of the mantel stands on it.
+        const bool top = furnishing::is_small(kind_) && !first.piece.surfaces.empty() &&
+                         !has_role(first.piece.kind, Role::seat) && !has_role(first.piece.kind, Role::bed);
+        if (name == "on both sides of" && top) out.step.wish.relation = kAtTheEnds, out.count = 2;
         if (each)
             for (const int i : found)
                 out.each_at.push_back({editor_.document().things[static_cast<std::size_t>(i)].id});
@@ -335,7 +358,11 @@ class Reader {
         const bool both = part.says({"each", "both", "either", "every"});
         const bool seats = has_role(kind_, Role::seat) && !anchors.empty() &&
                            is_table(editor_.placed(anchors.front()).piece.kind);
-        if (part.says({"end"}) && seats) place.step.wish.relation = kAtTheEnds;
+        const bool on_top = both && furnishing::is_small(kind_) && !anchors.empty() &&
+                            !editor_.placed(anchors.front()).piece.surfaces.empty();
+        const bool bed = !anchors.empty() && has_role(editor_.placed(anchors.front()).piece.kind, Role::bed);
+        if (part.says({"end"}) && bed && !both) place.step.wish.relation = "at the foot of";
+        else if (part.says({"end"}) && (seats || on_top)) place.step.wish.relation = kAtTheEnds;
         else if (both) place.step.wish.relation = "on both sides of";
         if (both) place.count = 2;
     }
@@ -383,6 +410,15 @@ class Reader {
 };
 
 }  // namespace
+
+Mount mount_of(const Editor& editor, const std::string& kind) {
+    PromptSpec spec = editor.room().spec;
+    Random rng(0, "mount");
+    Layout layout(editor.plan(), spec, rng);
+    PromptObject wish;
+    wish.kind = kind;
+    return layout.why_not(kind).empty() ? make_piece(layout.request(kind, &wish)).mount : Mount::floor;
+}
 
 std::optional<Place> place_of(const Editor& editor, const Words& words, const std::string& kind,
                               const std::string& mover, const std::vector<std::string>& spoken) {

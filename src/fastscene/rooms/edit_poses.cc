@@ -231,13 +231,15 @@ namespace {
 struct Turned {
     float off, aside;  // metres, radians
 };
-std::vector<Turned> turns() {
+std::vector<Turned> turns(bool far) {
     constexpr float kNearly = 12 * kPi / 180;
     std::vector<Turned> out{{0, 0}};
     for (const float off : {0.06f, 0.12f, 0.2f, 0.3f}) out.push_back({off, 0});
     for (const float off : {0.f, 0.06f, 0.12f, 0.2f, 0.3f, 0.4f, 0.5f, 0.6f, 0.7f, 0.8f})
         for (const float part : {0.f, 1.f, -1.f, 2.f, -2.f})
             if (off > 0.3f || part != 0) out.push_back({off, part * kNearly});
+    for (const float off : {0.9f, 1.f, 1.1f, 1.2f})
+        if (far) out.push_back({off, 0});
     return out;
 }
 constexpr int kWays = 16;
@@ -254,26 +256,31 @@ void Editor::face(const EditStep& step) {
         const Placed& p = placed(i);
         std::string fault;
         bool done = false;
-        const Vec2f ahead_now = *target - flat(p.position);
+        // Who sits at a desk has it before him.
+        const float sign = has_role(p.piece.kind, Role::work_place) ? -1.f : 1.f;
+        const Vec2f ahead_now = (*target - flat(p.position)) * sign;
         const float wrong_by = std::abs(std::remainder(std::atan2(ahead_now.x, ahead_now.y) - p.yaw, 2 * kPi));
-        for (const auto& [off, aside] : turns()) {
+        const std::vector<int> seats = seats_at(i);
+        const bool sat_at = sign < 0 && !seats.empty();
+        for (const auto& [off, aside] : turns(sat_at)) {
             if (std::abs(aside) > wrong_by / 2) continue;  // it would hardly turn
             const int ways = off > 0 ? kWays : 1;
             for (int way = 0; way < ways && !done; ++way) {
                 const float angle = 2 * kPi * static_cast<float>(way) / kWays;
                 const Vec3f to = p.position + Vec3f{std::sin(angle), 0, std::cos(angle)} * off;
-                const Vec2f ahead = *target - flat(to);
+                const Vec2f ahead = (*target - flat(to)) * sign;
                 const float yaw = std::remainder(std::atan2(ahead.x, ahead.y) + aside, 2 * kPi);
                 if (off == 0 && aside == 0 && std::abs(std::remainder(yaw - p.yaw, 2 * kPi)) < kFaces) {
                     // By this very sentence: "before the fire, facing it".
                     done = std::any_of(result_.changes.begin(), result_.changes.end(),
                                        [&](const EditChange& c) { return c.id == id; });
-                    if (!done) throw Error("{}: it faces the {} already", id, in_words(step.wish.relation_to));
+                    if (!done) throw AlreadySo(id + ": it faces the " + in_words(step.wish.relation_to) + " already");
                     break;
                 }
                 Placed turned = p;
                 turned.position = to, turned.yaw = yaw;
-                for (const std::vector<int>& along : {seats_at(i), std::vector<int>{}}) {
+                for (const std::vector<int>& along : {seats, std::vector<int>{}}) {
+                    if (sat_at && along.empty()) continue;  // nobody could sit at it
                     if (off > 0 && !stands_clear(i, footprint_of(turned), along)) continue;
                     const std::string wrong = new_fault(with_pose(i, {to, yaw}, along));
                     if (off == 0 && aside == 0) fault = wrong;
@@ -290,11 +297,11 @@ void Editor::face(const EditStep& step) {
 
 namespace {
 
-// Its back stays at its wall, what hangs keeps its middle.
+// Its back stays at its wall, what hangs keeps its middle, curtains their rod.
 Vec3f after_resize(const Placed& p, Vec3f size) {
     Vec3f at = p.position;
     const Vec3f more = size - p.piece.size_m;
-    if (p.piece.mount == Mount::wall) at.y -= more.y / 2;
+    if (p.piece.mount == Mount::wall) at.y -= has_role(p.piece.kind, Role::soft) ? more.y : more.y / 2;
     else if (p.piece.mount == Mount::floor && p.piece.against_wall) at += front_of(p.yaw) * (more.z / 2);
     return at;
 }

@@ -70,6 +70,29 @@ void add_on_floor(const Plan& plan, Vec3f size, std::optional<float> own, std::v
         }
 }
 
+// How far a point is from the middle between the two that a place is said by.
+float off_middle(Layout& layout, Vec2f at) {
+    const PromptObject& wish = layout.spec().objects[0];
+    float least = 1e9f;
+    for (const Placed& a : layout.placed())
+        for (const Placed& b : layout.placed())
+            if (&a != &b && (a.piece.kind == wish.relation_to || a.wish.kind == wish.relation_to) &&
+                (b.piece.kind == wish.relation_and || b.wish.kind == wish.relation_and))
+                least = std::min(least, length((footprint_of(a).center + footprint_of(b).center) * 0.5f - at));
+    return least < 1e8f ? least : 0.f;
+}
+
+// Beside a bed is at its head.
+float off_head(Layout& layout, Vec2f at) {
+    const PromptObject& wish = layout.spec().objects[0];
+    float least = 1e9f;
+    for (const Placed& bed : layout.placed())
+        if (wish.relation == "next to" && has_role(bed.piece.kind, Role::bed) &&
+            (bed.piece.kind == wish.relation_to || bed.wish.kind == wish.relation_to))
+            least = std::min(least, std::max(0.f, dot(at - flat(bed.position), flat(front_of(bed.yaw)))));
+    return least < 1e8f ? 0.5f * least : 0.f;
+}
+
 bool looks_at(const std::string& relation) {
     return relation == "facing" || relation == "opposite" || relation == "in front of";
 }
@@ -134,7 +157,7 @@ bool Editor::search_finely(Layout& layout, const EditStep& step) const {
             if (const float far = distance_to(a, c.at); far < nearest) nearest = far, middle = a.center;
         if (!anchors.empty()) {
             if (looks_at(wish.relation)) c.yaw = std::atan2(middle.x - c.at.x, middle.y - c.at.y);
-            c.cost = nearest;
+            c.cost = wish.relation == "between" ? off_middle(layout, c.at) : nearest + off_head(layout, c.at);
         } else if (of_corner && length(c.at - *step.position) > kOfCorner) return true;
         else if (wish.relation == "in the middle") c.cost = length(c.at);
         else if (step.position) c.cost = length(c.at - *step.position);
@@ -173,7 +196,8 @@ bool Editor::search_finely(Layout& layout, const EditStep& step) const {
 bool Editor::at_the_ends(Layout& layout) const {
     const PromptObject& wish = layout.spec().objects[0];
     if (wish.relation != kAtTheEnds || !layout.why_not(wish.kind).empty()) return false;
-    const Piece piece = make_piece(layout.request(wish.kind, &wish));
+    const PieceRequest request = layout.request(wish.kind, &wish);
+    const Piece piece = make_piece(request);
     int done = 0;
     for (int t = 0; t < static_cast<int>(layout.placed().size()); ++t) {
         const Placed table = layout.placed()[static_cast<std::size_t>(t)];
@@ -181,6 +205,18 @@ bool Editor::at_the_ends(Layout& layout) const {
         const bool wide = table.piece.size_m.x >= table.piece.size_m.z;
         const Vec3f along = wide ? right_of(table.yaw) : front_of(table.yaw);
         const float half = (wide ? table.piece.size_m.x : table.piece.size_m.z) / 2;
+        if (piece.mount == Mount::surface) {
+            const float inside = std::max(piece.size_m.x, piece.size_m.z) / 2;
+            for (const float side : {1.f, -1.f})
+                for (const float in : {0.04f, 0.1f, 0.16f, 0.24f, 0.32f}) {
+                    if (done == std::max(1, wish.count)) return true;
+                    const Vec3f at = table.position + along * (side * (half - inside - in));
+                    if (!layout.on_top_at(t, request, flat(at), table.yaw, wish)) continue;
+                    ++done;
+                    break;
+                }
+            continue;
+        }
         for (const float side : {1.f, -1.f})
             for (const float gap : {0.02f, 0.12f, 0.2f}) {
                 if (done == std::max(1, wish.count)) return true;

@@ -137,7 +137,14 @@ bool is_among(const std::string& id, const std::vector<std::string>& ids) {
 
 }  // namespace
 
-std::vector<std::string> Talk::things(const Words& words) {
+std::vector<std::string> Talk::things(const Words& said_words) {
+    Words words = said_words;
+    // "them all", "both of them", "all of those"
+    if (words.size() > 1 && words.size() < 4 && find_word(words, {"them", "it", "those", "these"}) < words.size() &&
+        std::all_of(words.begin(), words.end(), [](const std::string& w) {
+            return is_one_of(w, {"them", "it", "those", "these", "all", "both", "of", "each"});
+        }))
+        words = {"them"};
     if (words.size() == 1 && is_one_of(words.front(), {"it", "them", "they", "that", "those", "these"})) {
         if (last.empty()) throw UsageError("what is \"{}\"? nothing was named before", words.front());
         return last;
@@ -259,6 +266,44 @@ Words covered(const Clause& clause) {
     return out;
 }
 
+// "widen the rug": wider.
+std::string size_word(const Clause& clause) {
+    static constexpr std::array<std::pair<std::string_view, std::string_view>, 6> kWays{{{"widen", "wider"},
+                                                                                         {"lengthen", "longer"},
+                                                                                         {"extend", "longer"},
+                                                                                         {"heighten", "taller"},
+                                                                                         {"shorten", "shorter"},
+                                                                                         {"narrow", "narrower"}}};
+    for (const auto& [verb, word] : kWays)
+        if (clause.said == verb) return std::string(word);
+    return clause.verb == Verb::larger ? "larger" : "smaller";
+}
+
+// "Arrange the chairs to face the piano"
+bool to_face(const Words& words) {
+    const std::size_t face = find_word(words, {"face"}, 2);
+    return face < words.size() && words[face - 1] == "to" && is_definite(words.front()) &&
+           next_place(words) == face - 1;
+}
+
+// "The lights", "the floor lamp"
+bool has_lights(const Talk& talk, const Words& words) {
+    const std::vector<int> found = all_named(talk.editor, text_of(words));
+    return is_one_of(words.back(), {"lights", "lamps", "lighting"}) ||
+           (!found.empty() && std::all_of(found.begin(), found.end(), [&](int i) {
+               return has_role(talk.editor.room().furnished.placed[static_cast<std::size_t>(i)].piece.kind,
+                               Role::light);
+           }));
+}
+
+// "Throw a blanket over the sofa", "drop a rug by the bed": something new, put somewhere.
+bool comes(const Clause& clause) {
+    constexpr std::string_view kThrown = "|throw|drop|chuck|";
+    const std::size_t place = next_place(clause.words);
+    return kThrown.find("|" + clause.said + "|") != kThrown.npos && place < clause.words.size() &&
+           begins_anew(clause.words) && !is_one_of(clause.words[place], {"from", "off", "away"});
+}
+
 bool says_value(const Words& words) {
     for (std::size_t i = 1; i < words.size(); ++i)
         if (value_of(part_of(words, i)) || is_one_of(words[i], {"to", "into"})) return true;
@@ -283,10 +328,28 @@ bool picked_up(Talk& talk, const Clause& clause, const Clause& next) {
 
 }  // namespace
 
-void Talk::act(const Clause& clause) {
+namespace {
+
+// "Bigger so six people fit": why, which changes nothing. Where it begins.
+std::size_t purpose_at(const Clause& clause) {
+    const bool states = clause.verb == Verb::make || clause.verb == Verb::larger || clause.verb == Verb::smaller ||
+                        clause.verb == Verb::add || clause.verb == Verb::replace || clause.verb == Verb::color;
+    const std::size_t so = find_word(clause.words, {"so", "because"}, 2);
+    return states && so + 2 < clause.words.size() ? so : clause.words.size();
+}
+
+}  // namespace
+
+void Talk::act(const Clause& whole) {
+    Clause clause = whole;
+    if (const std::size_t why = purpose_at(whole); why < whole.words.size()) {
+        editor.note("room", fmt::format("nothing was done about \"{}\"", text_of(whole.words, why)));
+        clause.words.resize(why);
+    }
     const Words& words = clause.words;
     if (clause.verb == Verb::refuse) refuse(clause);
     if (clause.verb == Verb::tidy) return tidy(*this, clause);
+    if (clause.verb == Verb::remark) return remark(*this, clause.words);
     there = clause.there, said = clause.said;
     if (words.empty())
         throw UsageError("expected what to change after \"{}\", found the end of the sentence", clause.said);
@@ -297,9 +360,10 @@ void Talk::act(const Clause& clause) {
         remove(*this, old);
         return add(*this, by);
     }
-    if (put_where(*this, clause)) return;
+    if (put_where(*this, clause) || done_with(*this, clause)) return;
     switch (clause.verb) {
         case Verb::remove:
+            if (comes(clause)) return put(*this, words);
             // "take the vase to the desk"
             if (clause.said == "take" && end < words.size() && is_one_of(words[end], {"to", "into", "onto"}))
                 return move(*this, words);
@@ -309,9 +373,11 @@ void Talk::act(const Clause& clause) {
             return clear(*this, words.back() == "off" ? part_of(words, 0, words.size() - 1) : words);
         case Verb::move:
             if (says_so_that(words)) return turn(*this, words);
+            if (to_face(words)) return face(*this, words);
             return move(*this, lowered(clause));
         case Verb::put:
             if (says_so_that(words)) return turn(*this, words);
+            if (to_face(words)) return face(*this, words);
             return put(*this, words);
         case Verb::add:
             // "get the sofa out", "the plants to the window" stand already
@@ -325,6 +391,9 @@ void Talk::act(const Clause& clause) {
         }
         case Verb::swap: return swap(*this, words);
         case Verb::turn:
+            if (const std::size_t down = find_word(words, {"down", "up"}, 1);
+                down < words.size() && has_lights(*this, part_of(words, 0, down)))
+                return make(*this, with_word(part_of(words, 0, down), words[down] == "down" ? "dimmer" : "brighter"));
             if (!lamps_said(words).empty() || each_on_or_off(words)) return make(*this, words);
             return turn(*this, words);
         case Verb::face: return face(*this, words);
@@ -334,8 +403,8 @@ void Talk::act(const Clause& clause) {
                 return swap(*this, words);
             return make(*this, words);
         case Verb::color: return make(*this, covered(clause));
-        case Verb::larger: return make(*this, with_word(words, "larger"));
-        case Verb::smaller: return make(*this, with_word(words, "smaller"));
+        case Verb::larger:
+        case Verb::smaller: return make(*this, with_word(words, size_word(clause)));
         case Verb::brighter: return make(*this, with_word(words, "brighter"));
         case Verb::darker: return make(*this, with_word(words, clause.said == "dim" ? "dimmer" : "darker"));
         case Verb::center: {
@@ -344,6 +413,8 @@ void Talk::act(const Clause& clause) {
             return put(*this, all);
         }
         case Verb::copy: return copy(*this, words);
+        case Verb::keep: return keep(*this, words);
+        case Verb::line: return line_up(*this, words);
         case Verb::kindle:
         case Verb::quench: {
             Words all = words;
@@ -352,6 +423,7 @@ void Talk::act(const Clause& clause) {
         }
         case Verb::tidy:
         case Verb::refuse:
+        case Verb::remark:
         case Verb::none: break;
     }
 }
@@ -364,8 +436,17 @@ EditResult edit_by_sentence(const RoomDocument& document, const std::string& sen
     editing::Editor editor(document, std::move(pack), run);
     editing::Talk talk{editor};
     const std::vector<editing::Clause> clauses = editing::clauses_of(sentence);
-    for (std::size_t i = 0; i < clauses.size(); ++i)
-        if (i + 1 == clauses.size() || !editing::picked_up(talk, clauses[i], clauses[i + 1])) talk.act(clauses[i]);
+    std::vector<editing::AlreadySo> already;
+    std::size_t told = 0;
+    for (std::size_t i = 0; i < clauses.size(); ++i) try {
+            if (i + 1 == clauses.size() || !editing::picked_up(talk, clauses[i], clauses[i + 1])) talk.act(clauses[i]);
+            if (clauses[i].verb == editing::Verb::remark) ++told;
+        } catch (const editing::AlreadySo& e) {
+            already.push_back(e);
+        }
+    if (!already.empty() && editor.result().changes.size() == told) throw already.front();
+    for (const editing::AlreadySo& e : already) editor.note("room", e.what());
+    editing::check_kept(talk, document);
     return editor.result();
 }
 

@@ -65,7 +65,7 @@ std::optional<Vec3f> direction_of(const Editor& editor, Words words, const Place
     const std::string text = text_of(words);
     if (is_one_of(text, {"left", "to the left", "to left", "leftwards"})) return right * -1.f;
     if (is_one_of(text, {"right", "to the right", "to right", "rightwards"})) return right;
-    if (is_one_of(text, {"forward", "forwards", "to the front"})) return front_of(from.yaw);
+    if (is_one_of(text, {"forward", "forwards", "to the front", "out"})) return front_of(from.yaw);
     if (is_one_of(text, {"back", "backward", "backwards", "to the back"})) return front_of(from.yaw) * -1.f;
     if (is_one_of(text, {"up", "higher", "upwards", "higher up"})) return Vec3f{0, 1, 0};
     if (is_one_of(text, {"down", "lower", "downwards", "lower down"})) return Vec3f{0, -1, 0};

@@ -61,7 +61,7 @@ Difference difference(const RoomDocument& before, const RoomDocument& after) {
         const DocumentThing& n = *found->second;
         if (n.position != t->position || n.yaw != t->yaw) out.moved.insert(id);
         if (n.color != t->color || n.material != t->material || n.holder_color != t->holder_color ||
-            n.seed != t->seed || n.size_m != t->size_m || n.lit != t->lit)
+            n.holder_material != t->holder_material || n.seed != t->seed || n.size_m != t->size_m || n.lit != t->lit)
             out.other.insert(id);
     }
     for (const auto& [id, t] : now)
@@ -170,6 +170,23 @@ TEST(Edit, OneLampShinesAsWasSaidOfIt) {
               light_of(dimmed, "floor_lamp-1"));
 }
 
+TEST(Edit, OneWallIsPaintedAndWrittenSo) {
+    const RoomDocument painted = edited(kLiving, "paint the window wall dark green").document;
+    const RoomDocument read = read_document(document_json(painted).dump(), "room.json");
+    ASSERT_TRUE(read.surfaces.walls[1].has_value());
+    EXPECT_FALSE(read.surfaces.walls[0].has_value() || read.surfaces.walls[2].has_value());
+    DocumentRoom room = furnish_document(read, "room", nullptr, kEditRun);
+    const Room built = room_of(room);
+    std::set<int> shown;
+    for (const Mesh& m : built.meshes) shown.insert(m.material);
+    EXPECT_TRUE(std::any_of(shown.begin(), shown.end(), [&](int m) {
+        return built.materials[static_cast<std::size_t>(m)].name == read.surfaces.walls[1]->name;
+    }));
+    // All walls are all of them again.
+    const RoomDocument all = edit_by_sentence(read, "paint the walls white", nullptr, kEditRun).document;
+    EXPECT_FALSE(all.surfaces.walls[1].has_value());
+}
+
 // ---- tests/data/edits.txt: sentences and what each is to do
 
 std::string trimmed(const std::string& text) {
@@ -226,6 +243,8 @@ Seen seen(const RoomDocument& before, const RoomDocument& after) {
         if (differs(s.floor, t.floor)) out.looks.insert("floor");
         if (differs(s.ceiling, t.ceiling)) out.looks.insert("ceiling");
         if (differs(s.trim, t.trim)) out.looks.insert("trim");
+        for (std::size_t w = 0; w < s.walls.size(); ++w)
+            if (differs(s.walls[w], t.walls[w])) out.looks.insert("wall_" + std::to_string(w));
     } else {
         out.looks.insert("style");
     }

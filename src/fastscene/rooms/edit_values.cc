@@ -72,7 +72,7 @@ std::optional<Vec3f> times(const Words& words) {
 }
 
 // "much larger", "a bit wider", "20 percent smaller", "larger by 20 percent".
-std::optional<Vec3f> compared(const Words& words) {
+std::optional<Vec3f> compared(const Words& words, bool* length = nullptr) {
     const SizeWord* size = nullptr;
     bool more = true;
     float factor = kMore;
@@ -97,6 +97,7 @@ std::optional<Vec3f> compared(const Words& words) {
         size = &*found, more = w == found->more;
     }
     if (!size) return {};
+    if (length) *length = size->plain == "long";
     // 20 percent smaller is that much less.
     const bool percent = std::find(words.begin(), words.end(), "percent") != words.end();
     const float less = percent ? std::max(0.2f, 2 - factor) : 1 / factor;
@@ -201,13 +202,13 @@ std::optional<Value> value_of(const Words& words) {
     Words without = words;
     if (const auto metres = take_length(without)) {
         // "20 cm wider", "wider by 20 cm"
-        const auto factor = compared(without);
+        const auto factor = compared(without, &out.length);
         if (!factor) return {};
         for (std::size_t a = 0; a < 3; ++a)
             if ((*factor)[a] != 1) out.exactly = true, out.by[a] = (*factor)[a] > 1 ? *metres : -*metres;
         return out;
     }
-    if (const auto factor = compared(words)) {
+    if (const auto factor = compared(words, &out.length)) {
         out.factor = *factor;
         out.exactly = std::find(words.begin(), words.end(), "percent") != words.end();
         return out;
@@ -224,7 +225,13 @@ std::optional<Value> value_of(const Words& words) {
         out.shape = shape;
         return out;
     }
-    const auto looks = looks_of(text_of(words));
+    auto looks = looks_of(text_of(words));
+    // "Dark herringbone parquet"
+    if (!looks && words.size() > 1 && is_one_of(words.front(), {"dark", "light", "pale"})) {
+        looks = looks_of(text_of(words, 1));
+        if (!looks || looks->material.empty() || !looks->color.empty()) return {};
+        out.brighter = words.front() == "dark" ? 0.6f : 1.5f;
+    }
     if (!looks) return {};
     out.looks = *looks;
     return out;

@@ -112,6 +112,15 @@ bool paint_wanted(Talk& talk, const Words& words) {
     covering.kind = EditStep::Kind::recolor;
     covering.surface = covered_so(talk, words, covering.wish);
     if (!covering.surface.empty()) return talk.editor.apply(covering), true;
+    if (is_one_of(words.back(), {"worktop", "worktops", "countertop", "countertops"}) && words.size() > 1) {
+        Words top{"the", words.back()};
+        Words look = part_of(words, 0, words.size() - 1);
+        std::erase_if(look, [](const std::string& w) { return is_one_of(w, {"a", "an", "new"}); });
+        if (!look.empty() && value_of(look)) {
+            top.insert(top.end(), look.begin(), look.end());
+            return make(talk, top), true;
+        }
+    }
     const PromptSpec spec = read_in_room(talk.editor, text_of(words));
     if (spec.objects.empty() || !is_one_of(spec.objects.front().kind, {"wall", "floor", "ceiling"})) return false;
     EditStep step;

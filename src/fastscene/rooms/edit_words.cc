@@ -317,9 +317,24 @@ Meaning meaning_of(const Editor& editor, const std::string& words) {
     }
     out.unknown = out.said.kind.empty();
     out.found = with_part(editor, tokens);
+    if (out.found.empty() && has_role(out.said.kind, Role::ceiling_light) && has_word(tokens, {"ceiling"}))
+        for (std::size_t i = 0; i < editor.document().things.size(); ++i)
+            if (const Placed& p = editor.room().furnished.placed[i];
+                p.piece.mount == Mount::ceiling && has_role(p.piece.kind, Role::light))
+                out.found.push_back(static_cast<int>(i));
     if (out.found.empty()) out.found = ending_so(editor, part_of(tokens, 0, place), part_of(tokens, place), out.said);
     if (!out.found.empty()) pick(part_of(tokens, 0, place), out.said, editor, out.found);
     return out;
+}
+
+// "The papers", where only something quite different stands for them, and nobody asked for it by that name.
+bool is_other_thing(const Editor& editor, const PromptObject& said, const std::vector<int>& found) {
+    const auto word = look_up(said.words);
+    if (!word || !word->far || word->meaning != said.kind) return false;
+    return std::none_of(found.begin(), found.end(), [&](int i) {
+        const DocumentThing& t = editor.document().things[static_cast<std::size_t>(i)];
+        return t.asked && t.asked->words == said.words;
+    });
 }
 
 // "The table", and no more.
@@ -363,7 +378,7 @@ std::vector<std::string> named(const Editor& editor, const std::string& words) {
     if (found.empty() && (is_shell(said.kind) || has_role(said.kind, Role::opening))) refuse_shell();
     if (found.empty() && is_one_of(tokens.front(), {"everything", "all", "anything"}) && meant.unknown)
         throw UsageError("name the things that are meant, found \"{}\"", words);
-    if (found.empty()) refuse_none(words, editor, said.kind);
+    if (found.empty() || is_other_thing(editor, said, found)) refuse_none(words, editor, said.kind);
     // "two chairs", "two of the chairs"; the articles are numbers as well.
     const auto number = number_said(tokens.front());
     const bool all = has_word(tokens, {"all", "both", "every", "each"}) || says_several(tokens, said);
@@ -376,6 +391,8 @@ std::vector<std::string> named(const Editor& editor, const std::string& words) {
                                                                            : 0;
     if (tokens.front() == "half" && found.size() % 2 != 0)
         throw UsageError("half of {} things is no number of them, in \"{}\"", found.size(), words);
+    if (has_word(tokens, {"row", "rows"}) && has_word(tokens, {"of"}))
+        throw UsageError("nobody could tell which row; name them by number or place, found \"{}\"", words);
     if (count > found.size())
         throw UsageError("there {} only {} of \"{}\" in the room", found.size() == 1 ? "is" : "are", found.size(),
                          words);

@@ -50,7 +50,7 @@ void read_line(std::string_view line, LexiconTable& lexicon) {
     }
     lexicon.words.emplace(lexicon_key(column[0], column[5]),
                           Word{static_cast<WordKind>(kind - std::begin(kKinds)), std::string(column[2]),
-                               column[3] != "~", std::string(column[4])});
+                               !column[3].starts_with("~"), std::string(column[4]), column[3] == "~~"});
 }
 
 // Whether people put spaces into such words as they like: "bed side table", "livingroom".

@@ -40,6 +40,7 @@ struct Word {
     std::string meaning;      // canonical: "armchair", "living", "evening", "3" …
     bool exact = true;        // false: the nearest thing we have ("chesterfield" is a sofa)
     std::string adds{};       // what else it says: "material=leather"
+    bool far = false;         // … and quite another thing: a piano for a keyboard
     bool also_color = false;  // "fern", "midnight": a color when it stands before another word's noun
 };
 

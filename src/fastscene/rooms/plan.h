@@ -3,6 +3,7 @@
 // is called right and 3 left, as seen from the far wall.
 #pragma once
 
+#include <array>
 #include <algorithm>
 #include <memory>
 #include <string>
@@ -82,6 +83,7 @@ struct Plan {
     bool measured = false;  // width or depth were said: nothing adds to them
     bool accent = false;    // one wall has the accent material
     int accent_wall = 0;    // that one
+    std::array<std::optional<Material>, 4> own_walls{};  // by number: those with a material of their own
     bool beams = false;
     bool tray = false;                // the ceiling steps down along the walls
     bool neon = false;                // strips of colored light below the ceiling

@@ -116,7 +116,7 @@ void build_wall(const Plan& plan, int index, Room& room, int material) {
 void build_blocks(const Plan& plan, const Materials& m, Room& room) {
     for (const Block& b : plan.blocks) {
         if (b.kind == Block::Kind::column) continue;  // with its base and capital: shell_trim.cc
-        const int material = b.kind == Block::Kind::breast && plan.accent && plan.accent_wall == 0 ? m.accent : m.wall;
+        const int material = b.kind == Block::Kind::breast ? m.of_far_wall : m.wall;
         room.meshes.push_back(box_mesh({b.low.x, 0, b.low.y}, {b.high.x, plan.height, b.high.y}, material, -1));
     }
 }
@@ -229,9 +229,8 @@ std::vector<std::pair<float, float>> between_openings(const Plan& plan, const Wa
 
 void build_shell(const Plan& plan, Room& room) {
     const Style& style = plan.style;
-    const Materials m{add_material(room, style.wall), add_material(room, style.accent_wall),
-                      add_material(room, style.trim), add_material(room, style.floor),
-                      add_material(room, style.ceiling)};
+    Materials m{add_material(room, style.wall), add_material(room, style.accent_wall), add_material(room, style.trim),
+                add_material(room, style.floor), add_material(room, style.ceiling)};
     const float w = plan.width / 2 + kWallThickness, d = plan.depth / 2 + kWallThickness,
                 near = plan.joined ? plan.depth / 2 : d;
     room.meshes.push_back(box_mesh({-w, -0.2f, -near}, {w, 0, d}, m.floor, -1));
@@ -240,9 +239,16 @@ void build_shell(const Plan& plan, Room& room) {
         box_mesh({-flat_half, plan.height, -near}, {flat_half, plan.height + 0.2f, d}, m.ceiling, -1));
     const bool all = plan.accent && style.accent_wall.pattern == style.wall.pattern &&
                      style.accent_wall.color_a == style.wall.color_a;
-    for (int i = 0; i < 4; ++i)
-        if (!(plan.joined && i == 2))
-            build_wall(plan, i, room, plan.accent && (i == plan.accent_wall || all) ? m.accent : m.wall);
+    const auto material_of = [&](int wall) {
+        if (const auto& own = plan.own_walls[static_cast<std::size_t>(wall)]) return add_material(room, *own);
+        return plan.accent && (wall == plan.accent_wall || all) ? m.accent : m.wall;
+    };
+    for (int i = 0; i < 4; ++i) {
+        if (plan.joined && i == 2) continue;
+        const int material = material_of(i);
+        if (i == 0) m.of_far_wall = plan.own_walls[0] || (plan.accent && plan.accent_wall == 0) ? material : m.wall;
+        build_wall(plan, i, room, material);
+    }
     build_blocks(plan, m, room);
     build_openings(plan, m, room);
     if (plan.knee > 0) build_skylights(plan, m, room);

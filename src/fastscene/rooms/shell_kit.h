@@ -40,6 +40,7 @@ std::vector<Vec2f> edge_of(const Opening& o, float grow);
 // Indices of the shell's materials in room.materials.
 struct Materials {
     int wall, accent, trim, floor, ceiling;
+    int of_far_wall = wall;  // of a chimney breast
 };
 
 inline int add_material(Room& room, Material m) {

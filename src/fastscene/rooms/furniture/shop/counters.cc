@@ -49,7 +49,7 @@ struct Food {
 };
 using Foods = std::vector<Food>;
 
-void lump(Kit& k, int material, Vec3f at, Vec3f radii) {
+void rounded_lump(Kit& k, int material, Vec3f at, Vec3f radii) {
     k.add(shapes::ball(at + Vec3f{0, radii.y, 0}, radii, 8), material);
 }
 // A crescent of rolled dough: thick in the middle, its ends bent to the front.
@@ -96,7 +96,7 @@ void tart(Kit& k, const Colors& c, Vec3f at) {
     k.add(shapes::ball(at + Vec3f{0, 0.03f, 0}, {0.012f, 0.01f, 0.012f}, 5), c[2]);
 }
 void baguette_half(Kit& k, const Colors& c, Vec3f at) {
-    lump(k, c[0], at, {0.035f, 0.018f, 0.085f});
+    rounded_lump(k, c[0], at, {0.035f, 0.018f, 0.085f});
     block(k, c[1], at + Vec3f{0, 0.022f, 0}, {0.068f, 0.008f, 0.15f});
     block(k, c[2], at + Vec3f{0, 0.03f, 0}, {0.06f, 0.006f, 0.14f});
     k.add(shapes::ball(at + Vec3f{0, 0.042f, 0}, {0.035f, 0.018f, 0.085f}, 8), c[0]);

@@ -1,0 +1,172 @@
+// What is said beside what is to be done, what is to stay, and what was not done as it was said.
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+
+#include "fastscene/base/error.h"
+#include "fastscene/base/is_one_of.h"
+#include "fastscene/rooms/catalogue.h"
+#include "fastscene/rooms/edit_parts.h"
+#include "fastscene/rooms/lexicon.h"
+#include "fastscene/rooms/prompt_text.h"
+
+namespace fastscene::editing {
+namespace {
+
+// The lexicon's word for what a wish was called, where that is not quite what stands there.
+std::optional<Word> stand_in_word(const PromptObject& wish) {
+    const auto word = look_up(wish.words);
+    if (!word || word->kind != WordKind::object || word->exact || word->meaning != wish.kind) return {};
+    return word;
+}
+
+}  // namespace
+
+// What it speaks of is "them" in what follows.
+void remark(Talk& talk, const Words& words) {
+    const std::size_t end = find_word(
+        words, {"is", "isn't", "isnt", "are", "aren't", "arent", "don't", "dont", "doesn't", "doesnt", "look", "looks",
+                "feel", "feels", "seem", "seems", "blocks", "clash", "clashes"});
+    if (end > 0 && end < words.size() && is_definite(words.front())) try {
+            talk.things_of_parts(part_of(words, 0, end));
+        } catch (const UsageError&) {  // a remark about nothing that stands there
+        }
+    // "I hate that bookshelf"
+    if (const std::size_t felt = find_word(words, {"hate", "love", "dislike"}); felt + 1 < words.size()) try {
+            talk.things_of_parts(part_of(words, felt + 1));
+        } catch (const UsageError&) {
+        }
+    talk.editor.note("room", fmt::format("nothing was done about \"{}\" but what follows it", text_of(words)));
+}
+
+void keep(Talk& talk, const Words& words) {
+    Words bare = words;
+    for (bool again = true; again && bare.size() > 1;) {
+        again = false;
+        for (const char* end :
+             {"as it is", "as they are", "as is", "where it is", "where they are", "how it is", "the way it is",
+              "the way they are", "the same", "unchanged", "alone", "there", "though"}) {
+            const Words tail = tokens_of(end);
+            if (bare.size() <= tail.size() || part_of(bare, bare.size() - tail.size()) != tail) continue;
+            bare.resize(bare.size() - tail.size());
+            again = true;
+        }
+    }
+    if (is_one_of(text_of(bare), {"the rest", "everything else", "all else", "the others", "the other ones",
+                                  "all others", "the other things"}))
+        return;
+    if (text_of(bare).starts_with("the others ") && value_of(part_of(bare, 2))) return;
+    if (find_word(bare, {"only", "just"}) < bare.size() || next_place(bare) < bare.size())
+        throw UsageError("expected what is to stay as it is, found \"{}\"", text_of(words));
+    const std::vector<std::string> before = talk.last;
+    add_new(talk.kept, talk.things_of_parts(bare));
+    talk.last = before;
+}
+
+void check_kept(const Talk& talk, const RoomDocument& before) {
+    const auto thing_of = [](const RoomDocument& document, const std::string& id) {
+        const auto found = std::find_if(document.things.begin(), document.things.end(),
+                                        [&](const DocumentThing& t) { return t.id == id; });
+        return found == document.things.end() ? nullptr : &*found;
+    };
+    for (const std::string& id : talk.kept) {
+        const DocumentThing *was = thing_of(before, id), *is = thing_of(talk.editor.document(), id);
+        if (was && (!is || is->position != was->position || is->yaw != was->yaw || is->color != was->color ||
+                    is->material != was->material || is->size_m != was->size_m))
+            throw UsageError("{}: it was to stay as it is, and another part of the sentence changes it", id);
+    }
+}
+
+void check_stand_in(const PromptObject& wish) {
+    if (const auto word = stand_in_word(wish); word && word->far)
+        throw UsageError("there is no \"{}\" to add; the nearest is of the kind \"{}\"", wish.words,
+                         in_words(wish.kind));
+}
+
+void tell_unshown(Talk& talk, const std::vector<std::string>& ids, const PromptObject& wish, const Words& words) {
+    if (ids.empty()) return;
+    if (stand_in_word(wish))
+        talk.editor.note(ids.front(), fmt::format("the nearest thing there is to \"{}\"", wish.words));
+    std::vector<std::string> unshown;
+    for (const PromptWord& word : read_in_room(talk.editor, text_of(words, 0, next_place(words))).words)
+        if (const auto known = look_up(word.words);
+            word.fate == PromptWord::Fate::approximated && word.words != wish.words && !number_said(word.words) &&
+            known && known->kind != WordKind::object && shape_said({word.words}).empty() &&
+            known->kind != WordKind::relation && !known->meaning.empty())
+            unshown.push_back(word.words);
+    // "A space poster" with no print of space
+    const Words nouns = tokens_of(wish.words);
+    const std::size_t noun = nouns.empty() ? words.size() : find_word(words, {nouns.back()});
+    for (std::size_t i = 0;
+         has_role(wish.kind, Role::shows_motif) && wish.pattern.empty() && i < noun && noun < words.size(); ++i)
+        if (const auto known = look_up(words[i]);
+            !number_said(words[i]) && !is_definite(words[i]) &&
+            (!known || known->kind == WordKind::filler || known->kind == WordKind::room))
+            unshown.push_back(words[i]);
+    if (!unshown.empty())
+        talk.editor.note(ids.front(), fmt::format("nothing of it shows \"{}\"", fmt::join(unshown, "\", \"")));
+}
+
+// "Angle the chairs towards each other with a table between them": what comes with what was done; false: no such words.
+bool done_with(Talk& talk, const Clause& clause) {
+    const Words& words = clause.words;
+    const bool stands = clause.verb == Verb::move || clause.verb == Verb::turn || clause.verb == Verb::face ||
+                        ((clause.verb == Verb::put || clause.verb == Verb::line) && !begins_anew(words));
+    if (!stands || !is_one_of(words.back(), {"it", "them", "each"})) return false;
+    const std::size_t with = find_word(words, {"with"}, 2);
+    if (with + 3 >= words.size()) return false;
+    const bool anew = number_said(words[with + 1]) || words[with + 1] == "another";
+    if (!anew && (!is_definite(words[with + 1]) || is_one_of(words[with + 1], {"it", "them"}))) return false;
+    const Words rest = part_of(words, with + 1);
+    if (next_place(rest) == rest.size()) return false;
+    Clause first = clause;
+    first.words = part_of(words, 0, with);
+    talk.act(first);
+    if (anew) add_there(talk, rest);
+    else move(talk, rest);
+    return true;
+}
+
+std::optional<Words> laid_with(const Talk& talk, const Words& words) {
+    const std::size_t with = find_word(words, {"with"}, 1);
+    const bool lays = is_one_of(talk.said, {"set", "lay", "decorate", "dress"});
+    if (!lays || with + 1 >= words.size() || !is_definite(words.front()) || next_place(words) < with) return {};
+    Words out = part_of(words, with + 1);
+    out.push_back("on");
+    out.insert(out.end(), words.begin(), words.begin() + static_cast<std::ptrdiff_t>(with));
+    return out;
+}
+
+void line_up(Talk& talk, const Words& words) {
+    // "line the racks up along the wall"
+    if (const std::size_t up = find_word(words, {"up"}, 1); up < words.size()) {
+        Words bare = words;
+        bare.erase(bare.begin() + static_cast<std::ptrdiff_t>(up));
+        return line_up(talk, bare);
+    }
+    const std::size_t end = next_place(words);
+    EditStep step;
+    step.kind = EditStep::Kind::line;
+    const std::vector<std::string> spoken = talk.last;
+    step.ids = talk.things_of_parts(part_of(words, 0, end));
+    Words there = part_of(words, end);
+    if (!there.empty() && is_one_of(text_of(there), {"in a row", "in a line", "side by side"})) there.clear();
+    if (!there.empty()) {
+        const auto relation = relation_at(there, 0);
+        // "Along the wall" is a word of the lexicon.
+        std::size_t at = relation ? relation->next : there.size();
+        if (at == there.size()) at = 1;
+        const auto part = relation ? room_part(there, at) : std::nullopt;
+        if (!part || !is_one_of(part->noun, {"wall", "window", "door"}))
+            throw UsageError("expected a wall to line things up at, found \"{}\"", text_of(there));
+        const bool any = part->noun == "wall" && part->next == there.size() &&
+                         std::all_of(part->modifiers.begin(), part->modifiers.end(), [](const std::string& w) {
+                             return is_definite(w) || is_one_of(w, {"a", "any", "one"});
+                         });
+        if (!any) step.wall = wall_meant(talk.editor, part_of(there, at), spoken);
+    }
+    talk.editor.apply(step);
+}
+
+}  // namespace fastscene::editing
