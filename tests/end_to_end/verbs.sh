@@ -351,7 +351,7 @@ for verb in make panorama depth walk views splat metrics render convert view mod
   expect 0 "$fastscene" --help
 done
 expect 0 "$fastscene" make --help
-prints "--splat-steps N=1200"
+prints "--splat-steps N=2200"
 expect 0 "$fastscene" doctor
 prints threads
 expect 0 "$fastscene" doctor --json

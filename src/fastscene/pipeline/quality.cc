@@ -55,8 +55,8 @@ void fill_standard(SceneParams& p) {
     p.views.outside_density = 12;
     p.views.outside_points = 200'000;
     p.splat.count = 600'000;
-    p.splat.per_m2 = 2000;
-    p.splat.steps = 1200;
+    p.splat.per_m2 = 2500;
+    p.splat.steps = 2200;
 }
 void fill_high(SceneParams& p) {
     p.panorama.width = 4096;

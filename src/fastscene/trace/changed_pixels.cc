@@ -29,7 +29,7 @@ ChangedPixels::ChangedPixels(const TracedRoom& before, const TracedRoom& now, co
       surfaces_(change_.surfaces) {
     parts_.range = parts_.object = parts_.mirrored_range = false;
     parts_.pixel_samples = 1;
-    parts_.contacts = parts_.denoise = false;
+    parts_.contacts = parts_.denoise = parts_.denoise_reflections = false;
     parts_.noise = 0;
 }
 

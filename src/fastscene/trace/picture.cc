@@ -162,10 +162,10 @@ struct NoisyPicture {
 
     // Multiplies each denoised light by the pixel's own color, so textures stay as sampled; other surfaces at outlines
     // are added unfiltered.
-    void denoise_into(ImageColor& color, const Look* look) {
+    void denoise_into(ImageColor& color, const Look* look, bool reflections_only) {
         constexpr std::array<int, 3> kLevels{4, 2, 3};
         ImageColor change(color.width, color.height);
-        for (std::size_t k = 0; k < lights.size(); ++k) {
+        for (std::size_t k = reflections_only ? 2 : 0; k < lights.size(); ++k) {
             const ImageColor before = lights[k].value;
             denoise(lights[k], guides, kLevels[k]);
             const ImageColor& through = k < 2 ? diffuse : specular;
@@ -188,7 +188,7 @@ struct NoisyPicture {
                     color.at(x, y) = rest_color.at(x, y) +
                                      seen(radiance.at(x, y) + change.at(x, y)) * own_share.at(x, y);
                     if (!other) continue;
-                    const auto around = light_around(*other, y);
+                    const auto around = reflections_only ? std::nullopt : light_around(*other, y);
                     color.at(x, y) += (around ? seen(other->radiance + other->through * (*around - other->light))
                                               : other->color) *
                                       other->share;
@@ -306,7 +306,7 @@ ImageColor cached_picture(const ShadeScene& scene, const RayCamera& camera, cons
     ImageColor out(camera.width, camera.height);
     if (albedo) *albedo = out;
     std::optional<NoisyPicture> noisy;
-    if (parts.denoise) noisy.emplace(camera);
+    if (parts.denoise || parts.denoise_reflections) noisy.emplace(camera);
     // Each ray covers its share of the pixel: filtering textures over the whole pixel would blur them twice.
     const PixelPlan plan{camera, parts, samples, round, camera.pixel_angle / std::sqrt(static_cast<float>(round)),
                          look,   run};
@@ -344,6 +344,10 @@ ImageColor cached_picture(const ShadeScene& scene, const RayCamera& camera, cons
         },
         &progress);
     if (!noisy) return out;
+    if (!parts.denoise) {
+        noisy->denoise_into(out, look, true);
+        return out;
+    }
     // Sends more rays to selected pixels.
     const auto refine = [&](const PixelRows& pixels, int least) {
         tracer->trace(
@@ -374,7 +378,7 @@ ImageColor cached_picture(const ShadeScene& scene, const RayCamera& camera, cons
         });
         refine(tracer->meeting_others(doubtful, round, next, noisy->guides), next);
     }
-    noisy->denoise_into(out, look);
+    noisy->denoise_into(out, look, false);
     return out;
 }
 

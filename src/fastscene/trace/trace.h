@@ -82,6 +82,9 @@ struct ShotParts {
     // minimum GGX alpha of glossy surfaces except mirrors: as sharp as the representation trained on the views can hold
     float min_alpha = 0;
     bool denoise = false;  // denoise the light (denoise.h); takes samples / 16 to samples / 2 rays per pixel
+    // denoise only what glossy surfaces reflect, as far as `pixel_samples` rays of each pixel show it: for training
+    // views, whose other noise averages out. A splat fits the specks of single views with its harmonics.
+    bool denoise_reflections = false;
     // > 0: adaptive sampling, 16 rays at a time, until the standard error of the pixel's mean is below this (sRGB,
     // 0..1)
     float noise = 0.f;

@@ -443,6 +443,42 @@ TEST(Trace, FewRaysAreDenoisedToo) {
         EXPECT_LT(error(picture(samples, true, 5)), 0.9 * raw) << samples << " rays";
 }
 
+// With two rays a pixel, what metal reflects has fewer specks, and what reflects nothing stays as it was.
+TEST(Trace, ReflectionsAloneAreDenoised) {
+    Room scene = furnished_room();
+    for (Material& m : scene.materials)
+        if (m.metal == 0) m.roughness = 1, m.specular = 0;
+    TracedRoom room(std::move(scene));
+    room.gather_light(quick(), {});
+    const Pinhole camera = Pinhole::with_fov(96, 96, 75);
+    const auto shot = [&](int samples, bool denoised, std::uint64_t seed) {
+        fastscene::Run run;
+        run.seed = seed;
+        return room.perspective({}, camera,
+                                {.color = true,
+                                 .range = false,
+                                 .object = true,
+                                 .pixel_samples = samples,
+                                 .frugal = true,
+                                 .min_alpha = 0.3f,
+                                 .denoise_reflections = denoised},
+                                run);
+    };
+    const Shot truth = shot(256, false, 3), raw = shot(2, false, 5), denoised = shot(2, true, 5);
+    double raw_error = 0, error = 0, changed = 0;
+    for (std::size_t i = 0; i < truth.color.size(); ++i) {
+        const auto squared = [&](const Shot& s) {
+            const double d = luminance(s.color.pixels[i]) - luminance(truth.color.pixels[i]);
+            return d * d;
+        };
+        if (truth.object.pixels[i] == 1) raw_error += squared(raw), error += squared(denoised);
+        else changed += raw.color.pixels[i] == denoised.color.pixels[i] ? 0 : 1;
+    }
+    EXPECT_GT(raw_error, 0);
+    EXPECT_LT(error, 0.5 * raw_error);
+    EXPECT_LT(changed, 0.02 * static_cast<double>(truth.color.size())) << "only outlines of metal";
+}
+
 // A partial picture equals the full picture, up to the denoiser's context at the mask's border.
 TEST(Trace, SomePixelsAreAsInTheWholePicture) {
     const TracedRoom& room = lit_room();

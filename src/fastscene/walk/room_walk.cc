@@ -87,7 +87,8 @@ Json walk_through_room(const Panorama& given, const TracedRoom& room, const Stan
     about["viewpoints"] = viewpoints.positions_m.size();
     ShotParts parts = shot;
     parts.pixel_samples = params.pixel_samples;
-    parts.contacts = parts.denoise = false;  // noise of single views averages out in the splats
+    parts.contacts = parts.denoise = false;  // noise of single views averages out in the splats,
+    parts.denoise_reflections = true;        // but for specks on glossy surfaces, which their harmonics would fit
     parts.noise = 0;
     parts.frugal = true;
     parts.min_alpha = kMinAlpha;
