@@ -1,6 +1,4 @@
 // "a floor lamp beside the bed", "the sofa with two armchairs": what comes new, and what changes places.
-#include <fmt/format.h>
-
 #include <algorithm>
 
 #include "fastscene/base/error.h"
@@ -8,196 +6,10 @@
 #include "fastscene/rooms/catalogue.h"
 #include "fastscene/rooms/edit_parts.h"
 #include "fastscene/rooms/layout_parts.h"
-#include "fastscene/rooms/lexicon.h"
-#include "fastscene/rooms/plan.h"
 #include "fastscene/rooms/prompt_text.h"
 
 namespace fastscene::editing {
 namespace {
-
-// "another chair", "two more plants", "a few books"
-Words counted_anew(Words words) {
-    // "Two pictures side by side" are two pictures.
-    for (const char* row : {"side by side", "next to each other", "in a row", "in a line"}) {
-        const Words phrase = tokens_of(row);
-        for (std::size_t i = 1; i + phrase.size() <= words.size(); ++i)
-            if (part_of(words, i, i + phrase.size()) == phrase) {
-                words.erase(words.begin() + static_cast<std::ptrdiff_t>(i),
-                            words.begin() + static_cast<std::ptrdiff_t>(i + phrase.size()));
-                break;
-            }
-    }
-    if (!words.empty() && words.front() == "another") words.front() = "a";
-    if (words.size() > 1 && words[0] == "a" &&
-        is_one_of(words[1], {"second", "third", "fourth", "fifth", "sixth", "new", "extra", "further"}))
-        words.erase(words.begin() + 1);
-    if (words.size() > 2 && words[0] == "a" && words[1] == "few") words.erase(words.begin() + 1), words[0] = "three";
-    if (words.size() > 3 && words[0] == "a" && words[1] == "couple" && words[2] == "of")
-        words.erase(words.begin() + 1, words.begin() + 3), words[0] = "two";
-    // "A bigger mirror" is a big one.
-    for (std::string& w : words) {
-        if (is_one_of(w, {"bigger", "larger", "longer", "wider"})) w = "large";
-        if (is_one_of(w, {"smaller", "shorter", "narrower"})) w = "small";
-        if (is_one_of(w, {"taller", "higher"})) w = "tall";
-    }
-    for (std::size_t i = 0; i < std::min<std::size_t>(2, words.size()); ++i)
-        if (is_one_of(words[i], {"more", "some", "additional", "extra", "new", "also"}) && words.size() > 1)
-            words.erase(words.begin() + static_cast<std::ptrdiff_t>(i--));
-    return words;
-}
-
-// "Two plants either side of the fireplace": the fireplace is there, and no thing to add.
-void check_new(const Words& words, const PromptObject& wish) {
-    const Words noun = tokens_of(wish.words);
-    for (std::size_t i = 1; i + noun.size() <= words.size(); ++i) {
-        if (part_of(words, i, i + noun.size()) != noun) continue;
-        for (std::size_t k = i; k-- > 0 && !is_joint(words[k]) && !is_one_of(words[k], {"a", "an", "with", "of"});)
-            if (is_one_of(words[k], {"the", "my", "our", "your", "its", "their"}))
-                throw UsageError("expected a place, found \"{}\"", text_of(words, k));
-    }
-}
-
-// "Some toys for the kids" are some toys.
-Words without_whom(Words words) {
-    for (std::size_t i = 1; i < words.size(); ++i) {
-        if (words[i] != "for") continue;
-        const std::size_t next = i + 1 < words.size() && is_definite(words[i + 1]) ? i + 2 : i + 1;
-        if (next >= words.size()) continue;
-        const std::string& who = words[next];
-        if (is_one_of(who.ends_with("s") && who.size() > 2 ? who.substr(0, who.size() - 1) : who,
-                      {"kid", "children", "guest", "visitor", "customer", "us", "me", "everyone", "people", "patient",
-                       "student"}))
-            words.erase(words.begin() + static_cast<std::ptrdiff_t>(i),
-                        words.begin() + static_cast<std::ptrdiff_t>(next) + 1);
-    }
-    return words;
-}
-
-// What words ask for, beside each other in them: "a desk with a lamp".
-std::vector<PromptObject> wishes_of(const Editor& editor, const Words& words) {
-    const std::string text = text_of(counted_anew(words));
-    PromptSpec spec = read_in_room(editor, text);
-    const auto unknown = spec.words_with(PromptWord::Fate::not_understood);
-    if (!unknown.empty()) throw UsageError("expected a thing to add, found \"{}\"", unknown.front().words);
-    if (spec.objects.empty()) throw UsageError("expected a thing to add, found \"{}\"", text);
-    // "Three simple lamps" are three.
-    if (const auto number = number_said(words.front());
-        number && *number >= 1 && !is_one_of(words.front(), {"a", "an"}) && !spec.objects.front().counted)
-        spec.objects.front().count = static_cast<int>(*number), spec.objects.front().counted = true;
-    for (std::size_t k = is_definite(words.front()) ? 1 : 0; k < spec.objects.size(); ++k)
-        check_new(words, spec.objects[k]);
-    for (PromptObject& o : spec.objects) {
-        check_stand_in(o);
-        if (is_shell(o.kind) || has_role(o.kind, Role::opening)) refuse_shell();
-        o.relation = o.relation_to = o.relation_and = "";
-        // "Books" are a stack of them.
-        if (!o.counted && has_role(o.kind, Role::heap)) o.count = 1;
-    }
-    PromptObject& first = spec.objects.front();
-    // "a bowl of lemons" is a bowl.
-    for (std::size_t i = 1; i + 1 < words.size() && spec.objects.size() > 1; ++i)
-        if (words[i] == "of" && text_of(words, i + 1).starts_with(spec.objects[1].words) &&
-            furnishing::is_small(spec.objects[1].kind))
-            spec.objects.erase(spec.objects.begin() + 1);
-    for (std::size_t k = 1; k < spec.objects.size(); ++k) {
-        PromptObject& o = spec.objects[k];
-        o.relation_to = first.kind;
-        // Chairs stand around tables, one before a desk.
-        const bool table = has_role(first.kind, Role::lamp_above), desk = has_role(first.kind, Role::work_place);
-        o.relation = furnishing::is_small(o.kind)                        ? "on"
-                     : !has_role(o.kind, Role::seat) || !(table || desk) ? "next to"
-                     : desk && !has_role(first.kind, Role::laid)         ? "in front of"
-                                                                         : "around";
-    }
-    return spec.objects;
-}
-
-// The shape that words ask for. Throws UsageError for one that nothing has: "star shaped".
-std::string shape_asked(const Words& words) {
-    std::string out;
-    for (std::size_t i = 0; i < words.size(); ++i) {
-        if (const std::string one = shape_said({words[i]}); !one.empty() && out.empty()) out = one;
-        const bool shaped = i > 0 && is_one_of(words[i], {"shaped", "shape"});
-        const std::string of = shaped ? words[i - 1] : words[i].ends_with("-shaped") ? words[i] : "";
-        if (of.empty() || !shape_said({of}).empty() || is_one_of(of, {"a", "the", "in", "good"})) continue;
-        // "an l shaped sofa" is a word of the lexicon.
-        const auto word = look_up(text_of(words, i - (shaped ? 1 : 0), i + 2));
-        if (word && word->kind == WordKind::object) continue;
-        throw UsageError("nothing can be made {}; shapes are round, oval, square and rectangular",
-                         shaped ? of + " " + words[i] : of);
-    }
-    return out;
-}
-
-// What came new has the shape that was said, or there is no such thing.
-void shape_as_asked(Talk& talk, const std::vector<std::string>& ids, const std::string& shape) {
-    if (shape.empty()) return;
-    for (const std::string& id : ids) {
-        if (shape_of(talk.editor.placed(id).piece) == shape) continue;
-        EditStep step;
-        step.kind = EditStep::Kind::reshape;
-        step.ids = {id};
-        step.value = shape;
-        talk.editor.apply(step);
-    }
-}
-
-// "Hang two ferns", "two ferns from the ceiling" are hanging ferns, where there are such. Throws UsageError for what
-// does not hang.
-Words hung_up(const Talk& talk, Words words) {
-    const Editor& editor = talk.editor;
-    const std::size_t from = find_word(words, {"from", "off"}, 1);
-    const bool from_ceiling = from + 2 < words.size() && words[from + 2] == "ceiling";
-    if (from_ceiling)
-        words.erase(words.begin() + static_cast<std::ptrdiff_t>(from),
-                    words.begin() + static_cast<std::ptrdiff_t>(from) + 3);
-    else if (!talk.said.starts_with("hang") || find_word(words, {"wall", "walls", "on"}) < words.size()) return words;
-    const auto hangs = [&](const Words& all) {
-        const PromptSpec spec = read_in_room(editor, text_of(all, 0, next_place(all)));
-        if (spec.objects.empty()) return true;  // said elsewhere
-        const Mount mount = mount_of(editor, spec.objects.front().kind);
-        return mount == Mount::ceiling || (!from_ceiling && mount == Mount::wall);
-    };
-    if (hangs(words)) return words;
-    Words hanging = words;
-    hanging.insert(hanging.begin() + (number_said(words.front()) ? 1 : 0), "hanging");
-    if (hangs(hanging)) return hanging;
-    throw UsageError("nothing of that kind hangs, found \"{}\"", text_of(words, 0, next_place(words)));
-}
-
-struct Addition {
-    std::vector<PromptObject> wishes;
-    std::optional<Place> place;
-    std::string shape{};  // of the first
-    Words said{};
-};
-
-Addition addition_of(const Talk& talk, const Words& said, const std::vector<std::string>& spoken) {
-    const Editor& editor = talk.editor;
-    const Words words = hung_up(talk, counted_anew(without_whom(said)));
-    const std::string shape = shape_asked(words);
-    for (std::size_t end = next_place(words); end < words.size(); end = next_place(words, end + 1)) {
-        const Words there = part_of(words, end);
-        // "a table in oak"
-        if (value_of(part_of(there, 1))) continue;
-        // "a side table next to the sofa with a lamp on it"
-        if (const std::size_t with = find_word(there, {"with"}, 1); with < there.size()) {
-            Words all = part_of(words, 0, end);
-            Words rest = part_of(there, with);
-            if (rest.size() > 2 && rest.back() == "it") rest.resize(rest.size() - 2);
-            all.insert(all.end(), rest.begin(), rest.end());
-            const auto both = wishes_of(editor, all);
-            if (auto place = place_of(editor, part_of(there, 0, with), both.front().kind, "", spoken))
-                return {both, place, shape};
-        }
-        const auto wishes = wishes_of(editor, part_of(words, 0, end));
-        if (auto place = place_of(editor, there, wishes.front().kind, "", spoken)) return {wishes, place, shape};
-    }
-    const auto wishes = wishes_of(editor, words);
-    if (furnishing::is_small(wishes.front().kind))
-        if (const auto step = on_support(editor, words)) return {wishes, Place{*step, {}, 0}, shape};
-    return {wishes, {}, shape};
-}
 
 // What lies on a table as others do: there, if it has room for one more. Where all of them lie on tables, nowhere else.
 bool with_its_like(Talk& talk, EditStep step) {
@@ -327,10 +139,6 @@ Place beside_those(const Talk& talk, const std::vector<std::string>& ids) {
     out.step.at = {ids.back()};
     return out;
 }
-
-}  // namespace
-
-namespace {
 
 Words joined_parts(const std::vector<Words>& parts) {
     Words out;
