@@ -1,4 +1,5 @@
-# A small draft on a graphics card, as Mesa's lavapipe imitates one: as good as on the processor; pictures; what runs where.
+# A small draft on a graphics card, as Mesa's lavapipe imitates one: as good as on the processor; pictures; what runs
+# where.
 . "$(dirname "$0")/lib.sh"
 card=(--splat-backend vulkan --splat-device llvmpipe)
 # The first steps of a small scene: an imitated card is a hundred times slower than the processor. Before step 100 no

@@ -293,24 +293,6 @@ struct Place {
     std::vector<std::vector<std::string>> each_at;  // "on both nightstands": one at each
     int count = 0;                                  // "at each end": two; 0: as many as were said
 };
-
-// What words ask for that is new.
-struct Addition {
-    std::vector<PromptObject> wishes;
-    std::optional<Place> place;
-    std::string shape{};  // of the first
-    Words said{};
-};
-// "another chair", "two more plants", "a few books"
-Words counted_anew(Words words);
-// What words ask for, beside each other in them: "a desk with a lamp".
-std::vector<PromptObject> wishes_of(const Editor& editor, const Words& words);
-// The shape that words ask for. Throws UsageError for one that nothing has: "star shaped".
-std::string shape_asked(const Words& words);
-// What came new has the shape that was said, or there is no such thing.
-void shape_as_asked(Talk& talk, const std::vector<std::string>& ids, const std::string& shape);
-// `spoken`: the ids of what "it" and "them" are.
-Addition addition_of(const Talk& talk, const Words& said, const std::vector<std::string>& spoken);
 // `mover`: the id of what is to move there; empty: it comes new. `spoken`: what "it" and "them" are.
 std::optional<Place> place_of(const Editor& editor, const Words& words, const std::string& kind,
                               const std::string& mover, const std::vector<std::string>& spoken = {});
@@ -382,6 +364,24 @@ void put(Talk& talk, const Words& words);
 bool put_where(Talk& talk, const Clause& clause);  // "a plant where the pouf is"; false: no such words
 bool says_so_that(const Words& words);             // "the desk so that it faces the window"
 Words instead_of(const Words& old, const Words& by);
+// ---- edit_wishes.cc
+// What words ask for that is new.
+struct Addition {
+    std::vector<PromptObject> wishes;
+    std::optional<Place> place;
+    std::string shape{};  // of the first
+    Words said{};
+};
+// "another chair", "two more plants", "a few books"
+Words counted_anew(Words words);
+// What words ask for, beside each other in them: "a desk with a lamp".
+std::vector<PromptObject> wishes_of(const Editor& editor, const Words& words);
+// The shape that words ask for. Throws UsageError for one that nothing has: "star shaped".
+std::string shape_asked(const Words& words);
+// What came new has the shape that was said, or there is no such thing.
+void shape_as_asked(Talk& talk, const std::vector<std::string>& ids, const std::string& shape);
+// `spoken`: the ids of what "it" and "them" are.
+Addition addition_of(const Talk& talk, const Words& said, const std::vector<std::string>& spoken);
 // ---- edit_add.cc
 void add(Talk& talk, const Words& words);
 void add_there(Talk& talk, const Words& words);
