@@ -47,6 +47,9 @@ same two place
 # An edit in place that was interrupted: another one starts over; once complete, it only has to be moved.
 expect 2 "$fastscene" edit place "remove the bed" --in-place --plan-only
 says "--plan-only"
+# The sentence alone is no scene, whatever the document says.
+expect 2 "$fastscene" edit --room place.json "remove the bed"
+says '--room: expected beside the folder of a run, found "remove the bed"'
 cp -r two half && cp -r three half/.edit.unfinished
 expect 0 "$fastscene" edit half "remove the bench" --in-place
 lacks half/.edit.unfinished

@@ -100,6 +100,11 @@ Json as_json(const EditResult& result, const std::string& where) {
 
 void edit_file(const EditFlags& flags, const Session& session) {
     if (!flags.out.empty() && flags.in_place) throw UsageError("--in-place: expected without -o");
+    if (!flags.room.empty())
+        throw UsageError(
+            "--room: expected beside the folder of a run, found \"{}\"; a document is edited as it is: "
+            "fastscene edit {} \"…\"",
+            flags.target, flags.room);
     const fs::path from = flags.target;
     const fs::path to = flags.in_place       ? from
                         : !flags.out.empty() ? fs::path(flags.out)
@@ -107,8 +112,7 @@ void edit_file(const EditFlags& flags, const Session& session) {
     check_writable(to);
     std::vector<std::string> complaints;
     const auto pack = FurniturePack::open(flags.assets, complaints);
-    const EditResult result = edited(flags, load_document(flags.room.empty() ? from : fs::path(flags.room)), pack,
-                                     session.run(0));
+    const EditResult result = edited(flags, load_document(from), pack, session.run(0));
     write_json(to, document_json(result.document));
     session.print(as_text(result, to.string()), as_json(result, to.string()));
 }
