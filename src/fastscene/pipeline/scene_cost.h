@@ -6,7 +6,7 @@
 namespace fastscene {
 
 struct SceneCost {
-    double core_seconds = 0;      // CPU time of a bedroom on cores with AVX-512
+    double core_seconds = 0;      // CPU time of a bedroom on cores with AVX2
     double max_core_seconds = 0;  // rounded up, for any room: what time limits are made from
     double gib = 0;               // peak memory of any room, rounded up
 };

@@ -158,7 +158,7 @@ void Editor::recolor(const EditStep& step) {
 void Editor::recolor_wall(int wall, const EditStep& step, const std::string& said) {
     const Plan& now = plan();
     auto& own = result_.document.surfaces.walls[static_cast<std::size_t>(wall)];
-    Material m = own ? *own : now.accent && now.accent_wall == wall ? now.style.accent_wall : now.style.wall;
+    Material m = now.wall_material(wall);
     repaint(m, step, now.style);
     if (!step.wish.color.empty()) m.name = step.wish.color + " wall";
     own = m;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 #include "fastscene/base/error.h"
 #include "fastscene/base/is_one_of.h"
@@ -22,22 +23,14 @@ bool is_free_top(const Placed& p) {
 
 // How far a box is from the things of a kind, or from the middle between two of them.
 float off_place(const std::vector<Placed>& all, const Footprint& box, const Placed* own, const PromptObject& wish) {
-    const auto is_of = [&](const Placed& p, const std::string& kind) {
-        return &p != own && (p.piece.kind == kind || p.wish.kind == kind);
-    };
-    float least = 1e9f;
+    if (wish.relation == "between") return off_middle(all, wish, box.center, own);
+    float least = std::numeric_limits<float>::infinity();
     for (const Placed& a : all) {
-        if (!is_of(a, wish.relation_to)) continue;
+        if (&a == own || (a.piece.kind != wish.relation_to && a.wish.kind != wish.relation_to)) continue;
         const Footprint there = footprint_of(a);
-        if (wish.relation != "between") {
-            const Vec2f to = there.center - box.center;
-            const Vec2f way = length(to) > 1e-3f ? to * (1 / length(to)) : Vec2f{0, 1};
-            least = std::min(least, distance_to(there, box.center) - extent(box, way));
-            continue;
-        }
-        for (const Placed& b : all)
-            if (&b != &a && is_of(b, wish.relation_and))
-                least = std::min(least, length((there.center + footprint_of(b).center) * 0.5f - box.center));
+        const Vec2f to = there.center - box.center;
+        const Vec2f way = length(to) > 1e-3f ? to * (1 / length(to)) : Vec2f{0, 1};
+        least = std::min(least, distance_to(there, box.center) - extent(box, way));
     }
     return least;
 }
@@ -208,7 +201,7 @@ bool Editor::bring_nearer(Layout& layout, const EditStep& step, std::size_t befo
         return off_place(layout.placed(), footprint_of(layout.placed().back()), &layout.placed().back(), wish);
     };
     const float now = off();
-    if (now > 1e8f || now < kClose) return true;
+    if (std::isinf(now) || now < kClose) return true;
     layout.undo(before);
     if (search_finely(layout, step)) {
         if (off() < now - kGain) return true;

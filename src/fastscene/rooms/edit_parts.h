@@ -242,7 +242,7 @@ void keep(Talk& talk, const Words& words);
 void check_kept(const Talk& talk, const RoomDocument& before);
 // Throws UsageError for what only something quite different stands for: a piano for a keyboard.
 void check_stand_in(const PromptObject& wish);
-// Of what came by these words: what stands in for something else, and which words nothing of it shows.
+// Of what came by these words: what stands in for something else, and which words nothing shows.
 void tell_unshown(Talk& talk, const std::vector<std::string>& ids, const PromptObject& wish, const Words& words);
 bool done_with(Talk& talk, const Clause& clause);
 // "the table with plates and candles" -> "plates and candles on the table"; nothing: no such words.
@@ -327,6 +327,9 @@ std::optional<PromptObject> looks_of(const std::string& words);
 // ---- edit_search.cc
 // The wall that is at a thing's back; -1: none.
 int wall_behind(const Plan& plan, const Placed& p);
+// How far a point is from the middle between two things that a place is said by, other than `own`; +inf: there are
+// none.
+float off_middle(const std::vector<Placed>& all, const PromptObject& wish, Vec2f at, const Placed* own = nullptr);
 // From the ceiling above a thing: its middle, else along it.
 bool hang_above(Layout& layout, const PromptObject& wish);
 // ---- edit_shapes.cc

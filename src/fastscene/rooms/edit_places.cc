@@ -283,13 +283,8 @@ class Reader {
             const auto look = is_definite(word) ? std::nullopt : looks_of(word);
             if (!look || is_one_of(word, {"a", "an"})) continue;
             std::vector<int> walls;
-            for (int w = 0; w < 4; ++w) {
-                const auto& own = plan.own_walls[static_cast<std::size_t>(w)];
-                const Material& m = own                                    ? *own
-                                    : plan.accent && plan.accent_wall == w ? plan.style.accent_wall
-                                                                           : plan.style.wall;
-                if (m.name.find(word) != m.name.npos) walls.push_back(w);
-            }
+            for (int w = 0; w < 4; ++w)
+                if (plan.wall_material(w).name.find(word) != std::string::npos) walls.push_back(w);
             if (walls.empty()) throw UsageError("there is no {} wall in the room", word);
             if (walls.size() == 1) return walls.front();
         }

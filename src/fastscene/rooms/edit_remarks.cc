@@ -23,7 +23,7 @@ std::optional<Word> stand_in_word(const PromptObject& wish) {
 
 }  // namespace
 
-// What it speaks of is "them" in what follows.
+// What a remark speaks of is "them" in the clauses that follow.
 void remark(Talk& talk, const Words& words) {
     const std::size_t end = find_word(
         words, {"is", "isn't", "isnt", "are", "aren't", "arent", "don't", "dont", "doesn't", "doesnt", "look", "looks",
@@ -37,7 +37,7 @@ void remark(Talk& talk, const Words& words) {
             talk.things_of_parts(part_of(words, felt + 1));
         } catch (const UsageError&) {
         }
-    talk.editor.note("room", fmt::format("nothing was done about \"{}\" but what follows it", text_of(words)));
+    talk.editor.note("room", fmt::format("\"{}\" is taken as a remark: it changes nothing", text_of(words)));
 }
 
 void keep(Talk& talk, const Words& words) {
@@ -105,7 +105,7 @@ void tell_unshown(Talk& talk, const std::vector<std::string>& ids, const PromptO
             (!known || known->kind == WordKind::filler || known->kind == WordKind::room))
             unshown.push_back(words[i]);
     if (!unshown.empty())
-        talk.editor.note(ids.front(), fmt::format("nothing of it shows \"{}\"", fmt::join(unshown, "\", \"")));
+        talk.editor.note(ids.front(), fmt::format("nothing shows \"{}\"", fmt::join(unshown, "\", \"")));
 }
 
 // "Angle the chairs towards each other with a table between them": what comes with what was done; false: no such words.

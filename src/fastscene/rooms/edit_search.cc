@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 #include "fastscene/rooms/catalogue.h"
 #include "fastscene/rooms/edit_parts.h"
@@ -70,18 +71,6 @@ void add_on_floor(const Plan& plan, Vec3f size, std::optional<float> own, std::v
         }
 }
 
-// How far a point is from the middle between the two that a place is said by.
-float off_middle(Layout& layout, Vec2f at) {
-    const PromptObject& wish = layout.spec().objects[0];
-    float least = 1e9f;
-    for (const Placed& a : layout.placed())
-        for (const Placed& b : layout.placed())
-            if (&a != &b && (a.piece.kind == wish.relation_to || a.wish.kind == wish.relation_to) &&
-                (b.piece.kind == wish.relation_and || b.wish.kind == wish.relation_and))
-                least = std::min(least, length((footprint_of(a).center + footprint_of(b).center) * 0.5f - at));
-    return least < 1e8f ? least : 0.f;
-}
-
 // Beside a bed is at its head.
 float off_head(Layout& layout, Vec2f at) {
     const PromptObject& wish = layout.spec().objects[0];
@@ -98,6 +87,18 @@ bool looks_at(const std::string& relation) {
 }
 
 }  // namespace
+
+float off_middle(const std::vector<Placed>& all, const PromptObject& wish, Vec2f at, const Placed* own) {
+    const auto is_of = [&](const Placed& p, const std::string& kind) {
+        return &p != own && (p.piece.kind == kind || p.wish.kind == kind);
+    };
+    float least = std::numeric_limits<float>::infinity();
+    for (const Placed& a : all)
+        for (const Placed& b : all)
+            if (&a != &b && is_of(a, wish.relation_to) && is_of(b, wish.relation_and))
+                least = std::min(least, length((footprint_of(a).center + footprint_of(b).center) * 0.5f - at));
+    return least;
+}
 
 int wall_behind(const Plan& plan, const Placed& p) {
     constexpr float kAtWall = 0.3f, kWalls = 4;  // metres
@@ -157,7 +158,8 @@ bool Editor::search_finely(Layout& layout, const EditStep& step) const {
             if (const float far = distance_to(a, c.at); far < nearest) nearest = far, middle = a.center;
         if (!anchors.empty()) {
             if (looks_at(wish.relation)) c.yaw = std::atan2(middle.x - c.at.x, middle.y - c.at.y);
-            c.cost = wish.relation == "between" ? off_middle(layout, c.at) : nearest + off_head(layout, c.at);
+            c.cost = wish.relation == "between" ? off_middle(layout.placed(), wish, c.at)
+                                                : nearest + off_head(layout, c.at);
         } else if (of_corner && length(c.at - *step.position) > kOfCorner) return true;
         else if (wish.relation == "in the middle") c.cost = length(c.at);
         else if (step.position) c.cost = length(c.at - *step.position);

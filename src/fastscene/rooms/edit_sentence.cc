@@ -343,7 +343,7 @@ std::size_t purpose_at(const Clause& clause) {
 void Talk::act(const Clause& whole) {
     Clause clause = whole;
     if (const std::size_t why = purpose_at(whole); why < whole.words.size()) {
-        editor.note("room", fmt::format("nothing was done about \"{}\"", text_of(whole.words, why)));
+        editor.note("room", fmt::format("\"{}\" is taken as a reason: it changes nothing", text_of(whole.words, why)));
         clause.words.resize(why);
     }
     const Words& words = clause.words;

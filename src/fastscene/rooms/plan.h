@@ -3,8 +3,8 @@
 // is called right and 3 left, as seen from the far wall.
 #pragma once
 
-#include <array>
 #include <algorithm>
+#include <array>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -103,6 +103,7 @@ struct Plan {
     bool joined = false;                   // this is such a next room: its near wall (2) is built by the other
 
     WallFace wall(int i) const;
+    const Material& wall_material(int i) const;
     // What the prompt says of a part of the shell, or nothing.
     const PromptObject* asked(std::string_view kind) const;
     // All pieces of wall where things may stand or hang, sides of blocks too.

@@ -39,6 +39,11 @@ float distance_to(const Block& b, Vec2f p) {
 
 }  // namespace
 
+const Material& Plan::wall_material(int i) const {
+    if (const auto& own = own_walls[static_cast<std::size_t>(i)]) return *own;
+    return accent && accent_wall == i ? style.accent_wall : style.wall;
+}
+
 WallFace Plan::wall(int i) const {
     const float w = width / 2, d = depth / 2;
     switch (i) {
