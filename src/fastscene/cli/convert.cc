@@ -51,7 +51,7 @@ void warn_of_losses(const std::string& to, const Splats& splats, const Run& run)
     if (splats.sh_degree > format.sh_degree)
         run.warn(fmt::format("{}: {} stores spherical harmonics up to degree {}: those of degree {} are left out", to,
                              format.ending, format.sh_degree, splats.sh_degree));
-    if (splats.antialias && !format.antialias)
+    if (splats.filter.antialias && !format.antialias)
         run.warn(fmt::format("{}: {} cannot store that these splats are antialiased: small ones will look too bright",
                              to, format.ending));
 }

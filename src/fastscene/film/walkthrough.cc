@@ -15,11 +15,11 @@ constexpr float kLastShare = 0.3f;  // of the way, on which the look settles on 
 std::vector<Vec2f> longest_way(const FilmSet& set) {
     const auto farthest = [&](const FloorGrid::Ways& ways) {
         // Tight corners are no goals.
-        constexpr float kRoomy_m = 0.15f;
+        constexpr float kStepAside_m = 0.15f;
         std::size_t best = 0;
         float most = -1;
         for (std::size_t i = 0; i < ways.cost.size(); ++i) {
-            const float worth = ways.cost[i] * (set.grid.clearance_at(i) < kRoomy_m ? 0.5f : 1.f);
+            const float worth = ways.cost[i] * (set.grid.clearance_at(i) < kStepAside_m ? 0.5f : 1.f);
             if (worth > most) most = worth, best = i;
         }
         return best;

@@ -105,6 +105,13 @@ struct Factors {
     double ssim() const { return a1 * a2 / (b1 * b2); }
 };
 
+// Means of two planes, pixel by pixel.
+Plane mean_of(const Plane& a, const Plane& b) {
+    Plane out(a.width, a.height);
+    for (std::size_t i = 0; i < a.size(); ++i) out.pixels[i] = (a.pixels[i] + b.pixels[i]) / 2;
+    return out;
+}
+
 }  // namespace
 
 double mean_squared_error(const ImageRgb8& a, const ImageRgb8& b, const ImageMask& mask) {
@@ -164,6 +171,24 @@ double ssim(const ImageRgb8& a, const ImageRgb8& b, Ssim kind) {
     if (kind == Ssim::wang) return ssim_of_channel(gray(a), gray(b), 255, true);
     double sum = 0;
     for (int c = 0; c < 3; ++c) sum += ssim_of_channel(channel(a, c), channel(b, c), 1, kind == Ssim::valid);
+    return sum / 3;
+}
+
+double ssim_of_noisy_truth(const ImageRgb8& picture, const ImageRgb8& truth, const ImageRgb8& again) {
+    FASTSCENE_CHECK(picture.same_size(truth) && picture.same_size(again) && !picture.empty());
+    const Window window = single_window();
+    double sum = 0;
+    for (int c = 0; c < 3; ++c) {
+        const Plane a = channel(truth, c), b = channel(again, c);
+        Moments moments(channel(picture, c), mean_of(a, b), window);
+        // The variance is E[ab] - E[a] E[b]; Factors subtracts the square of the mean of both.
+        const Plane ma = blur(a, window), mb = blur(b, window);
+        moments.yy = blur(product(a, b), window);
+        for (std::size_t i = 0; i < ma.size(); ++i)
+            moments.yy.pixels[i] += moments.my.pixels[i] * moments.my.pixels[i] - ma.pixels[i] * mb.pixels[i];
+        for (std::size_t i = 0; i < ma.size(); ++i)
+            sum += Factors(moments, i, 1).ssim() / static_cast<double>(ma.size());
+    }
     return sum / 3;
 }
 

@@ -25,6 +25,11 @@ enum class Ssim {
 // 11 pixels.
 double ssim(const ImageRgb8& a, const ImageRgb8& b, Ssim kind = Ssim::splats);
 
+// SSIM (Ssim::splats) of `picture` against a truth of which there are two renderings with independent noise, corrected
+// for that noise: the truth's local variance is the covariance of the two, to which their noise adds nothing on
+// average.
+double ssim_of_noisy_truth(const ImageRgb8& picture, const ImageRgb8& truth, const ImageRgb8& again);
+
 // The same for a single channel of any range; `peak` is the maximum possible value.
 double ssim_of_channel(const Image<double>& x, const Image<double>& y, double peak, bool windows_inside);
 // Derivative of ssim_of_channel (peak 1, zero padding) with respect to each pixel of x.

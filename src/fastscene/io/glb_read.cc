@@ -65,13 +65,13 @@ class Glb : private GltfJson {
         Splats all;
         for (const Splats& piece : pieces) {
             all.sh_degree = std::max(all.sh_degree, piece.sh_degree);
-            all.antialias = all.antialias || piece.antialias;
+            all.filter.antialias |= piece.filter.antialias;
         }
         for (const Splats& piece : pieces) append(all, piece);
         // A file has a single rendering mode: that of its first primitive.
         const Json& first = *parts.front().primitive;
-        all.antialias = all.antialias || (first.contains("extras") && first.at("extras").is_object() &&
-                                          first.at("extras").value("antialiased", Json()) == Json(true));
+        all.filter.antialias |= first.contains("extras") && first.at("extras").is_object() &&
+                                first.at("extras").value("antialiased", Json()) == Json(true);
         ReadSplats read(std::move(all));
         read.warnings = std::move(warnings_);
         read.offset_m = offset_;

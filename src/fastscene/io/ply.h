@@ -72,9 +72,9 @@ class Ply {
 std::vector<int> sh_columns(const Ply& ply, const PlyElement& element, int& degree);
 
 // Header comments about splats, in the convention shared by Brush, splat-transform and gsplat: "SplatRenderMode: mip".
-// Postshot's "antialiased 1" is read, too.
+// Postshot's "antialiased 1" is read, too; "fastscene low-pass 0.1" is our own.
 std::string ply_comments(const Splats& splats);
-bool is_antialiased(const Ply& ply);
+FootprintFilter footprint_filter(const Ply& ply);
 
 bool is_compressed_ply(const Ply& ply);
 bool has_compressed_ply_header(std::string_view bytes);

@@ -102,8 +102,8 @@ TEST_P(EverySplatFormat, ComesBackWithinItsPrecision) {
 TEST_P(EverySplatFormat, KeepsAntialiasing) {
     for (const bool antialias : {false, true}) {
         Splats splats = some_splats(20, 0);
-        splats.antialias = antialias;
-        EXPECT_EQ(saved_and_loaded(splats).splats.antialias, antialias && format().antialias);
+        splats.filter.antialias = antialias;
+        EXPECT_EQ(saved_and_loaded(splats).splats.filter.antialias, antialias && format().antialias);
     }
 }
 

@@ -67,19 +67,33 @@ TEST(SplatFormats, SpzRoundTripsWithinItsSteps) {
             }
 }
 
+TEST(SplatFormats, PlyPreservesTheLowPass) {
+    Splats splats = some_splats(300, 1);
+    EXPECT_EQ(ply_comments(splats), "") << "nothing is said of the usual one";
+    splats.filter.low_pass_px2 = 0.125f;
+    for (const char* name : {"l.ply", "l.compressed.ply"}) {
+        save_splats(scratch(name), splats);
+        EXPECT_EQ(load_splats(scratch(name)).splats.filter, splats.filter) << name;
+    }
+    std::string bytes = read_file(scratch("l.ply"));
+    bytes.replace(bytes.find("low-pass 0.125"), 14, "low-pass 1e-30");
+    write_file(scratch("l.ply"), bytes);
+    EXPECT_EQ(load_splats(scratch("l.ply")).splats.filter, FootprintFilter{}) << "out of range";
+}
+
 // Every format preserves the antialiasing flag, and does not add it.
 TEST(SplatFormats, AntialiasingIsKept) {
     for (const bool antialias : {false, true}) {
         Splats splats = some_splats(300, 1);
-        splats.antialias = antialias;
+        splats.filter.antialias = antialias;
         for (const char* name : {"a.ply", "a.compressed.ply", "a.spz", "a.glb"})
             for (const int version : {2, 3, 4}) {
                 save_splats(scratch(name), splats, {PlyBands::present, version});
-                EXPECT_EQ(load_splats(scratch(name)).splats.antialias, antialias) << name << ' ' << version;
+                EXPECT_EQ(load_splats(scratch(name)).splats.filter.antialias, antialias) << name << ' ' << version;
             }
         save_splat_ply(scratch("a.ply"), splats);
         EXPECT_EQ(read_file(scratch("a.ply")).find("\ncomment SplatRenderMode: mip\n") != std::string::npos, antialias);
-        EXPECT_EQ(chosen(splats, {1, 2}).antialias, antialias);
+        EXPECT_EQ(chosen(splats, {1, 2}).filter.antialias, antialias);
     }
 }
 
@@ -91,7 +105,7 @@ TEST(SplatFormats, AntialiasingInPostshotsWords) {
         std::string bytes = plain;
         bytes.insert(bytes.find("element vertex"), std::string("comment antialiased ") + value + "\n");
         write_file(scratch("p.ply"), bytes);
-        EXPECT_EQ(load_splats(scratch("p.ply")).splats.antialias, value[0] == '1');
+        EXPECT_EQ(load_splats(scratch("p.ply")).splats.filter.antialias, value[0] == '1');
     }
 }
 

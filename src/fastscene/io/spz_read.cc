@@ -190,7 +190,7 @@ Splats splats_of(const Packed& packed) {
     const auto stored = static_cast<std::size_t>((h.sh_degree + 1) * (h.sh_degree + 1) - 1);
     Splats s;
     s.sh_degree = std::min(h.sh_degree, 3);
-    s.antialias = h.flags & kSpzAntialiased;
+    s.filter.antialias = h.flags & kSpzAntialiased;
     s.resize(h.count);
     const auto k = static_cast<std::size_t>(s.rest_coefficients());
     for (std::size_t i = 0; i < h.count; ++i) {

@@ -92,7 +92,7 @@ std::string header(const Splats& splats, int version, std::uint8_t last) {
     append(out, static_cast<std::uint8_t>(splats.sh_degree));
     append(out, static_cast<std::uint8_t>(kSpzFractionalBits));
     const std::uint8_t records = version >= 4 ? kSpzHasExtensions : std::uint8_t{0};  // old readers refuse them
-    append(out, static_cast<std::uint8_t>((splats.antialias ? kSpzAntialiased : 0) | records));
+    append(out, static_cast<std::uint8_t>((splats.filter.antialias ? kSpzAntialiased : 0) | records));
     append(out, last);
     return out;
 }

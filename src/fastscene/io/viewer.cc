@@ -163,7 +163,7 @@ void save_viewer_html(const fs::path& path, const Splats& splats, const ViewerSc
     // Splats are blended in the order that they were trained in: by depth. The view through a window is a thin shell,
     // all of it equally far from the room; sorted by distance it smears.
     replace_once(script, "gsplat.radialSorting = true;", "gsplat.radialSorting = false;", viewer_dir / "index.js");
-    if (splats.antialias) replace_once(page, "aa: url.searchParams.has('aa')", "aa: true", index);
+    if (splats.filter.antialias) replace_once(page, "aa: url.searchParams.has('aa')", "aa: true", index);
     const std::size_t import_at = page.find("import { createViewer } from './index.js';");
     if (import_at == std::string::npos) replace_once(page, "import { createViewer } from './index.js';", "", index);
     const std::size_t boot_at = page.find("id=\"sse-bootstrap\"");

@@ -64,7 +64,7 @@ TruthPicture truth_picture(const TracedRoom& room, const TruthPose& pose, int si
 struct TruthSet {
     std::vector<TruthPose> poses;
     std::vector<TruthPicture> pictures;  // one per pose
-    // mean PSNR of `color` against `again`: the noise that our PSNR is corrected for, but SSIM is not
+    // mean PSNR of `color` against `again`: the noise that PSNR and SSIM are corrected for
     double floor_db = 0;
 };
 // run.seed selects the poses. Needs the room's light.
@@ -77,7 +77,8 @@ struct Likeness {
     double psnr = 0, ssim = 0, psnr_seen = 0, psnr_unseen = 0;  // NaN if there is nothing to compare
 };
 // PSNR corrected for the ground truth's noise: the mean of (picture - color) (picture - again), whose noise is
-// independent, is an unbiased estimate of the squared error against a noise-free truth. SSIM is against `color`.
+// independent, is an unbiased estimate of the squared error against a noise-free truth. SSIM is corrected likewise
+// (ssim_of_noisy_truth).
 Likeness compare(const ImageRgb8& picture, const TruthPicture& truth);
 
 // A rendering of the splats at the truth's size, and the share of its pixels with an alpha below 98 %.

@@ -130,8 +130,34 @@ TEST(Likeness, IsFreeOfTheTruthsNoise) {
     EXPECT_NEAR(compare(picture, truth).psnr, exact, 0.3);
     EXPECT_LT(psnr(picture, truth.color), exact - 5);
     truth.again = {};
-    EXPECT_NEAR(compare(picture, truth).psnr, psnr(picture, truth.color), 1e-9)
-        << "without a second picture: plain PSNR";
+    const Likeness plain = compare(picture, truth);
+    EXPECT_NEAR(plain.psnr, psnr(picture, truth.color), 1e-9) << "without a second picture: plain PSNR";
+    EXPECT_NEAR(plain.ssim, ssim(picture, truth.color), 1e-9) << "and plain SSIM";
+}
+
+// Blurred stripes against sharp ones: SSIM is that of the noise-free truth, whatever noise its two renderings have.
+TEST(Likeness, SsimIsFreeOfTheTruthsNoise) {
+    constexpr int kSize = 256, kNoise = 12;
+    Random random(5, "noise");
+    const auto stripes = [](double contrast) {
+        ImageRgb8 out(kSize, kSize);
+        for (int y = 0; y < kSize; ++y)
+            for (int x = 0; x < kSize; ++x) {
+                const auto level = static_cast<std::uint8_t>(std::lround(120 + contrast * std::sin(0.8 * x + 0.2 * y)));
+                out.at(x, y) = {level, level, level};
+            }
+        return out;
+    };
+    const ImageRgb8 picture = stripes(15), sharp = stripes(30);
+    TruthPicture truth{sharp, sharp, ImageMask(kSize, kSize)};
+    for (ImageRgb8* noisy : {&truth.color, &truth.again})
+        for (Rgb8& p : noisy->pixels) {
+            const auto level = static_cast<std::uint8_t>(p.r - kNoise + random.index(2 * kNoise + 1));
+            p = {level, level, level};
+        }
+    const double exact = ssim(picture, sharp);
+    EXPECT_NEAR(compare(picture, truth).ssim, exact, 0.01);
+    EXPECT_LT(ssim(picture, truth.color), exact - 0.03);
 }
 
 TEST(TruthSet, ComesBackFromDiskAsItWas) {

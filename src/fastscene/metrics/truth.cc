@@ -143,7 +143,7 @@ Likeness compare(const ImageRgb8& picture, const TruthPicture& truth) {
         all.add(error);
         (truth.unseen.pixels[i] ? unseen : seen).add(error);
     }
-    return {all.psnr(), ssim(picture, truth.color), seen.psnr(), unseen.psnr()};
+    return {all.psnr(), ssim_of_noisy_truth(picture, truth.color, again), seen.psnr(), unseen.psnr()};
 }
 
 SplatSight splat_sight(const SplatRenderer& splats, const TruthPose& pose, int size) {

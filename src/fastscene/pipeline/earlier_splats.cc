@@ -88,7 +88,7 @@ std::optional<Splats> earlier_splats(const EarlierRun& earlier, const RunFolder&
                std::any_of(seen.begin(), seen.end(), [&](const SeenChange& view) { return view.holds(point); });
     };
     Splats begun = continued_splats(before, points, is_changed, params, run);
-    begun.antialias = params.antialias;
+    begun.filter = params.filter();
     run.note(fmt::format("splat: begins from the {} Gaussians of {}", begun.size(), earlier.folder.root.string()));
     return begun;
 }

@@ -15,6 +15,8 @@ void start_closed(SplatParams& p) {
     p.opaque = 0.03f;
     p.outside_m = 200.f;  // the sky stands at 400 m or farther, and in the corner of a view at half that depth
     p.sh_degree = kAutomaticShDegree;
+    // Views are renderings whose pixels average their area; a wider low-pass would blur every edge.
+    p.low_pass_px2 = 0.1f;
 }
 SplatParams started_as_photographs(SplatParams p) {
     const SplatParams defaults;
@@ -26,6 +28,7 @@ SplatParams started_as_photographs(SplatParams p) {
     p.outside_m = defaults.outside_m;
     p.per_m2 = defaults.per_m2;
     p.sh_degree = defaults.sh_degree;
+    p.low_pass_px2 = defaults.low_pass_px2;
     return p;
 }
 

@@ -67,7 +67,7 @@ void transform(Splats& splats, const Similarity& s) {
 
 Splats chosen(const Splats& splats, const std::vector<std::uint32_t>& indices) {
     Splats out;
-    out.sh_degree = splats.sh_degree, out.antialias = splats.antialias;
+    out.sh_degree = splats.sh_degree, out.filter = splats.filter;
     out.resize(indices.size());
     const std::size_t rest = 3 * static_cast<std::size_t>(splats.rest_coefficients());
     for (std::size_t k = 0; k < indices.size(); ++k) {

@@ -102,7 +102,7 @@ void reset_opacities(Cloud& c) {
 
 Splats alive(const Splats& s, float faint) {
     Splats out;
-    out.sh_degree = s.sh_degree, out.antialias = s.antialias;
+    out.sh_degree = s.sh_degree, out.filter = s.filter;
     const auto n = static_cast<std::size_t>(3 * s.rest_coefficients());
     for (std::size_t i = 0; i < s.size(); ++i) {
         if (!(s.opacity_logit[i] >= logit_of(faint))) continue;

@@ -80,7 +80,7 @@ Splats continued_splats(const Splats& earlier, const std::vector<SurfacePoint>& 
     added.resize(added.size());
 
     Splats out;
-    out.sh_degree = earlier.sh_degree, out.antialias = earlier.antialias;
+    out.sh_degree = earlier.sh_degree, out.filter = earlier.filter;
     for (std::size_t i = 0; i < earlier.size(); ++i)
         if (!changed_splats[i]) append_splat(out, earlier, i);
     for (std::size_t i = 0; i < added.size(); ++i) append_splat(out, added, i);

@@ -43,11 +43,13 @@ void grow(T& v, std::size_t size) {
 
 }  // namespace
 
-Lens<float> lens_of(const Pinhole& camera, const Rigid& world_from_camera, CameraModel model, bool antialias) {
+Lens<float> lens_of(const Pinhole& camera, const Rigid& world_from_camera, CameraModel model,
+                    const FootprintFilter& filter) {
     const Rigid c = inverse(world_from_camera);
     const auto w = static_cast<float>(camera.width), h = static_cast<float>(camera.height);
     if (model == CameraModel::equirectangular)
-        return {c.rotation, c.translation, w / (2 * kPi), h / kPi, w / 2, h / 2, 0, 0, 0, 0, model, antialias};
+        return {c.rotation, c.translation,    w / (2 * kPi),      h / kPi, w / 2, h / 2, 0, 0, 0, 0,
+                model,      filter.antialias, filter.low_pass_px2};
     // margin of 15 % around the picture, as in Kerbl et al.'s implementation
     return {c.rotation,
             c.translation,
@@ -60,14 +62,15 @@ Lens<float> lens_of(const Pinhole& camera, const Rigid& world_from_camera, Camer
             (-0.15f * h - camera.cy) / camera.fy,
             (1.15f * h - camera.cy) / camera.fy,
             model,
-            antialias};
+            filter.antialias,
+            filter.low_pass_px2};
 }
 
 Cloud::Cloud(const Splats& s, bool train, std::int64_t room_for)
     : count(static_cast<std::int64_t>(s.size())),
       degree(s.sh_degree),
       capacity(std::max(count, room_for)),
-      antialias(s.antialias) {
+      filter(s.filter) {
     const auto blocks = static_cast<std::size_t>((capacity + kBlock - 1) / kBlock * kBlock);
     const auto rest_floats = blocks * 3 * static_cast<std::size_t>(rest_functions(degree));
     parameters.resize(blocks * kParameters, 0.f);
@@ -95,7 +98,7 @@ Cloud::Cloud(const Splats& s, bool train, std::int64_t room_for)
 
 Splats Cloud::splats() const {
     Splats s;
-    s.sh_degree = degree, s.antialias = antialias;
+    s.sh_degree = degree, s.filter = filter;
     s.resize(static_cast<std::size_t>(count));
     const int n = 3 * rest_functions(degree);
     for (std::int64_t i = 0; i < count; ++i)
@@ -131,7 +134,7 @@ void Engine::set_size(int width, int height) {
 void Engine::render(const Cloud& cloud, const Pinhole& camera, const Rigid& world_from_camera, Vec3f background,
                     bool depth, CameraModel model) {
     set_size(camera.width, camera.height);
-    lens_ = lens_of(camera, world_from_camera, model, cloud.antialias);
+    lens_ = lens_of(camera, world_from_camera, model, cloud.filter);
     background_ = background;
     depth_counts_ = transmittance_counts_ = false;
     if (depth) depth_.resize(transmittance_.size());

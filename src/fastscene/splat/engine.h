@@ -19,7 +19,7 @@
 namespace fastscene::splat {
 
 Lens<float> lens_of(const Pinhole& camera, const Rigid& world_from_camera, CameraModel model = CameraModel::pinhole,
-                    bool antialias = false);
+                    const FootprintFilter& filter = {});
 
 // Weight of a row in an equirectangular picture: proportional to the solid angle it shows, the cosine of the latitude.
 inline float latitude_weight(int y, int height) {
@@ -36,7 +36,7 @@ struct Cloud {
     AlignedFloats rest, rest_first_moment,
         rest_second_moment;     // blocks of 3 * rest_functions(degree) numbers, laid out like the parameters
     std::int64_t capacity = 0;  // number of splats that memory is allocated for
-    bool antialias = false;     // Splats::antialias
+    FootprintFilter filter;     // Splats::filter
 
     Cloud(const Splats& splats, bool train, std::int64_t room_for = 0);
     Splats splats() const;

@@ -37,7 +37,7 @@ struct TileAlpha {
 // is e(m) + de/dx i + de/dy j + (a i^2 + b i j + c j^2), so alpha is a product of three factors: one per column, one
 // per row, and one that is the same in all blocks of the splat. The eight columns and rows of a block fill one vector.
 // Wherever alpha matters, all factors stay in the range of exp2_near(): a, b and c are bounded by the screen-space
-// low-pass (kDilationPx2).
+// low-pass (at least kLeastLowPassPx2).
 struct TileAlpha {
     Half curve_lo, curve_hi;                   // 2^(a i^2 + b i j + c j^2)
     float slope_x[16], slope_y[16], half[16];  // per block: de/dx, de/dy and e / 2 at its center

@@ -25,7 +25,8 @@ inline Lens<Lanes> spread(const Lens<float>& l) {
             l.min_v,
             l.max_v,
             l.model,
-            l.antialias};
+            l.antialias,
+            l.low_pass_px2};
 }
 
 // Contribution of SH degrees >= 1 to the color of the block starting at splat `first`.

@@ -12,7 +12,6 @@
 namespace fastscene::splat {
 
 inline constexpr float kNearM = 0.1f;          // near plane: closer splats are culled, as the linearization breaks down
-inline constexpr double kDilationPx2 = 0.3;    // screen-space low-pass added to the variance, as in every 3DGS viewer
 inline constexpr double kLeastArea2 = 1e-12;   // px^4: keeps the logarithm finite for vanishing splats
 inline constexpr float kMinAlpha = 1.f / 255;  // weaker contributions are invisible in 8 bits
 inline constexpr float kMaxAlpha = 0.99f;      // bounds 1 / (1 - alpha) in the backward pass
@@ -42,6 +41,7 @@ struct Lens {
     // Compensates the opacity for the low-pass dilation (Mip-Splatting's 2D filter, Yu et al. 2024): splats smaller
     // than a pixel do not get brighter with distance.
     bool antialias = false;
+    F low_pass_px2 = F(0.3);  // FootprintFilter::low_pass_px2
 
     bool equirect() const { return model == CameraModel::equirectangular; }
     Vec3<F> camera_center() const { return -(transpose(rotation) * translation); }
@@ -68,7 +68,7 @@ struct Projection {
     Mat3<F> camera_from_local;
     Vec3<F> scale;
     Vec3<F> n0, n1;               // rows of J * camera_from_local
-    Vec3<F> m0, m1;               // the same scaled: covariance = m m^T + dilation
+    Vec3<F> m0, m1;               // the same scaled: covariance = m m^T + low-pass
     F cov_xx, cov_xy, cov_yy;     // pixels^2
     F conic_a, conic_b, conic_c;  // its inverse
     Vec3<F> area;                 // m0 x m1
@@ -125,15 +125,16 @@ Projection<F> project(const Gaussian<F>& g, const Lens<F>& lens, Vec3<F> more_co
     else detail::project_pinhole(o, lens);
     o.m0 = o.n0 * o.scale;
     o.m1 = o.n1 * o.scale;
-    o.cov_xx = dot(o.m0, o.m0) + F(kDilationPx2);
+    const F low_pass = lens.low_pass_px2;
+    o.cov_xx = dot(o.m0, o.m0) + low_pass;
     o.cov_xy = dot(o.m0, o.m1);
-    o.cov_yy = dot(o.m1, o.m1) + F(kDilationPx2);
+    o.cov_yy = dot(o.m1, o.m1) + low_pass;
 
     // det(m m^T) as a squared cross product is exact even for needles, where xx yy - xy^2 cancels.
     o.area = cross(o.m0, o.m1);
-    const F trace = o.cov_xx + o.cov_yy - F(2 * kDilationPx2);
+    const F trace = o.cov_xx + o.cov_yy - F(2) * low_pass;
     const F area2 = dot(o.area, o.area);
-    const F det = area2 + F(kDilationPx2) * trace + F(kDilationPx2 * kDilationPx2);
+    const F det = area2 + low_pass * trace + low_pass * low_pass;
     const F inv_det = F(1) / det;
     o.conic_a = o.cov_yy * inv_det;
     o.conic_b = -(o.cov_xy * inv_det);

@@ -178,7 +178,8 @@ Lens<F> lens_over(const Lens<float>& l) {
             F(l.min_v),
             F(l.max_v),
             l.model,
-            l.antialias};
+            l.antialias,
+            F(l.low_pass_px2)};
 }
 
 struct ReferenceLoss {

@@ -61,6 +61,7 @@ struct SplatParams {
     float opaque = 0;     // weight of the transmittance loss
     float outside_m = 0;  // depth beyond which splats belong to the outside; 0: none do
     bool antialias = false;
+    float low_pass_px2 = FootprintFilter{}.low_pass_px2;
     bool random_background = false;
     int eval_every = 0;
     int holdout = 8;
@@ -69,6 +70,8 @@ struct SplatParams {
     float begun = 0;  // how far through a full training the starting splats are, 0 to 1: sets the learning rates
     std::string checkpoint;
     int checkpoint_every = 500;
+
+    FootprintFilter filter() const { return {low_pass_px2, antialias}; }
 };
 template <class V>
 void visit_fields(SplatParams& p, V&& v) {
@@ -99,6 +102,9 @@ void visit_fields(SplatParams& p, V&& v) {
     v("antialias", p.antialias,
       "Antialiasing: splats smaller than a pixel are dimmed instead of enlarged (Mip-Splatting's 2D filter); recorded "
       "in files.");
+    v("low-pass", p.low_pass_px2, Bounds{kLeastLowPassPx2, 1},
+      "Low-pass: variance in square pixels that is added to every splat's footprint. 0.3: as in Kerbl et al.'s program "
+      "and in viewers; 0.1: as sharp as a pixel that averages its area; recorded in .ply files.");
     v("random-background", p.random_background,
       "A random background color in every step, so that dark transparent areas are penalized.");
     v("eval-every", p.eval_every, Bounds{0, 1e6}, "Evaluate held-out views every N steps; 0 = train on all views.");

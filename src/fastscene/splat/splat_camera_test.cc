@@ -18,13 +18,15 @@ struct Case {
     CameraModel model;
     bool antialias;
     int degree;
+    float low_pass_px2 = FootprintFilter{}.low_pass_px2;
+    FootprintFilter filter() const { return {low_pass_px2, antialias}; }
 };
 std::ostream& operator<<(std::ostream& o, const Case& c) { return o << c.name; }
 
 // All around the camera for the sphere, some across the seam; in front of it for the pinhole.
 Splats splats_of(const Case& c, int count, std::uint64_t seed) {
     Splats s = random_splats(count, seed);
-    s.sh_degree = c.degree, s.antialias = c.antialias;
+    s.sh_degree = c.degree, s.filter = c.filter();
     s.resize(s.size());
     Random r(seed, "test.rest");
     for (float& x : s.sh_rest) x = r.uniform(-0.4f, 0.4f);
@@ -40,7 +42,7 @@ Pinhole camera_of(const Case& c, int width) {
     return c.model == CameraModel::pinhole ? test_camera(width, width * 3 / 4) : Pinhole{width, width / 2, 0, 0, 0, 0};
 }
 Lens<float> lens_of_case(const Case& c, const Pinhole& camera) {
-    return lens_of(camera, test_pose(), c.model, c.antialias);
+    return lens_of(camera, test_pose(), c.model, c.filter());
 }
 
 class SplatCamera : public ::testing::TestWithParam<Case> {};
@@ -48,6 +50,7 @@ INSTANTIATE_TEST_SUITE_P(All, SplatCamera,
                          ::testing::Values(Case{"bands", CameraModel::pinhole, false, 3},
                                            Case{"bands1", CameraModel::pinhole, false, 1},
                                            Case{"antialias", CameraModel::pinhole, true, 0},
+                                           Case{"sharp", CameraModel::pinhole, false, 1, kLeastLowPassPx2},
                                            Case{"sphere", CameraModel::equirectangular, false, 0},
                                            Case{"everything", CameraModel::equirectangular, true, 2}),
                          [](const auto& i) { return std::string(i.param.name); });
@@ -183,7 +186,7 @@ TEST(SplatAntialias, FarSplatsFade) {
     const Pinhole camera{33, 33, 30, 30, 16.5f, 16.5f};
     const auto light = [&](float z, bool antialias) {
         s.mean_m[0] = {0, 0, z};
-        s.antialias = antialias;
+        s.filter.antialias = antialias;
         const SplatPicture picture = render_splats(s, camera, {});
         return std::accumulate(picture.alpha.pixels.begin(), picture.alpha.pixels.end(), 0.0);
     };

@@ -212,7 +212,7 @@ class Training {
             key_ = key_of(set, params_, run_.seed, begin);
             if (std::filesystem::exists(params_.checkpoint)) {
                 TrainState found = load_checkpoint(params_.checkpoint, key_);
-                found.cloud.antialias = params_.antialias;  // settings are covered by the key
+                found.cloud.filter = params_.filter();  // settings are covered by the key
                 run_.note(fmt::format("splat: resuming from step {} of {}", found.step, params_.checkpoint));
                 return found;
             }
@@ -223,7 +223,7 @@ class Training {
         check_splat_memory(params_, set.points.size(), memory_of_half_views(set, params_));
         Splats splats = begin ? *begin : initial_splats(set.points, params_, run_);
         if (splats.size() == 0) throw Error("splat: no usable initial points among {}", set.points.size());
-        splats.sh_degree = params_.sh_degree, splats.antialias = params_.antialias;
+        splats.sh_degree = params_.sh_degree, splats.filter = params_.filter();
         splats.resize(splats.size());
         TrainState state{0, Cloud(splats, true, params_.strategy == "none" ? 0 : params_.count), 0, 0, 0, {}, {}};
         if (params_.strategy == "classic")

@@ -243,7 +243,7 @@ Splats splats_of_compressed_ply(const Ply& ply) {
     const int position = ply.property(vertex, "packed_position"), rotation = ply.property(vertex, "packed_rotation");
     const int packed_scale = ply.property(vertex, "packed_scale"), packed_color = ply.property(vertex, "packed_color");
     Splats splats;
-    splats.antialias = is_antialiased(ply);
+    splats.filter = footprint_filter(ply);
     const PlyElement* sh = ply.has("sh") ? &ply.element("sh") : nullptr;
     const std::vector<int> rest = sh ? sh_columns(ply, *sh, splats.sh_degree) : std::vector<int>{};
     if (sh && sh->count != vertex.count)

@@ -15,15 +15,27 @@ namespace fastscene {
 namespace {
 
 constexpr const char* kPlyInstance = "instance";
+constexpr std::string_view kLowPassComment = "fastscene low-pass ";  // then square pixels
 
 }  // namespace
 
-std::string ply_comments(const Splats& splats) { return splats.antialias ? "comment SplatRenderMode: mip\n" : ""; }
+std::string ply_comments(const Splats& splats) {
+    std::string out = splats.filter.antialias ? "comment SplatRenderMode: mip\n" : "";
+    if (splats.filter.low_pass_px2 != FootprintFilter{}.low_pass_px2)
+        out += fmt::format("comment {}{}\n", kLowPassComment, splats.filter.low_pass_px2);
+    return out;
+}
 
-bool is_antialiased(const Ply& ply) {
-    return std::any_of(ply.comments().begin(), ply.comments().end(), [](const std::string& c) {
-        return c == "SplatRenderMode: mip" || (c.starts_with("antialiased ") && c != "antialiased 0");
-    });
+FootprintFilter footprint_filter(const Ply& ply) {
+    FootprintFilter filter;
+    for (const std::string& c : ply.comments()) {
+        if (c == "SplatRenderMode: mip" || (c.starts_with("antialiased ") && c != "antialiased 0"))
+            filter.antialias = true;
+        std::istringstream number(c.starts_with(kLowPassComment) ? c.substr(kLowPassComment.size()) : "");
+        float low_pass = 0;
+        if (number >> low_pass && low_pass >= kLeastLowPassPx2 && low_pass <= 1) filter.low_pass_px2 = low_pass;
+    }
+    return filter;
 }
 
 namespace {
@@ -152,7 +164,7 @@ ReadSplats splats_of_ply(const Ply& ply) {
     const std::array<int, 3> scale{ply.property(v, "scale_0"), ply.property(v, "scale_1"), Ply::find(v, "scale_2")};
     const Vec3d offset = offset_in(ply, v, mean);
     Splats splats;
-    splats.antialias = is_antialiased(ply);
+    splats.filter = footprint_filter(ply);
     const std::vector<int> rest = sh_columns(ply, v, splats.sh_degree);
     splats.resize(v.count);
     for (std::size_t i = 0; i < v.count; ++i) {

@@ -149,7 +149,7 @@ std::string write_sog(const Splats& splats, const SplatWriting&) {
     const Splats s = in_morton_order(splats);
     Files files(1);
     Json meta{{"version", 2}, {"asset", {{"generator", "fastscene"}}}, {"count", s.size()}};
-    meta["antialias"] = s.antialias;
+    meta["antialias"] = s.filter.antialias;
     meta["means"] = add_means(s, files);
     meta["scales"] = add_codes(s.log_scale, "scales.webp", files, [](std::size_t) { return 255; });
     meta["quats"] = add_rotations(s, files);
@@ -265,7 +265,7 @@ class Bundle {
         // A picture that is there vouches for the count, before memory is asked for.
         picture(meta_.at("quats").at("files"), 0, count_);
         Splats s;
-        s.antialias = meta_.value("antialias", false);
+        s.filter.antialias = meta_.value("antialias", false);
         if (meta_.contains("shN")) s.sh_degree = meta_.at("shN").at("bands").get<int>();
         if (s.sh_degree < 0 || s.sh_degree > 3)
             throw Error("{}: expected harmonics of degree 0 to 3, found {}", name_, s.sh_degree);

@@ -133,7 +133,7 @@ ReadSplats read_usda(const std::filesystem::path& file, std::string_view bytes) 
     const auto harmonics = counted(kHarmonics, count, 3 * per_splat);
     if (!harmonics) splats.sh_degree = 0;
     splats.resize(count);
-    splats.antialias = text.says("bool antialias = 1");
+    splats.filter.antialias = text.says("bool antialias = 1");
     for (std::size_t i = 0; i < count; ++i) {
         const auto three = [i](const std::vector<float>& v) { return Vec3f{v[3 * i], v[3 * i + 1], v[3 * i + 2]}; };
         splats.mean_m[i] = three(*positions);
@@ -189,7 +189,7 @@ std::string write_usda(const Splats& in_world, const SplatWriting&) {
     const std::size_t count = splats.size(), rest = static_cast<std::size_t>(splats.rest_coefficients());
     UsdaWriter out("Splats", "Gaussian splats by fastscene. Colors are sRGB-encoded; x left, y up, z forward.");
     out.begin(fmt::format("def {}", kType), "Splats",
-              {"customData = {", fmt::format("    bool antialias = {}", splats.antialias ? 1 : 0), "}"});
+              {"customData = {", fmt::format("    bool antialias = {}", splats.filter.antialias ? 1 : 0), "}"});
     out.array("float3[] extent", extent_of(splats));
     out.array("point3f[] positions", listed(count, 3, [&](std::size_t i, const auto& put) {
                   for (std::size_t a = 0; a < 3; ++a) put(splats.mean_m[i][a]);

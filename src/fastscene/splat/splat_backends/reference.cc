@@ -28,7 +28,7 @@ class ReferenceStepper : public HostStepper {
         const Splats now = cloud.splats();
         const auto splats = gaussians_of<double>(now);
         const auto rest = rest_of<double>(now);
-        const auto lens = lens_over<double>(lens_of(view.camera, view.world_from_camera, view.model, cloud.antialias));
+        const auto lens = lens_over<double>(lens_of(view.camera, view.world_from_camera, view.model, cloud.filter));
         const Vec3d background{plan.background.x, plan.background.y, plan.background.z};
         auto picture = render_reference(splats, lens, view.camera.width, view.camera.height, background, rest);
         std::vector<Vec3d> colors;
@@ -85,9 +85,8 @@ struct ReferenceRenderer : Renderer {
     SplatPicture picture(const Pinhole& camera, const Rigid& world_from_camera, Vec3f background,
                          CameraModel model) override {
         const auto picture = render_reference(
-            gaussians_of<double>(splats),
-            lens_over<double>(lens_of(camera, world_from_camera, model, splats.antialias)), camera.width, camera.height,
-            Vec3d{background.x, background.y, background.z}, rest_of<double>(splats));
+            gaussians_of<double>(splats), lens_over<double>(lens_of(camera, world_from_camera, model, splats.filter)),
+            camera.width, camera.height, Vec3d{background.x, background.y, background.z}, rest_of<double>(splats));
         SplatPicture out = empty_picture(camera);
         for (std::size_t i = 0; i < picture.pixels.size(); ++i) {
             const auto& p = picture.pixels[i];

@@ -186,7 +186,7 @@ void VulkanEngine::load(const Cloud& cloud) {
     drain();
     const bool train = !cloud.first_moment.empty();
     allocate_splats(std::max(cloud.capacity, cloud.count), cloud.degree, train);
-    count_ = cloud.count, most_ = std::max(cloud.capacity, cloud.count), antialias_ = cloud.antialias;
+    count_ = cloud.count, most_ = std::max(cloud.capacity, cloud.count), filter_ = cloud.filter;
     std::vector<float> planes;
     const auto send = [&](const AlignedFloats& from, const gpu::Buffer& to, int values) {
         if (!to || from.empty()) return;
@@ -283,7 +283,7 @@ void VulkanEngine::set_views(const std::vector<const View*>& views, const DepthO
 
 Plan VulkanEngine::plan_of(const Pinhole& camera, const Rigid& world_from_camera, CameraModel model,
                            Vec3f background) const {
-    const Lens<float> lens = lens_of(camera, world_from_camera, model, antialias_);
+    const Lens<float> lens = lens_of(camera, world_from_camera, model, filter_);
     const Vec3f center = lens.camera_center();
     Plan p;
     p.row_x = row_of(lens.rotation.row0, lens.translation.x), p.row_y = row_of(lens.rotation.row1, lens.translation.y);
@@ -292,9 +292,10 @@ Plan VulkanEngine::plan_of(const Pinhole& camera, const Rigid& world_from_camera
     p.slopes = {lens.min_u, lens.max_u, lens.min_v, lens.max_v};
     p.center = {center.x, center.y, center.z, std::numeric_limits<float>::infinity()};
     p.background = {background.x, background.y, background.z, 0};
+    p.weights.w = lens.low_pass_px2;
     p.width = static_cast<std::uint32_t>(camera.width), p.height = static_cast<std::uint32_t>(camera.height);
     p.tiles_x = groups_of(camera.width, kTile), p.tiles_y = groups_of(camera.height, kTile);
-    p.flags = (lens.equirect() ? kEquirect : 0u) | (antialias_ ? kAntialias : 0u);
+    p.flags = (lens.equirect() ? kEquirect : 0u) | (filter_.antialias ? kAntialias : 0u);
     p.degree = static_cast<std::uint32_t>(degree_);
     return p;
 }
@@ -311,7 +312,7 @@ Plan VulkanEngine::plan_of(const Picture& picture, const StepPlan& step) const {
               static_cast<float>(1 / std::sqrt(bias(0.999, r.rest_adam_step))), r.opacity_reg, r.scale_reg};
     const float area = static_cast<float>(p.width) * static_cast<float>(p.height);
     p.weights = {picture.depth ? step.depth_strength / area : 0, step.alpha_strength / area,
-                 0.5f * static_cast<float>(std::max(p.width, p.height)), 0};
+                 0.5f * static_cast<float>(std::max(p.width, p.height)), p.weights.w};
     p.target = picture.target, p.depth = picture.depth;
     p.flags |= (picture.depth ? kDepth : 0u) | (step.alpha_strength > 0 ? kOpen : 0u) | (step.judge ? kJudge : 0u) |
                (step.judge && step.moves ? kMoves : 0u);

@@ -105,7 +105,8 @@ class VulkanEngine {
     // Of the splats.
     std::int64_t count_ = 0, most_ = 0, capacity_ = 0, records_ = 0;  // capacity_: whole blocks, at least most_
     int degree_ = 0;
-    bool antialias_ = false, trains_ = false;
+    FootprintFilter filter_;
+    bool trains_ = false;
     gpu::Buffer parameters_, first_moment_, second_moment_, rest_, rest_first_, rest_second_, seen_, gradients_,
         rest_gradients_;
     gpu::Buffer density_, density_errors_, density_dead_, density_claims_, density_choices_, density_ranks_,

@@ -87,11 +87,12 @@ Projection project(Gaussian g, vec3 more_color) {
     if (flag(kEquirect)) project_equirect(o);
     else project_pinhole(o);
     o.m0 = o.n0 * o.scale, o.m1 = o.n1 * o.scale;
-    o.xx = dot(o.m0, o.m0) + kDilation, o.xy = dot(o.m0, o.m1), o.yy = dot(o.m1, o.m1) + kDilation;
+    const float low_pass = plan_weights().w;
+    o.xx = dot(o.m0, o.m0) + low_pass, o.xy = dot(o.m0, o.m1), o.yy = dot(o.m1, o.m1) + low_pass;
     // det(m m^T) as a squared cross product is exact even for needles, where xx yy - xy^2 cancels.
     o.area = cross(o.m0, o.m1);
-    const float area2 = dot(o.area, o.area), trace = o.xx + o.yy - 2.0 * kDilation;
-    const float inv_det = 1.0 / (area2 + kDilation * trace + kDilation * kDilation);
+    const float area2 = dot(o.area, o.area), trace = o.xx + o.yy - 2.0 * low_pass;
+    const float inv_det = 1.0 / (area2 + low_pass * trace + low_pass * low_pass);
     o.conic = vec3(o.yy, -o.xy, o.xx) * inv_det;
     const float odds_against = exp(-g.logit);
     o.opacity = 1.0 / (1.0 + odds_against);

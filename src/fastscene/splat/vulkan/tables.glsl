@@ -12,7 +12,7 @@
 layout(constant_id = 0) const uint kSubgroup = 32;  // invocations in a subgroup: 8, 16, 32 or 64
 
 // As in splat/project.h, blend.h and kernel.h.
-const float kNearM = 0.1, kDilation = 0.3, kLeastArea2 = 1e-12;
+const float kNearM = 0.1, kLeastArea2 = 1e-12;
 const float kMinAlpha = 1.0 / 255.0, kMaxAlpha = 0.99, kOpaque = 1.0 / 255.0, kOutsideVisible = 0.5;
 const float kLog2E = 1.4426950408889634, kLog2Of255 = 7.9943534368588579, kSh0 = 0.28209479177387814;
 const float kAdamEpsilon = 1e-7, kBeta1 = 0.9, kBeta2 = 0.999;
@@ -59,7 +59,8 @@ layout(buffer_reference, std430, buffer_reference_align = 16) readonly buffer Pl
     float rates[16];           // Adam's, of the 14 parameters, bias-corrected; [14]: of SH degrees >= 1
     vec4 middle;               // beyond 1 / w metres from here, position steps grow with the distance
     vec4 adam;                 // 1 / sqrt(bias 2), the same for SH degrees >= 1, strengths of the regularizers
-    vec4 weights;              // of the depth loss and of transmittance, a pixel; half the picture's size in pixels
+    vec4 weights;              // of the depth loss and of transmittance, a pixel; half the picture's size in pixels;
+                               // w: low-pass in square pixels
     uvec4 size;                // width, height, tiles across, tiles down
     // number: of the step, from 1; outcome: its place in the list. For density control: rates[0] is the growth, degree
     // a seed, and flags the SH degree << 16.

@@ -38,11 +38,14 @@ struct Case {
     bool antialias = false;
     CameraModel model = CameraModel::pinhole;
     bool weighted = false, depth = false, open = false, outside = false;
+    float low_pass_px2 = FootprintFilter{}.low_pass_px2;
+    FootprintFilter filter() const { return {low_pass_px2, antialias}; }
 };
 const Case kCases[] = {
     {"pinhole"},
     {"weighted", 0, false, CameraModel::pinhole, true},
     {"degree 1", 1},
+    {"sharp", 1, false, CameraModel::pinhole, false, false, false, false, kLeastLowPassPx2},
     {"degree 3, antialiased", 3, true},
     {"depth and transmittance", 2, false, CameraModel::pinhole, true, true, true},
     {"outside", 0, false, CameraModel::pinhole, false, false, false, true},
@@ -68,7 +71,7 @@ Scene scene_of(const Case& c, int count, std::uint64_t seed) {
             m = {far * std::sin(angle), r.uniform(-1.f, 1.f) * far, far * std::cos(angle)};
         }
     }
-    s.splats.sh_degree = c.degree, s.splats.antialias = c.antialias;
+    s.splats.sh_degree = c.degree, s.splats.filter = c.filter();
     s.splats.resize(s.splats.size());
     Random r(seed, "test.rest");
     for (float& x : s.splats.sh_rest) x = r.uniform(-0.2f, 0.2f);
@@ -93,7 +96,7 @@ Truth truth_of(const Case& c, const Scene& s) {
     Truth t;
     const auto splats = gaussians_of<double>(s.splats);
     const auto rest = rest_of<double>(s.splats);
-    const auto lens = lens_over<double>(lens_of(s.camera, test_pose(), c.model, c.antialias));
+    const auto lens = lens_over<double>(lens_of(s.camera, test_pose(), c.model, c.filter()));
     const Vec3d background{kBackground.x, kBackground.y, kBackground.z};
     t.picture = render_reference(splats, lens, s.camera.width, s.camera.height, background, rest);
     ReferencePicture<double> picture = t.picture;
