@@ -15,8 +15,10 @@ void start_closed(SplatParams& p) {
     p.opaque = 0.03f;
     p.outside_m = 200.f;  // the sky stands at 400 m or farther, and in the corner of a view at half that depth
     p.sh_degree = kAutomaticShDegree;
-    // Views are renderings whose pixels average their area; a wider low-pass would blur every edge.
+    // Views are renderings whose pixels average their area; a wider low-pass would blur every edge, and without
+    // antialiasing joints narrower than a pixel would become too dark.
     p.low_pass_px2 = 0.1f;
+    p.antialias = true;
 }
 SplatParams started_as_photographs(SplatParams p) {
     const SplatParams defaults;
@@ -29,6 +31,7 @@ SplatParams started_as_photographs(SplatParams p) {
     p.per_m2 = defaults.per_m2;
     p.sh_degree = defaults.sh_degree;
     p.low_pass_px2 = defaults.low_pass_px2;
+    p.antialias = defaults.antialias;
     return p;
 }
 
@@ -54,11 +57,11 @@ void fill_standard(SceneParams& p) {
     p.walk.room_viewpoints = 20;
     p.walk.pixel_samples = 2;
     p.views.size = 640;
-    p.views.points = 600'000;
-    p.views.outside_density = 12;
-    p.views.outside_points = 200'000;
-    p.splat.count = 600'000;
-    p.splat.per_m2 = 2500;
+    p.views.points = 900'000;
+    p.views.outside_density = 24;
+    p.views.outside_points = 300'000;
+    p.splat.count = 900'000;
+    p.splat.per_m2 = 3500;
     p.splat.steps = 2200;
 }
 void fill_high(SceneParams& p) {

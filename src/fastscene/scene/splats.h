@@ -13,7 +13,7 @@ namespace fastscene {
 inline constexpr float kSh0 = 0.28209479177387814f;
 
 // Smallest low-pass: the renderer's exponents within a block of pixels stay in the range of single precision.
-inline constexpr float kLeastLowPassPx2 = 0.1f;
+inline constexpr double kLeastLowPassPx2 = 0.1;
 
 // How footprints are filtered when splats are drawn: as when they were trained.
 struct FootprintFilter {
