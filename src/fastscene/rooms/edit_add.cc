@@ -78,7 +78,8 @@ void add_wish(Talk& talk, const PromptObject& wish, const std::optional<Place>& 
     if (!place && (drawn_up(talk, step) || with_its_like(talk, step))) {
         // with its like, at their table
     } else if (place && !place->each_at.empty())
-        for (const auto& at : place->each_at) step.at = at, talk.editor.apply(step);
+        do_each(talk.editor, place->each_at.size(),
+                [&](std::size_t k) { step.at = place->each_at[k], talk.editor.apply(step); });
     else talk.editor.apply(step);
     const auto& things = talk.editor.document().things;
     for (std::size_t i = before; i < things.size(); ++i) talk.last.push_back(things[i].id);
@@ -251,37 +252,56 @@ void add(Talk& talk, const Words& words) {
         }
         return;
     }
-    std::vector<Addition> all;
-    for (const Words& part : parts) {
-        all.push_back(at_what_is_meant(talk, part));
-        all.back().said = counted_anew(part);
-    }
-    if (all.empty()) throw UsageError("expected a thing to add, found the end of the sentence");
+    if (parts.empty()) throw UsageError("expected a thing to add, found the end of the sentence");
+    std::vector<std::optional<Addition>> all(parts.size());
     const std::vector<std::string> spoken_before = std::exchange(talk.last, {});
     std::vector<std::string> together;  // those that share the place of the next one
-    for (std::size_t k = 0; k < all.size(); ++k) {
-        const auto own = all[k].place;
+    const auto add_part = [&](std::size_t k) {
+        const auto own = all[k]->place;
         std::optional<Place> shared;
-        for (std::size_t next = k; next < all.size() && !shared; ++next) shared = all[next].place;
-        const PromptObject& first = all[k].wishes.front();
+        for (std::size_t next = k; next < all.size() && !shared; ++next)
+            if (all[next]) shared = all[next]->place;
+        const PromptObject& first = all[k]->wishes.front();
         const std::size_t spoken = talk.last.size();
-        try {
-            add_wish(talk, first, shared);
-        } catch (const UsageError&) {
-            throw;
-        } catch (const Error&) {
-            // Two that do not fit into one corner: one by the other.
-            const bool beside = shared && shared->step.wish.relation == "in the corner" && !together.empty();
-            const auto other = beside ? std::nullopt : at_the_other(talk, all[k].said, spoken_before);
-            if (!beside && !other) throw;
-            add_wish(talk, first, beside ? beside_those(talk, together) : *other->place);
-        }
+        talk.editor.together([&] {
+            try {
+                add_wish(talk, first, shared);
+            } catch (const UsageError&) {
+                throw;
+            } catch (const Error&) {
+                // Two that do not fit into one corner: one by the other.
+                const bool beside = shared && shared->step.wish.relation == "in the corner" && !together.empty();
+                const auto other = beside ? std::nullopt : at_the_other(talk, all[k]->said, spoken_before);
+                if (!beside && !other) throw;
+                add_wish(talk, first, beside ? beside_those(talk, together) : *other->place);
+            }
+            shape_as_asked(talk, part_of(talk.last, spoken), all[k]->shape);
+        });
         together = own ? std::vector<std::string>{} : part_of(talk.last, spoken);
-        shape_as_asked(talk, part_of(talk.last, spoken), all[k].shape);
-        add_with(talk, part_of(talk.last, spoken), all[k].wishes);
-        tell_unshown(talk, part_of(talk.last, spoken), first, all[k].said);
         if (shared) talk.last_place = shared->step;
-    }
+        const std::vector<std::string> fresh = part_of(talk.last, spoken);
+        tell_unshown(talk, fresh, first, all[k]->said);
+        add_with(talk, fresh, all[k]->wishes);
+    };
+    // All of them are read before any of them comes.
+    do_each(
+        talk.editor, 2 * parts.size(),
+        [&](std::size_t i) {
+            const std::size_t k = i % parts.size();
+            if (i < parts.size()) {
+                const std::vector<std::string> none = std::exchange(talk.last, spoken_before);
+                const Words& part = parts[k];
+                try {
+                    all[k] = at_what_is_meant(talk, part);
+                } catch (const Error&) {
+                    talk.last = none;
+                    throw;
+                }
+                talk.last = none;
+                all[k]->said = counted_anew(part);
+            } else if (all[k]) add_part(k);
+        },
+        [&](std::size_t i) { return parts.size() > 1 ? text_of(parts[i % parts.size()]) : ""; });
 }
 
 void copy(Talk& talk, const Words& words) {
@@ -336,8 +356,9 @@ void replace(Talk& talk, const Words& old, const Words& by) {
     }
     if (parts.empty()) throw UsageError("expected what comes in place of \"{}\"", text_of(old));
     step.wish = wishes_of(talk.editor, parts.front()).front();
-    const bool one = is_one_of(parts.front().front(), {"a", "an", "another", "one"});
-    if (!step.wish.counted && !one) step.wish.count = static_cast<int>(step.ids.size());
+    const bool each = is_one_of(old.front(), {"every", "each"});  // "every chair with a stool"
+    const bool one = is_one_of(parts.front().front(), {"a", "an", "another", "one"}) && !each;
+    if ((!step.wish.counted || each) && !one) step.wish.count = static_cast<int>(step.ids.size());
     const std::size_t told = talk.editor.result().changes.size();
     talk.editor.apply(step);
     talk.last = {};

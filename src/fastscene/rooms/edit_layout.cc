@@ -18,6 +18,8 @@ namespace {
 
 constexpr float kElsewhere = 0.7f;  // metres: nearer than that is the same place
 
+}  // namespace
+
 std::string place_in_words(const EditStep& step) {
     const PromptObject& wish = step.wish;
     if (step.wall >= 0) return " at that wall";
@@ -30,6 +32,8 @@ std::string place_in_words(const EditStep& step) {
     if (!wish.relation_and.empty()) out += " and the " + in_words(wish.relation_and);
     return out;
 }
+
+namespace {
 
 // Chairs around a table are drawn up to it.
 bool is_drawn_up(const std::vector<Placed>& all, const Placed& piece, const std::string& kind) {
@@ -98,22 +102,6 @@ void fill_gap(Layout& layout, const PromptObject& wish, bool moving) {
         }
 }
 
-// While it lives, the very things that a place means bear a name of their own, by which the layout finds them.
-class Tagged {
-  public:
-    Tagged(std::vector<Placed>& placed, const std::vector<DocumentThing>& things, const std::vector<int>& was,
-           const EditStep& step, PromptObject& wish) {
-        for (const auto& [ids, to, tag] :
-             {std::tuple{&step.at, &wish.relation_to, "@at"}, {&step.at_and, &wish.relation_and, "@and"}}) {
-            if (ids->empty()) continue;
-            for (std::size_t i = 0; i < placed.size(); ++i)
-                if (std::find(ids->begin(), ids->end(), things[static_cast<std::size_t>(was[i])].id) != ids->end())
-                    placed[i].wish.kind = tag;
-            *to = tag;
-        }
-    }
-};
-
 // Nothing comes along to carry it: no small table, no stand.
 std::vector<PromptObject> wish_alone(const PromptObject& wish) {
     std::vector<PromptObject> out{wish};
@@ -129,7 +117,10 @@ std::vector<PromptObject> wish_alone(const PromptObject& wish) {
 }
 
 // Whether it is among them.
-bool has(const std::vector<int>& all, int one) { return std::find(all.begin(), all.end(), one) != all.end(); }
+template <class T>
+bool has(const std::vector<T>& all, const T& one) {
+    return std::find(all.begin(), all.end(), one) != all.end();
+}
 
 }  // namespace
 
@@ -210,18 +201,31 @@ bool Editor::near_a_point(Layout& layout, const EditStep& step) const {
     return (mount == Mount::floor || mount == Mount::wall) && layout.against_wall(request, there, wish).has_value();
 }
 
+// By those names the layout finds them.
+Editor::Asked Editor::asked_among(const Standing& standing, const EditStep& step) const {
+    Asked out{room_.spec, standing.placed};
+    out.spec.objects = wish_alone(step.wish);
+    PromptObject& wish = out.spec.objects[0];
+    wish.id = 0;
+    if (is_one_of(wish.relation, {"on", "at the foot of"}))
+        for (Placed& p : out.among)
+            if (p.piece.kind == wish.relation_to || p.wish.kind == wish.relation_to) add_flat_top(p.piece);
+    for (const auto& [ids, to, tag] :
+         {std::tuple{&step.at, &wish.relation_to, "@at"}, {&step.at_and, &wish.relation_and, "@and"}}) {
+        if (ids->empty()) continue;
+        for (std::size_t i = 0; i < out.among.size(); ++i)
+            if (has(*ids, result_.document.things[static_cast<std::size_t>(standing.was[i])].id))
+                out.among[i].wish.kind = tag;
+        *to = tag;
+    }
+    return out;
+}
+
 // Lays out what is wished for among what stands; `moving` is made as it was. Nothing: there is no place for all of it.
 std::vector<Placed> Editor::laid_out(const Standing& standing, const EditStep& step, const Placed* moving,
                                      bool finely) const {
-    PromptSpec spec = room_.spec;
-    spec.objects = wish_alone(step.wish);
-    PromptObject& wish = spec.objects[0];
-    wish.id = 0;
-    std::vector<Placed> among = standing.placed;
-    if (is_one_of(wish.relation, {"on", "at the foot of"}))
-        for (Placed& p : among)
-            if (p.piece.kind == wish.relation_to || p.wish.kind == wish.relation_to) add_flat_top(p.piece);
-    const Tagged tagged(among, result_.document.things, standing.was, step, wish);
+    auto [spec, among] = asked_among(standing, step);
+    const PromptObject& wish = spec.objects[0];
     Random rng(room_.seed, "edit:" + wish.kind + wish.relation + step.wish.relation_to, among.size());
     Layout layout = begin_layout(spec, rng, among, moving);
     const std::size_t before = layout.mark();
@@ -270,15 +274,7 @@ std::vector<Placed> Editor::laid_out(const Standing& standing, const EditStep& s
 }
 
 void Editor::place(const EditStep& step) {
-    std::vector<std::string> already;
-    for (const std::string& id : step.ids) try {
-            place_with_seats(index_of(id), step);
-        } catch (const AlreadySo&) {
-            if (step.ids.size() == 1) throw;
-            already.push_back(id);
-        }
-    if (already.size() == step.ids.size()) throw AlreadySo(already.front() + ": it stands there already");
-    for (const std::string& id : already) tell(id, "stands there already");
+    do_each(*this, step.ids.size(), [&](std::size_t k) { place_with_seats(index_of(step.ids[k]), step); });
 }
 
 void Editor::place_with_seats(int index, const EditStep& step) {
@@ -305,8 +301,10 @@ void Editor::place_one(int index, const std::vector<int>& along, EditStep step) 
         throw UsageError("{}: it cannot stand{}", id, place_in_words(step));
     const std::vector<Placed> all = laid_out(standing, step, &was);
     constexpr float kThere = 0.02f, kNudge = 0.25f;  // metres
-    if (all.size() != standing.placed.size() + 1)
+    if (all.size() != standing.placed.size() + 1) {
+        if (place_squeezed(index, step, along)) return;
         throw Error("{}: there is no free place for it{}", id, place_in_words(step));
+    }
     const Placed& found = all.back();
     PromptObject now = wish;
     now.id = -2;  // none of those that stand there
@@ -318,9 +316,12 @@ void Editor::place_one(int index, const std::vector<int>& along, EditStep step) 
         checked([&] { stand_at_found(index, found, standing, step, along); });
     } catch (const Error& e) {
         const std::vector<Placed> other = laid_out(standing, step, &was, true);
-        if (other.size() != standing.placed.size() + 1)
+        if (other.size() == standing.placed.size() + 1) try {
+                return checked([&] { stand_at_found(index, other.back(), standing, step, along); });
+            } catch (const Error&) {  // more closely, then
+            }
+        if (!place_squeezed(index, step, along))
             throw Error("{}: there is no place for it{}: {}", id, place_in_words(step), e.what());
-        checked([&] { stand_at_found(index, other.back(), standing, step, along); });
     }
 }
 
@@ -404,7 +405,13 @@ std::vector<std::string> Editor::admit(const std::vector<Placed>& all, const Sta
 void Editor::add(const EditStep& step) {
     if (step.wish.relation == "on both sides of" && step.wish.count == 2) check_no_pair(step);
     bool smaller = false;
-    const std::vector<Placed> all = with_added(step, smaller);
+    std::vector<Placed> all;
+    try {
+        all = with_added(step, smaller);
+    } catch (const Error&) {
+        if (add_squeezed(step)) return;
+        throw;
+    }
     for (const std::string& id : admit(all, without({}), place_in_words(step)))
         if (smaller) tell(id, "smaller than usual: there was no more room");
     build();

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 #include "fastscene/base/error.h"
 #include "fastscene/base/is_one_of.h"
@@ -76,7 +77,7 @@ bool shifted(Talk& talk, const std::vector<std::string>& ids, const Words& place
     for (const std::string& id : steps.empty() ? ids : std::vector<std::string>{})
         if (const auto step = shift_of(talk.editor, place, id)) steps.push_back(*step);
     if (steps.size() < ids.size() || steps.empty()) return false;
-    for (const EditStep& step : steps) talk.editor.apply(step);
+    do_each(talk.editor, steps.size(), [&](std::size_t k) { talk.editor.apply(steps[k]); });
     return true;
 }
 
@@ -104,17 +105,11 @@ bool put_at(Talk& talk, const std::vector<std::string>& ids, const Words& words,
     if (!place && !why_not.empty()) throw Error("{}", why_not);
     if (!place) return false;
     place->step.kind = EditStep::Kind::place;
-    std::vector<std::string> already;
-    for (std::size_t k = 0; k < ids.size(); ++k) try {
-            place->step.ids = {ids[k]};
-            if (!place->each_at.empty()) place->step.at = place->each_at[k % place->each_at.size()];
-            talk.editor.apply(place->step);
-        } catch (const AlreadySo&) {
-            if (ids.size() == 1) throw;
-            already.push_back(ids[k]);
-        }
-    if (already.size() == ids.size()) throw AlreadySo(already.front() + ": it stands there already");
-    for (const std::string& id : already) talk.editor.note(id, "stands there already");
+    do_each(talk.editor, ids.size(), [&](std::size_t k) {
+        place->step.ids = {ids[k]};
+        if (!place->each_at.empty()) place->step.at = place->each_at[k % place->each_at.size()];
+        talk.editor.apply(place->step);
+    });
     talk.last_place = place->step;
     return true;
 }
@@ -211,31 +206,31 @@ void move(Talk& talk, const Words& words) {
         if (with + 2 != part.size() || !is_one_of(part.back(), {"it", "them"})) parts.push_back(part);
         else before.push_back(part_of(part, 0, is_one_of(part[with - 1], {"along", "together"}) ? with - 1 : with));
     }
-    for (const Words& part : parts) {
+    const auto move_part = [&](const Words& part) {
         // "in front of the fireplace, facing it"
         if (part.front() == "facing" && !talk.last.empty()) {
             Words all{"them"};
             all.insert(all.end(), part.begin(), part.end());
-            face(talk, all);
-            continue;
+            return face(talk, all);
         }
         if (next_place(part) == part.size()) {
             before.push_back(part);
-            continue;
+            return;
         }
+        const std::vector<Words> first = std::exchange(before, {});
         // "in the middle of the room facing the door"
         if (const std::size_t facing = find_word(part, {"facing"}, 2);
             facing + 1 < part.size() && next_place(part) < facing) {
-            move_one(talk, before, part_of(part, 0, facing));
-            before.clear();
+            move_one(talk, first, part_of(part, 0, facing));
             Words all{"them"};
             all.insert(all.end(), part.begin() + static_cast<std::ptrdiff_t>(facing), part.end());
-            face(talk, all);
-            continue;
+            return face(talk, all);
         }
-        move_one(talk, before, part);
-        before.clear();
-    }
+        move_one(talk, first, part);
+    };
+    do_each(
+        talk.editor, parts.size(), [&](std::size_t k) { move_part(parts[k]); },
+        [&](std::size_t k) { return text_of(parts[k]); });
     if (!before.empty() && talk.there && (talk.last_gone || !talk.last_place.wish.relation.empty())) {
         // "remove the shelf and move the plant there"
         EditStep step = talk.last_gone ? EditStep{} : talk.last_place;
@@ -374,7 +369,9 @@ bool put_one_by_one(Talk& talk, const Words& words) {
     if (open && each.size() > 1) return false;
     if (std::none_of(each.begin(), each.end(), [&](const Words& w) { return begins_anew(w) != begins_anew(each[0]); }))
         return false;
-    for (const Words& one : each) put(talk, one);
+    do_each(
+        talk.editor, each.size(), [&](std::size_t k) { put(talk, each[k]); },
+        [&](std::size_t k) { return text_of(each[k]); });
     return true;
 }
 

@@ -13,12 +13,40 @@
 
 #include "fastscene/base/error.h"
 #include "fastscene/rooms/edit.h"
+#include "fastscene/rooms/layout_ways.h"
 
 namespace fastscene::editing {
 
 inline constexpr const char* kAtTheEnds = "at the ends of";  // a relation of seats and tables
 
 std::string in_words(std::string kind);  // "coffee_table" -> "coffee table"
+
+// ---- edit_search.cc
+// A place on the floor.
+struct Candidate {
+    Vec2f at;
+    float yaw = 0;
+    float cost = 0;
+    float off = 1e9f;  // metres from what it was asked at
+};
+bool is_rug(const Piece& piece);
+
+// ---- edit_squeeze.cc
+// What is given up for a place.
+struct Squeeze {
+    bool narrow = false;  // ways are kNarrow
+    float scale = 1;      // of its usual size
+    float further = 0;    // metres further off what it was asked at
+    bool pushes = false;  // small things move aside
+};
+inline constexpr Passage kNarrow{.body_radius = 0.225f, .eye_radius = 0.45f};  // a way of 0.45 m
+std::vector<Squeeze> squeezes(bool may_shrink);
+// What stands, what came last, and the room's things that were moved for it.
+struct Squeezed {
+    std::vector<Placed> all;
+    std::vector<int> pushed;
+    float off = 0;  // metres from what it was asked at
+};
 
 // A document while it is edited, with its room. edit.cc; poses in edit_poses.cc, places in edit_layout.cc,
 // exchanges in edit_exchange.cc.
@@ -33,10 +61,14 @@ class Editor {
     const std::shared_ptr<const FurniturePack>& pack() const { return pack_; }
     const EditResult& result() const { return result_; }
     // Tells what was not done as it was said.
-    void note(const std::string& id, const std::string& what) { tell(id, what); }
+    void note(const std::string& id, const std::string& what) { tell(id, what), ++notes_; }
+    // How many changes there are beside what was only told.
+    std::size_t deeds() const { return result_.changes.size() - notes_; }
     int index_of(const std::string& id) const;
     const Placed& placed(const std::string& id) const;
     std::string color_seen(const std::string& id) const;  // by name, else "#rrggbb"
+    // All of it, or nothing.
+    void together(const std::function<void()>& change);
     // With all that stands on them.
     std::vector<int> with_riders(const std::vector<int>& roots) const;
 
@@ -51,6 +83,12 @@ class Editor {
         std::vector<int> was, now;
     };
 
+    // What is wished for, and what stands: the very things that a place means bear a name of their own.
+    struct Asked {
+        PromptSpec spec;
+        std::vector<Placed> among;
+    };
+
     void build();
     void tell(const std::string& id, const std::string& what);
     DocumentThing& thing(int index) { return result_.document.things[static_cast<std::size_t>(index)]; }
@@ -60,7 +98,7 @@ class Editor {
     // ---- edit_poses.cc
     void set_pose(int index, Pose pose, const std::vector<int>& along);
     void tell_pose(int index, Vec3f from);
-    void checked(const std::function<void()>& change);
+    void checked(const std::function<void()>& change, const Passage& passage = {});
     std::string new_fault(const std::vector<Placed>& all) const;
     std::vector<Placed> with_pose(int index, Pose pose, const std::vector<int>& along) const;
     std::vector<int> seats_at(int table) const;
@@ -68,7 +106,10 @@ class Editor {
     void move(const EditStep& step);
     bool turned_aside(int index, float turn);
     void shift(const EditStep& step);
+    void shift_one(int index, const EditStep& step);
+    void turn_one(int index, const EditStep& step);
     void face(const EditStep& step);
+    void face_one(int index, const EditStep& step);
     void resize(const EditStep& step);
     void resize_one(int index, Vec3f factor, bool exactly);
     std::string resize_to(int index, Vec3f factor);
@@ -79,6 +120,7 @@ class Editor {
     Standing without(const std::vector<int>& gone) const;
     std::vector<Placed> laid_out(const Standing& standing, const EditStep& step, const Placed* moving,
                                  bool finely = false) const;
+    Asked asked_among(const Standing& standing, const EditStep& step) const;
     Layout begin_layout(PromptSpec& spec, Random& rng, const std::vector<Placed>& standing, const Placed* moving) const;
     bool at_a_wall(Layout& layout, const EditStep& step, const Placed* moving) const;
     bool near_a_point(Layout& layout, const EditStep& step) const;
@@ -93,12 +135,24 @@ class Editor {
     std::vector<std::string> admit(const std::vector<Placed>& all, const Standing& standing, const std::string& how);
 
     // ---- edit_search.cc
+    std::vector<Candidate> candidates_for(Layout& layout, const EditStep& step, const Piece& piece,
+                                          float further) const;
     bool search_finely(Layout& layout, const EditStep& step) const;
     bool at_the_ends(Layout& layout) const;
     bool in_the_middle(Layout& layout, const EditStep& step, const Placed* moving) const;
     bool on_the_floor(Layout& layout, const EditStep& step) const;
     bool hang_behind(Layout& layout) const;
     bool stands_clear(int index, const Footprint& box, const std::vector<int>& along) const;
+
+    // ---- edit_squeeze.cc
+    std::optional<Squeezed> squeezed_in(const Standing& standing, const EditStep& step, const Placed* moving,
+                                        const Squeeze& how) const;
+    std::optional<Squeezed> squeezed_on_top(Layout& layout, const Placed* moving) const;  // edit_tops.cc
+    std::set<std::string> fault_texts(const std::vector<Placed>& all, const Passage& passage = {}) const;
+    bool place_squeezed(int index, const EditStep& step, const std::vector<int>& along);
+    bool add_squeezed(const EditStep& step);
+    void make_way(const Squeezed& found, const std::string& whom);
+    void tell_squeeze(const std::string& id, const EditStep& step, const Squeezed& found, const Squeeze& how);
 
     // ---- edit_nearer.cc
     bool hang_in_row(Layout& layout) const;
@@ -137,7 +191,16 @@ class Editor {
     Run run_;
     EditResult result_;
     DocumentRoom room_;
+    std::size_t notes_ = 0;
 };
+
+// " next to bed-1", " at a wall"; empty: it was not said where.
+std::string place_in_words(const EditStep& step);
+
+// Does some things one after the other. What cannot be done, or is so already, is told; where nothing else is done, it
+// is thrown. `words`: what was said of each, if that is to be told with it.
+void do_each(Editor& editor, std::size_t count, const std::function<void(std::size_t)>& act,
+             const std::function<std::string(std::size_t)>& words = {});
 
 // What was asked for is so without any change: another part of the sentence may do something.
 class AlreadySo : public Error {

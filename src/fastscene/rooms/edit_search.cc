@@ -12,20 +12,7 @@
 namespace fastscene::editing {
 namespace {
 
-constexpr float kFlat = 0.03f;    // metres: no higher, it is a rug
 constexpr int kMostChecks = 200;  // of the whole room: a fraction of a second
-
-std::set<std::string> texts_of(const std::vector<Fault>& faults) {
-    std::set<std::string> out;
-    for (const Fault& f : faults) out.insert(f.text);
-    return out;
-}
-
-struct Candidate {
-    Vec2f at;
-    float yaw = 0;
-    float cost = 0;
-};
 
 // The boxes of what a place is said by: things, or openings as thin boxes.
 std::vector<Footprint> anchors_of(const Plan& plan, const std::vector<Placed>& placed, const std::string& kind) {
@@ -88,6 +75,11 @@ bool looks_at(const std::string& relation) {
 
 }  // namespace
 
+bool is_rug(const Piece& piece) {
+    constexpr float kFlat = 0.03f;  // metres: higher, nobody steps on it
+    return piece.size_m.y < kFlat;
+}
+
 float off_middle(const std::vector<Placed>& all, const PromptObject& wish, Vec2f at, const Placed* own) {
     const auto is_of = [&](const Placed& p, const std::string& kind) {
         return &p != own && (p.piece.kind == kind || p.wish.kind == kind);
@@ -128,6 +120,110 @@ bool hang_above(Layout& layout, const PromptObject& wish) {
     return false;
 }
 
+namespace {
+
+// Where a thing would stand that is pushed up to another: at each of its sides, along it.
+void add_at_sides(const Footprint& anchor, Vec3f size, std::vector<Candidate>& out) {
+    constexpr float kStep = 0.1f;  // metres
+    const auto axes = axes_of(anchor);
+    for (const float gap : {0.02f, 0.08f, 0.2f})
+        for (const bool beside : {true, false})
+            for (const float side : {1.f, -1.f}) {
+                const Vec2f out_by = axes[beside ? 0 : 1] * side, along = axes[beside ? 1 : 0];
+                const float reach = beside ? anchor.half.y : anchor.half.x;
+                const float off = (beside ? anchor.half.x + size.x / 2 : anchor.half.y + size.z / 2) + gap;
+                for (float t = -reach; t <= reach + 1e-3f; t += kStep) {
+                    const Vec2f at = anchor.center + out_by * off + along * t;
+                    out.push_back({at, anchor.yaw});
+                    if (!beside && side > 0) out.push_back({at, std::remainder(anchor.yaw + kPi, 2 * kPi)});
+                }
+            }
+}
+
+// From edge to edge.
+float off_box(const Footprint& anchor, const Footprint& box) {
+    const Vec2f to = anchor.center - box.center;
+    const Vec2f way = length(to) > 1e-3f ? to * (1 / length(to)) : Vec2f{0, 1};
+    return std::max(0.f, distance_to(anchor, box.center) - extent(box, way));
+}
+
+// How far it is from the room's nearest corner, or from that one.
+float off_corner(const Plan& plan, const Footprint& box, const std::optional<Vec2f>& corner) {
+    float least = 1e9f;
+    for (const float x : {plan.width / 2, -plan.width / 2})
+        for (const float z : {plan.depth / 2, -plan.depth / 2}) {
+            if (corner && length(Vec2f{x, z} - *corner) > 1.f) continue;
+            least = std::min(least, std::max(std::abs(x - box.center.x) - extent(box, {1, 0}),
+                                             std::abs(z - box.center.y) - extent(box, {0, 1})));
+        }
+    return std::max(0.f, least);
+}
+
+// Things that are larger all around, so that what is further off is at them still.
+std::vector<Placed> grown(std::vector<Placed> all, const PromptObject& wish, float by) {
+    for (Placed& p : all)
+        for (const std::string* kind : {&wish.relation_to, &wish.relation_and})
+            if (!kind->empty() && (p.piece.kind == *kind || p.wish.kind == *kind)) {
+                p.piece.size_m.x += 2 * by, p.piece.size_m.z += 2 * by;
+                break;
+            }
+    return all;
+}
+
+constexpr float kOfCorner = 1.6f;  // metres: further off it is in another one
+
+}  // namespace
+
+// The places on the floor, the best first, at which it is as was asked; up to so much further off.
+std::vector<Candidate> Editor::candidates_for(Layout& layout, const EditStep& step, const Piece& piece,
+                                              float further) const {
+    const PromptObject& wish = layout.spec().objects[0];
+    const bool flat_one = is_rug(piece);
+    const bool of_corner = wish.relation == "in the corner" && step.position.has_value();
+    std::vector<Candidate> all;
+    const std::vector<Footprint> anchors = anchors_of(plan(), layout.placed(), wish.relation_to);
+    if (piece.against_wall) add_at_walls(plan(), piece.size_m, all);
+    else add_on_floor(plan(), piece.size_m, flat_one ? step.yaw : std::nullopt, all);
+    if (!flat_one)
+        for (const Footprint& a : anchors) add_at_sides(a, piece.size_m, all);
+    const std::vector<Placed> near = further > 0 ? grown(layout.placed(), wish, further) : layout.placed();
+    Placed p;
+    p.piece = piece;
+    p.flat = flat_one;
+    std::erase_if(all, [&](Candidate& c) {
+        float nearest = 1e9f;
+        Vec2f middle{};
+        for (const Footprint& a : anchors)
+            if (const float far = distance_to(a, c.at); far < nearest) nearest = far, middle = a.center;
+        if (!anchors.empty()) {
+            if (looks_at(wish.relation)) c.yaw = std::atan2(middle.x - c.at.x, middle.y - c.at.y);
+            c.cost = wish.relation == "between" ? off_middle(layout.placed(), wish, c.at)
+                                                : nearest + off_head(layout, c.at);
+        } else if (of_corner && length(c.at - *step.position) > kOfCorner + further) return true;
+        else if (wish.relation == "in the middle") c.cost = length(c.at);
+        else if (step.position) c.cost = length(c.at - *step.position);
+        if (looks_at(wish.relation) && piece.against_wall)
+            for (const WallFace& face : plan().faces())
+                if (dot(flat(face.inward), middle - c.at) > 0.7f * length(middle - c.at))
+                    c.yaw = std::atan2(face.inward.x, face.inward.z);
+        p.position = {c.at.x, 0, c.at.y}, p.yaw = c.yaw;
+        const Footprint box = footprint_of(p);
+        if (!plan().holds(box)) return true;
+        if (step.wall >= 0 && wall_behind(plan(), p) != step.wall) return true;
+        for (const Footprint& a : anchors) c.off = std::min(c.off, off_box(a, box));
+        if (wish.relation == "in the corner")
+            c.off = off_corner(plan(), box, step.position), c.cost += further > 0 ? c.off : 0.f;
+        if (stands_as_asked(plan(), layout.placed(), p, wish).value_or(wish.relation.empty())) return false;
+        if (!(further > 0)) return true;
+        constexpr float kInCorner = 0.55f, kAtOpening = 0.85f;  // metres, as stands_as_asked() has them
+        if (wish.relation == "in the corner") return c.off > kInCorner + further;
+        if (wish.relation == "next to" && c.off < kAtOpening + further && !anchors.empty()) return false;
+        return !stands_as_asked(plan(), near, p, wish).value_or(false);
+    });
+    std::stable_sort(all.begin(), all.end(), [](const Candidate& a, const Candidate& b) { return a.cost < b.cost; });
+    return all;
+}
+
 // For one thing that stands on the floor; the nearest place first.
 bool Editor::search_finely(Layout& layout, const EditStep& step) const {
     const PromptObject& wish = layout.spec().objects[0];
@@ -141,37 +237,8 @@ bool Editor::search_finely(Layout& layout, const EditStep& step) const {
     if (piece.mount != Mount::floor) return false;
     // A chair before a table is drawn up to it, or it is not at the table.
     if (wish.relation == "in front of" && has_role(wish.kind, Role::work_seat)) return false;
-    const bool flat_one = piece.size_m.y < kFlat;
-    constexpr float kOfCorner = 1.6f;  // metres: further off it is in another one
-    const bool of_corner = wish.relation == "in the corner" && step.position.has_value();
-    std::vector<Candidate> all;
-    if (piece.against_wall) add_at_walls(plan(), piece.size_m, all);
-    else add_on_floor(plan(), piece.size_m, flat_one ? step.yaw : std::nullopt, all);
-    const std::vector<Footprint> anchors = anchors_of(plan(), layout.placed(), wish.relation_to);
-    Placed p;
-    p.piece = piece;
-    p.flat = flat_one;
-    std::erase_if(all, [&](Candidate& c) {
-        float nearest = 1e9f;
-        Vec2f middle{};
-        for (const Footprint& a : anchors)
-            if (const float far = distance_to(a, c.at); far < nearest) nearest = far, middle = a.center;
-        if (!anchors.empty()) {
-            if (looks_at(wish.relation)) c.yaw = std::atan2(middle.x - c.at.x, middle.y - c.at.y);
-            c.cost = wish.relation == "between" ? off_middle(layout.placed(), wish, c.at)
-                                                : nearest + off_head(layout, c.at);
-        } else if (of_corner && length(c.at - *step.position) > kOfCorner) return true;
-        else if (wish.relation == "in the middle") c.cost = length(c.at);
-        else if (step.position) c.cost = length(c.at - *step.position);
-        if (looks_at(wish.relation) && piece.against_wall)
-            for (const WallFace& face : plan().faces())
-                if (dot(flat(face.inward), middle - c.at) > 0.7f * length(middle - c.at))
-                    c.yaw = std::atan2(face.inward.x, face.inward.z);
-        p.position = {c.at.x, 0, c.at.y}, p.yaw = c.yaw;
-        return !stands_as_asked(plan(), layout.placed(), p, wish).value_or(false) || !plan().holds(footprint_of(p));
-    });
-    std::stable_sort(all.begin(), all.end(), [](const Candidate& a, const Candidate& b) { return a.cost < b.cost; });
-    if (flat_one)
+    const std::vector<Candidate> all = candidates_for(layout, step, piece, 0);
+    if (is_rug(piece))
         return std::any_of(all.begin(), all.end(), [&](const Candidate& c) {
             const std::size_t mark = layout.mark();
             if (!layout.lay(c.at, c.yaw, request, wish)) return false;
@@ -180,13 +247,13 @@ bool Editor::search_finely(Layout& layout, const EditStep& step) const {
             layout.undo(mark);
             return false;
         });
-    const std::set<std::string> before = texts_of(room_faults(plan(), layout.placed(), room_.furnished.camera));
+    const std::set<std::string> before = fault_texts(layout.placed());
     int checks = 0;
     for (const bool with_clearance : {true, false})
         for (const Candidate& c : all) {
             const std::size_t mark = layout.mark();
             if (!layout.stand_at(piece, c.at, c.yaw, wish, {}, with_clearance)) continue;
-            const auto now = texts_of(room_faults(plan(), layout.placed(), room_.furnished.camera));
+            const auto now = fault_texts(layout.placed());
             if (std::includes(before.begin(), before.end(), now.begin(), now.end())) return true;
             layout.undo(mark);
             if (++checks == kMostChecks) return false;

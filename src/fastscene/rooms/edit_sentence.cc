@@ -41,6 +41,13 @@ void remove_all(Talk& talk, const std::vector<std::string>& ids) {
     std::erase_if(talk.last, [&](const std::string& id) { return std::find(ids.begin(), ids.end(), id) != ids.end(); });
 }
 
+// "all but one chair": of the chairs
+bool says_all_but_some(const Words& words) {
+    const std::size_t but = find_word(words, {"except", "but"});
+    return but == 1 && words.front() == "all" && words.size() > 3 && !is_one_of(words[2], {"a", "an"}) &&
+           number_said(words[2]) && next_place(part_of(words, 2)) == words.size() - 2;
+}
+
 void clear(Talk& talk, const Words& words) {
     const auto tops = talk.things_of_parts(words);
     const auto riders = riders_of(talk.editor, tops);
@@ -73,6 +80,7 @@ bool remove_everything(Talk& talk, const Words& words) {
     if (is_one_of(rest.front(), {"on", "from", "off"})) return clear(talk, part_of(rest, 1)), true;
     const std::size_t than = rest.size() > 1 && rest[1] == "than" ? 2 : rest.size() > 1 && rest[1] == "for" ? 2 : 1;
     if (!is_one_of(rest.front(), {"but", "except", "besides", "excluding", "other", "apart"})) return false;
+    if (says_all_but_some(words)) return false;
     std::vector<std::string> kept = talk.things_of_parts(part_of(rest, than));
     // What carries it stays as well, and what stands on it.
     for (std::size_t k = 0; k < kept.size(); ++k)
@@ -86,6 +94,19 @@ bool remove_everything(Talk& talk, const Words& words) {
     return true;
 }
 
+// "the table together with its chairs": the table, and its chairs.
+Words with_its(const Words& words) {
+    Words out;
+    for (std::size_t i = 0; i < words.size(); ++i) {
+        const bool joint = words[i] == "with" && i + 1 < words.size() && i > 0;
+        const bool together = i > 0 && is_one_of(words[i - 1], {"together", "along"});
+        if (joint && together) out.back() = ",";
+        else if (joint && is_one_of(words[i + 1], {"its", "their"})) out.push_back(",");
+        else out.push_back(words[i]);
+    }
+    return out;
+}
+
 }  // namespace
 
 // "the rug and the two plants", "the vase off the table"
@@ -96,7 +117,14 @@ void remove(Talk& talk, Words words) {
     if (remove_everything(talk, words)) return;
     for (std::size_t i = 1; i < words.size(); ++i)
         if (is_one_of(words[i], {"off", "from"})) words[i] = "on";
-    remove_all(talk, talk.things_of_parts(words));
+    // Of "the rug and the piano" the rug, where there is no piano.
+    const std::vector<Words> parts = parts_of(with_its(words));
+    std::vector<std::string> ids;
+    do_each(talk.editor, parts.size() + 1, [&](std::size_t k) {
+        if (k < parts.size()) return add_new(ids, talk.things(parts[k]));
+        talk.last = ids;
+        if (!ids.empty()) remove_all(talk, ids);
+    });
 }
 
 namespace {
@@ -164,6 +192,11 @@ std::vector<std::string> Talk::things(const Words& said_words) {
         all.back() = noun;
         return things(all);
     }
+    if (says_all_but_some(words)) {
+        Words all{"all"};
+        all.insert(all.end(), words.begin() + 3, words.end());
+        return last = all_but(all, {words[2]});
+    }
     const std::size_t except = find_word(words, {"except", "but", "excluding", "besides"}, 1);
     if (except + 1 < words.size()) return last = all_but(part_of(words, 0, except), part_of(words, except + 1));
     // "the other armchair": not that one which was spoken of.
@@ -184,6 +217,13 @@ std::vector<std::string> Talk::things(const Words& said_words) {
 std::vector<std::string> Talk::all_but(const Words& words, Words others) {
     std::vector<std::string> ids = things(words);
     if (!others.empty() && is_one_of(others.front(), {"for", "not"})) others.erase(others.begin());
+    // "all chairs but one", "… but two of them": "a chair" is the last one, and the first ones stay.
+    if (const auto some = others.empty() ? std::nullopt : number_said(others.front());
+        some && *some >= 1 && (others.size() == 1 || text_of(others, 1) == "of them")) {
+        const auto kept = static_cast<std::size_t>(*some);
+        if (kept >= ids.size()) throw AlreadySo(fmt::format("there are only {} of \"{}\"", ids.size(), text_of(words)));
+        return {ids.begin() + static_cast<std::ptrdiff_t>(kept), ids.end()};
+    }
     // "the largest one", "the one above the bed"
     if (const std::size_t one = find_word(others, {"one", "ones"}, others.size() > 1 ? 1 : 0);
         one < others.size() && !(one + 1 < others.size() && others[one + 1] == "of"))
@@ -193,23 +233,6 @@ std::vector<std::string> Talk::all_but(const Words& words, Words others) {
     if (ids.empty()) throw UsageError("nothing but {} is meant by \"{}\"", kept.front(), text_of(words));
     return ids;
 }
-
-namespace {
-
-// "the table together with its chairs": the table, and its chairs.
-Words with_its(const Words& words) {
-    Words out;
-    for (std::size_t i = 0; i < words.size(); ++i) {
-        const bool joint = words[i] == "with" && i + 1 < words.size() && i > 0;
-        const bool together = i > 0 && is_one_of(words[i - 1], {"together", "along"});
-        if (joint && together) out.back() = ",";
-        else if (joint && is_one_of(words[i + 1], {"its", "their"})) out.push_back(",");
-        else out.push_back(words[i]);
-    }
-    return out;
-}
-
-}  // namespace
 
 std::vector<std::string> Talk::things_of_parts(const Words& words) {
     std::vector<std::string> ids;
@@ -357,8 +380,10 @@ void Talk::act(const Clause& whole) {
     if (instead + 2 < words.size() && words[instead + 1] == "of") {
         const Words old = instead_of(part_of(words, instead + 2), words), by = part_of(words, 0, instead);
         if (next_place(by) == by.size()) return replace(*this, old, by);
-        remove(*this, old);
-        return add(*this, by);
+        return editor.together([&] {
+            remove(*this, old);
+            add(*this, by);
+        });
     }
     if (put_where(*this, clause) || done_with(*this, clause)) return;
     switch (clause.verb) {
@@ -436,17 +461,22 @@ EditResult edit_by_sentence(const RoomDocument& document, const std::string& sen
     editing::Editor editor(document, std::move(pack), run);
     editing::Talk talk{editor};
     const std::vector<editing::Clause> clauses = editing::clauses_of(sentence);
-    std::vector<editing::AlreadySo> already;
-    std::size_t told = 0;
-    for (std::size_t i = 0; i < clauses.size(); ++i) try {
-            if (i + 1 == clauses.size() || !editing::picked_up(talk, clauses[i], clauses[i + 1])) talk.act(clauses[i]);
-            if (clauses[i].verb == editing::Verb::remark) ++told;
-        } catch (const editing::AlreadySo& e) {
-            already.push_back(e);
-        }
-    if (!already.empty() && editor.result().changes.size() == told) throw already.front();
-    for (const editing::AlreadySo& e : already) editor.note("room", e.what());
+    editing::do_each(
+        editor, clauses.size(),
+        [&](std::size_t i) {
+            if (i + 1 < clauses.size() && editing::picked_up(talk, clauses[i], clauses[i + 1])) return;
+            try {
+                talk.act(clauses[i]);
+            } catch (const Error&) {
+                // What should have come is not "it".
+                if (editing::begins_anew(clauses[i].words)) talk.last.clear();
+                throw;
+            }
+        },
+        [&](std::size_t i) { return clauses[i].said + " " + editing::text_of(clauses[i].words); });
     editing::check_kept(talk, document);
+    for (const EditChange& change : editor.result().changes)
+        if (change.id == kNotDone) run.warn(fmt::format("{}: {}", change.id, change.what));
     return editor.result();
 }
 
