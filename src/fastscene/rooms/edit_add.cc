@@ -53,6 +53,28 @@ bool drawn_up(Talk& talk, EditStep step) {
     return false;
 }
 
+// A nightstand where there is one by the bed: at that bed, on its other side first.
+bool by_the_same(Talk& talk, EditStep step) {
+    if (!step.wish.relation.empty() || step.position || step.wish.count > 1 || has_role(step.wish.kind, Role::seat))
+        return false;
+    const std::vector<Placed>& all = talk.editor.room().furnished.placed;
+    for (const Placed& p : all) {
+        if (asked_kind(p) != step.wish.kind || p.piece.mount != Mount::floor || p.flat || p.on >= 0) continue;
+        const Placed* by = p.with < 0 ? nullptr : &all[static_cast<std::size_t>(p.with)];
+        if (!by || by->piece.mount != Mount::floor || by->flat) continue;
+        const bool right = dot(p.position - by->position, right_of(by->yaw)) > 0;
+        step.wish.relation_to = asked_kind(*by), step.at = {by->id};
+        for (const char* relation : {right ? "left of" : "right of", "next to"}) try {
+                step.wish.relation = relation;
+                talk.editor.apply(step);
+                return true;
+            } catch (const Error&) {
+            }
+        return false;
+    }
+    return false;
+}
+
 // "remove the vase and put a lamp there": where that stood.
 void stand_there(Talk& talk, EditStep& step) {
     if (talk.last_gone_from.empty() || !furnishing::is_small(step.wish.kind)) {
@@ -75,7 +97,7 @@ void add_wish(Talk& talk, const PromptObject& wish, const std::optional<Place>& 
     if (place && place->count > step.wish.count) step.wish.count = place->count, step.wish.counted = true;
     if (step.each) step.wish.count = std::max(4, wish.count), step.wish.counted = false;
     if (!place && talk.there) stand_there(talk, step);
-    if (!place && (drawn_up(talk, step) || with_its_like(talk, step))) {
+    if (!place && (drawn_up(talk, step) || with_its_like(talk, step) || by_the_same(talk, step))) {
         // with its like, at their table
     } else if (place && !place->each_at.empty())
         do_each(talk.editor, place->each_at.size(),
@@ -148,6 +170,12 @@ Words joined_parts(const std::vector<Words>& parts) {
         out.insert(out.end(), part.begin(), part.end());
     }
     return out;
+}
+
+bool says_how(const Words& words) {
+    for (std::size_t i = 1; i < words.size(); ++i)
+        if (value_of(part_of(words, i))) return true;
+    return false;
 }
 
 // "curtains in the same color as the rug"; false: no such words.
@@ -253,6 +281,12 @@ void add(Talk& talk, const Words& words) {
         return;
     }
     if (parts.empty()) throw UsageError("expected a thing to add, found the end of the sentence");
+    // "a desk under the window, with a lamp on it"
+    for (std::size_t k = parts.size(); k-- > 1;)
+        if (parts[k].front() == "with" && parts[k].size() > 1) {
+            parts[k - 1].insert(parts[k - 1].end(), parts[k].begin(), parts[k].end());
+            parts.erase(parts.begin() + static_cast<std::ptrdiff_t>(k));
+        }
     std::vector<std::optional<Addition>> all(parts.size());
     const std::vector<std::string> spoken_before = std::exchange(talk.last, {});
     std::vector<std::string> together;  // those that share the place of the next one
@@ -288,7 +322,10 @@ void add(Talk& talk, const Words& words) {
         talk.editor, 2 * parts.size(),
         [&](std::size_t i) {
             const std::size_t k = i % parts.size();
-            if (i < parts.size()) {
+            // "Two more chairs, and the walls in green"
+            if (parts.size() > 1 && is_definite(parts[k].front()) && says_how(parts[k])) {
+                if (i >= parts.size()) make(talk, parts[k]);
+            } else if (i < parts.size()) {
                 const std::vector<std::string> none = std::exchange(talk.last, spoken_before);
                 const Words& part = parts[k];
                 try {

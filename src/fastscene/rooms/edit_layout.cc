@@ -48,6 +48,9 @@ bool is_where_asked(const Plan& plan, const std::vector<Placed>& all, const Plac
     if (wish.relation == "around" && has_role(piece.piece.kind, Role::seat) &&
         !is_drawn_up(all, piece, wish.relation_to))
         return false;
+    // A cabinet stands on no counter.
+    constexpr float kLow = 0.7f;  // metres
+    if (piece.on >= 0 && piece.piece.made_mount == Mount::floor && piece.piece.size_m.y > kLow) return false;
     // Nothing stands "around a table" on top of a bookshelf.
     constexpr float kHigh = 1.4f;  // metres
     if (piece.on >= 0 && piece.position.y > kHigh &&
@@ -237,8 +240,9 @@ std::vector<Placed> Editor::laid_out(const Standing& standing, const EditStep& s
     else {
         if (step.position) done = stand_near(layout, step) || near_a_point(layout, step);
         if (!done)
-            done = hang_above(layout, wish) || hang_in_row(layout) || on_flat(layout) || on_top_beside(layout) ||
-                   at_the_ends(layout) || in_the_middle(layout, step, moving) || on_the_floor(layout, step);
+            done = hang_above(layout, wish) || hang_in_row(layout) || seats_in_row(layout) || on_flat(layout) ||
+                   on_top_beside(layout) || at_the_ends(layout) || in_the_middle(layout, step, moving) ||
+                   on_the_floor(layout, step);
         if (!done && wish.relation != kAtTheEnds && !step.on_floor) place_asked(layout);
         if (layout.mark() == before || !is_where_asked(plan(), layout.placed(), layout.placed().back(), wish)) {
             layout.undo(before);
@@ -412,9 +416,11 @@ void Editor::add(const EditStep& step) {
         if (add_squeezed(step)) return;
         throw;
     }
-    for (const std::string& id : admit(all, without({}), place_in_words(step)))
+    const std::vector<std::string> fresh = admit(all, without({}), place_in_words(step));
+    for (const std::string& id : fresh)
         if (smaller) tell(id, "smaller than usual: there was no more room");
     build();
+    if (step.each) tell_missing_corners(step, fresh.size());
 }
 
 }  // namespace fastscene::editing

@@ -389,6 +389,12 @@ void make(Talk& talk, const Words& words) {
         const std::vector<Words> parts = parts_of(words);
         return do_each(talk.editor, parts.size(), [&](std::size_t k) { make(talk, parts[k]); });
     }
+    // "it a rainy evening with only the lamps on"
+    if (const std::size_t with = find_word(words, {"with"}, 2);
+        with + 2 < words.size() && is_one_of(words.front(), {"it", "the"}) && says_on_or_off(words)) {
+        make(talk, part_of(words, 0, with));
+        return make(talk, part_of(words, with + 1));
+    }
     // "the room brick walls and a concrete floor"
     if (talk.said == "give" && words.size() > 3 && noun_of(words[1]) == "room") return add(talk, part_of(words, 2));
     if (talk.said == "give" && given(talk, words)) return;

@@ -88,7 +88,15 @@ bool put_at(Talk& talk, const std::vector<std::string>& ids, const Words& words,
     Words way = words;
     if (is_one_of(way.back(), {"it", "them"}) && !spoken.empty()) way.back() = spoken.front();
     try {
-        if (shifted(talk, ids, way)) return true;
+        if (shifted(talk, ids, way)) {
+            // "Closer to the fireplace" is at it.
+            try {
+                const std::string kind = asked_kind(talk.editor.placed(ids.front()));
+                if (const auto at = place_of(talk.editor, words, kind, ids.front(), spoken)) talk.last_place = at->step;
+            } catch (const UsageError&) {
+            }
+            return true;
+        }
     } catch (const UsageError&) {
         throw;
     } catch (const Error& e) {  // "closer to the window", with no free way there: a place at the window
@@ -104,12 +112,30 @@ bool put_at(Talk& talk, const std::vector<std::string>& ids, const Words& words,
     }
     if (!place && !why_not.empty()) throw Error("{}", why_not);
     if (!place) return false;
-    place->step.kind = EditStep::Kind::place;
-    do_each(talk.editor, ids.size(), [&](std::size_t k) {
-        place->step.ids = {ids[k]};
-        if (!place->each_at.empty()) place->step.at = place->each_at[k % place->each_at.size()];
-        talk.editor.apply(place->step);
-    });
+    const auto put_all = [&] {
+        place->step.kind = EditStep::Kind::place;
+        do_each(talk.editor, ids.size(), [&](std::size_t k) {
+            place->step.ids = {ids[k]};
+            if (!place->each_at.empty()) place->step.at = place->each_at[k % place->each_at.size()];
+            talk.editor.apply(place->step);
+        });
+    };
+    // "Move the chair to the fire and hang the mirror above it": what it was put at may be "it" as well.
+    const std::vector<std::string> others = talk.last_place.wish.relation_to.empty()
+                                                ? std::vector<std::string>{}
+                                                : things_at(talk.editor, talk.last_place);
+    try {
+        put_all();
+    } catch (const UsageError&) {
+        throw;
+    } catch (const AlreadySo&) {
+        throw;
+    } catch (const Error&) {
+        if (!is_one_of(words.back(), {"it", "them"}) || others.empty() || others == spoken) throw;
+        place = place_of(talk.editor, words, asked_kind(talk.editor.placed(ids.front())), ids.front(), others);
+        if (!place) throw;
+        put_all();
+    }
     talk.last_place = place->step;
     return true;
 }

@@ -139,14 +139,16 @@ class Editor {
                                           float further) const;
     bool search_finely(Layout& layout, const EditStep& step) const;
     bool at_the_ends(Layout& layout) const;
+    bool seats_in_row(Layout& layout) const;
     bool in_the_middle(Layout& layout, const EditStep& step, const Placed* moving) const;
     bool on_the_floor(Layout& layout, const EditStep& step) const;
     bool hang_behind(Layout& layout) const;
     bool stands_clear(int index, const Footprint& box, const std::vector<int>& along) const;
 
     // ---- edit_squeeze.cc
+    // The first place that `accepts` takes.
     std::optional<Squeezed> squeezed_in(const Standing& standing, const EditStep& step, const Placed* moving,
-                                        const Squeeze& how) const;
+                                        const Squeeze& how, const std::function<bool(const Squeezed&)>& accepts) const;
     std::optional<Squeezed> squeezed_on_top(Layout& layout, const Placed* moving) const;  // edit_tops.cc
     std::set<std::string> fault_texts(const std::vector<Placed>& all, const Passage& passage = {}) const;
     bool place_squeezed(int index, const EditStep& step, const std::vector<int>& along);
@@ -162,6 +164,7 @@ class Editor {
     bool stand_near(Layout& layout, const EditStep& step) const;
     bool bring_nearer(Layout& layout, const EditStep& step, std::size_t before) const;
     void line_up(const EditStep& step);
+    void tell_missing_corners(const EditStep& step, std::size_t added);
     void check_no_pair(const EditStep& step) const;
 
     // ---- edit_shapes.cc
@@ -454,6 +457,9 @@ void add_there(Talk& talk, const Words& words);
 void copy(Talk& talk, const Words& words);
 void replace(Talk& talk, const Words& old, const Words& by);
 void swap(Talk& talk, Words words);
+// ---- edit_center.cc
+// "the rug under the table": their middles in line; false: the words say no such thing.
+bool center(Talk& talk, const Words& words);
 // ---- edit_make.cc
 // "the sofa green", "it night", "the walls sage", "the rug larger", "the style to japandi"
 void make(Talk& talk, const Words& words);

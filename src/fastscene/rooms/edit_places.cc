@@ -205,6 +205,10 @@ class Reader {
     std::optional<Place> at_opening(const std::string& relation, const Part& part) {
         const std::string kind = opening_there(editor_.plan(), part.noun);
         const bool small = furnishing::is_small(kind_);
+        // Curtains and blinds hang at windows wherever they come.
+        const bool hung = has_role(kind_, Role::blind) ||
+                          (has_role(kind_, Role::soft) && mount_of(editor_, kind_) == Mount::wall);
+        if (kind == "window" && hung && !moving_) return place("");
         if (kind == "window" && (part.says({"sill"}) || (small && is_one_of(relation, {"in", "on", "at", "to"}))))
             return place("on", "window");
         if (is_one_of(relation, {"to", "at", "in", "on", "from", "against", "along"})) return place("next to", kind);

@@ -433,6 +433,7 @@ void Talk::act(const Clause& whole) {
         case Verb::brighter: return make(*this, with_word(words, "brighter"));
         case Verb::darker: return make(*this, with_word(words, clause.said == "dim" ? "dimmer" : "darker"));
         case Verb::center: {
+            if (editing::center(*this, words)) return;
             Words all = words;
             if (next_place(all) == all.size()) all.insert(all.end(), {"in", "the", "middle"});
             return put(*this, all);

@@ -104,7 +104,8 @@ std::set<std::string> Editor::fault_texts(const std::vector<Placed>& all, const 
 }
 
 std::optional<Squeezed> Editor::squeezed_in(const Standing& standing, const EditStep& step, const Placed* moving,
-                                            const Squeeze& how) const {
+                                            const Squeeze& how,
+                                            const std::function<bool(const Squeezed&)>& accepts) const {
     Asked asked = asked_among(standing, step);
     PromptObject& wish = asked.spec.objects[0];
     Random rng(room_.seed, "squeeze:" + wish.kind, asked.among.size());
@@ -114,7 +115,7 @@ std::optional<Squeezed> Editor::squeezed_in(const Standing& standing, const Edit
         auto found = squeezed_on_top(layout, moving);
         if (found)
             for (int& i : found->pushed) i = standing.was[static_cast<std::size_t>(i)];
-        return found;
+        return found && accepts(*found) ? found : std::nullopt;
     }
     PieceRequest request = layout.request(wish.kind, &wish);
     request.size_factor *= how.scale;
@@ -124,7 +125,17 @@ std::optional<Squeezed> Editor::squeezed_in(const Standing& standing, const Edit
     if (p.piece.mount != Mount::floor || is_rug(p.piece)) return {};
     p.wish = wish;
     const std::vector<Placed>& all = layout.placed();
-    std::vector<Candidate> places = candidates_for(layout, step, p.piece, how.further);
+    EditStep there = step;
+    const int own = moving ? wall_behind(plan(), *moving) : -1;
+    if (step.opposite && own >= 0) there.wall = (own + 2) % 4;
+    std::vector<Candidate> places = candidates_for(layout, there, p.piece, how.further);
+    if (step.elsewhere && moving)
+        std::erase_if(places, [&](const Candidate& c) {
+            p.position = {c.at.x, 0, c.at.y}, p.yaw = c.yaw;
+            constexpr float kElsewhere = 0.7f;  // metres: nearer than that is the same place
+            return length(c.at - footprint_of(*moving).center) < kElsewhere ||
+                   (own >= 0 && wish.relation != "in the corner" && wall_behind(plan(), p) == own);
+        });
     const std::vector<int> loose = how.pushes ? loose_ones(all) : std::vector<int>{};
     const Passage passage = how.narrow ? kNarrow : Passage{};
     const std::set<std::string> before = fault_texts(all, passage);
@@ -143,7 +154,7 @@ std::optional<Squeezed> Editor::squeezed_in(const Standing& standing, const Edit
         if (!std::includes(before.begin(), before.end(), now.begin(), now.end())) continue;
         for (const int i : *blocked) out.pushed.push_back(standing.was[static_cast<std::size_t>(i)]);
         out.off = c.off;
-        return out;
+        if (accepts(out)) return out;
     }
     return {};
 }
@@ -177,25 +188,26 @@ bool Editor::place_squeezed(int index, const EditStep& step, const std::vector<i
     const Standing standing = without(with_riders(moving));
     const Placed was = placed(index);
     const std::string id = thing(index).id;
-    for (const Squeeze& how : squeezes(false)) {
-        const auto found = squeezed_in(standing, step, &was, how);
-        if (!found) continue;
+    const auto stands = [&](const Squeezed& found, const Squeeze& how) {
         // Nearer than it is, or it stays.
         constexpr float kThere = 0.05f;  // metres
-        if (length(found->all.back().position - was.position) < kThere) continue;
+        if (length(found.all.back().position - was.position) < kThere) return false;
         try {
             checked(
                 [&] {
-                    make_way(*found, id);
-                    stand_at_found(index, found->all.back(), standing, step, along);
+                    make_way(found, id);
+                    stand_at_found(index, found.all.back(), standing, step, along);
                 },
                 how.narrow ? kNarrow : Passage{});
         } catch (const Error&) {
-            continue;
+            return false;
         }
-        tell_squeeze(id, step, *found, how);
+        tell_squeeze(id, step, found, how);
         return true;
-    }
+    };
+    for (const Squeeze& how : squeezes(false))
+        if (squeezed_in(standing, step, &was, how, [&](const Squeezed& found) { return stands(found, how); }))
+            return true;
     return false;
 }
 
@@ -219,7 +231,7 @@ bool Editor::add_squeezed(const EditStep& step) {
             }
         for (const Squeeze& how : squeezes(step.wish.size_m == Vec3f{})) {
             if (found) break;
-            auto squeezed = squeezed_in(without({}), one, nullptr, how);
+            auto squeezed = squeezed_in(without({}), one, nullptr, how, [](const Squeezed&) { return true; });
             if (!squeezed) continue;
             const Standing standing = without({});
             std::vector<Placed> all = standing.placed;

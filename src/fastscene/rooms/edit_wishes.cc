@@ -23,8 +23,22 @@ void check_new(const Words& words, const PromptObject& wish) {
     }
 }
 
-// "Some toys for the kids" are some toys.
-Words without_whom(Words words) {
+// "Some toys for the kids" are some toys, "a desk for homework" is a desk.
+Words without_whom(const Editor& editor, Words words) {
+    // What it is for is nothing that there is or could be: no thing, no place.
+    const std::size_t at = find_word(words, {"for"}, 1);
+    std::size_t end = at + 1;
+    while (end < words.size() && !is_joint(words[end]) && words[end] != "with" && words[end] != "next") ++end;
+    const Words what = part_of(words, at + 1, end);
+    const auto is_thing = [](const std::string& w) {
+        const auto known = look_up(w);
+        return known && (known->kind == WordKind::object || known->kind == WordKind::structure);
+    };
+    if (!what.empty() && what.size() < 4 && next_place(what) == what.size() && !number_said(what.front()) &&
+        std::none_of(what.begin(), what.end(), is_thing) && all_named(editor, text_of(what)).empty()) {
+        words.erase(words.begin() + static_cast<std::ptrdiff_t>(at), words.begin() + static_cast<std::ptrdiff_t>(end));
+        return words;
+    }
     for (std::size_t i = 1; i < words.size(); ++i) {
         if (words[i] != "for") continue;
         const std::size_t next = i + 1 < words.size() && is_definite(words[i + 1]) ? i + 2 : i + 1;
@@ -162,7 +176,7 @@ void shape_as_asked(Talk& talk, const std::vector<std::string>& ids, const std::
 
 Addition addition_of(const Talk& talk, const Words& said, const std::vector<std::string>& spoken) {
     const Editor& editor = talk.editor;
-    const Words words = hung_up(talk, counted_anew(without_whom(said)));
+    const Words words = hung_up(talk, counted_anew(without_whom(editor, said)));
     const std::string shape = shape_asked(words);
     for (std::size_t end = next_place(words); end < words.size(); end = next_place(words, end + 1)) {
         const Words there = part_of(words, end);

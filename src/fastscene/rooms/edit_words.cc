@@ -60,6 +60,13 @@ std::vector<int> alike(const RoomDocument& document, const PromptObject& said, b
     const bool by_name = plain_name(said.kind) == plain_name(singular(said.words));
     const bool one_word = said.words.find(' ') == std::string::npos;
     if (!exact.empty() && (!one_word || (by_name && !several))) return exact;
+    // "The rocking chair" is no office chair; a round dining table is a dining table.
+    if (!one_word && by_name)
+        std::erase_if(near, [&](int i) {
+            const std::string& kind = document.things[static_cast<std::size_t>(i)].kind;
+            return kind != last && !is_a(kind, said.kind);
+        });
+    if (!one_word && by_name) return near;
     return near.empty() ? ending : near;
 }
 
@@ -123,6 +130,10 @@ void pick(const std::vector<std::string>& words, const PromptObject& said, const
         float most = 0;
         for (const int i : found) most = std::max(most, volume_of(editor.placed(all(i).id)));
         std::erase_if(found, [&](int i) { return volume_of(editor.placed(all(i).id)) < 0.5f * most; });
+    } else if (said.size == "small" && says_several(words, said) && !has_word(words, {"smallest", "tiniest"})) {
+        float most = 0;
+        for (const int i : found) most = std::max(most, volume_of(editor.placed(all(i).id)));
+        std::erase_if(found, [&](int i) { return volume_of(editor.placed(all(i).id)) > 0.7f * most; });
     } else if (said.size == "large" || said.size == "small")
         extreme([&](int i) { return volume_of(editor.placed(all(i).id)); }, said.size == "large");
 }
