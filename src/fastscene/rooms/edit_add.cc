@@ -107,20 +107,39 @@ void add_wish(Talk& talk, const PromptObject& wish, const std::optional<Place>& 
     for (std::size_t i = before; i < things.size(); ++i) talk.last.push_back(things[i].id);
 }
 
+// "A second armchair facing the first one": the first armchair.
+Words with_noun(const Talk& talk, const Words& words) {
+    const std::size_t one = find_word(words, {"one"}, 2), place = next_place(words);
+    if (one >= words.size() || one < place || !is_one_of(words[one - 1], {"first", "other", "old", "existing"}))
+        return words;
+    const PromptSpec spec = read_in_room(talk.editor, text_of(counted_anew(part_of(words, 0, place))));
+    if (spec.objects.empty()) return words;
+    Words out = words;
+    out[one] = spec.objects.front().words;
+    if (!is_one_of(out[one - 1], {"first"})) out.erase(out.begin() + static_cast<std::ptrdiff_t>(one) - 1);
+    return out;
+}
+
 // What comes with what was added: "two nightstands with a lamp on each" are two lamps.
-void add_with(Talk& talk, const std::vector<std::string>& ids, const std::vector<PromptObject>& wishes) {
-    for (std::size_t w = 1; w < wishes.size(); ++w) {
-        if (wishes[w].relation != "on" || wishes[w].count > 1 || ids.empty()) {
-            add_wish(talk, wishes[w], {});
-            continue;
-        }
-        for (const std::string& id : ids) {
-            Place on;
-            on.step.wish.relation = "on", on.step.wish.relation_to = asked_kind(talk.editor.placed(id));
-            on.step.at = {id};
-            add_wish(talk, wishes[w], on);
-        }
-    }
+void add_with(Talk& talk, const std::vector<std::string>& ids, const Addition& addition) {
+    const std::vector<PromptObject>& wishes = addition.wishes;
+    const auto at = [&](const std::string& id, const std::string& relation) {
+        Place out;
+        out.step.wish.relation = relation, out.step.wish.relation_to = asked_kind(talk.editor.placed(id));
+        out.step.at = {id};
+        return out;
+    };
+    const std::size_t first = std::min<std::size_t>(1, wishes.size());
+    do_each(
+        talk.editor, wishes.size() - first,
+        [&](std::size_t k) {
+            const PromptObject& wish = wishes[k + first];
+            const std::string relation = addition.on_it ? "on" : wish.relation;
+            if (ids.empty() || (!addition.each && !addition.on_it && (relation != "on" || wish.count > 1)))
+                return add_wish(talk, wish, {});
+            do_each(talk.editor, ids.size(), [&](std::size_t i) { add_wish(talk, wish, at(ids[i], relation)); });
+        },
+        [&](std::size_t k) { return wishes[k + first].words; });
 }
 
 // "It" is what was last put somewhere, or that at which it was put: where the first has no place for it, the other.
@@ -297,7 +316,14 @@ void add(Talk& talk, const Words& words) {
             if (all[next]) shared = all[next]->place;
         const PromptObject& first = all[k]->wishes.front();
         const std::size_t spoken = talk.last.size();
+        // "An armchair, a lamp and a shelf by the window": at one window, side by side.
+        const bool group = shared && !together.empty() && noun_of(shared->step.wish.relation_to) != "" &&
+                           shared->step.wish.relation == "next to";
         talk.editor.together([&] {
+            if (group) try {
+                    return add_wish(talk, first, beside_those(talk, together));
+                } catch (const Error&) {  // then at the place alone
+                }
             try {
                 add_wish(talk, first, shared);
             } catch (const UsageError&) {
@@ -311,11 +337,12 @@ void add(Talk& talk, const Words& words) {
             }
             shape_as_asked(talk, part_of(talk.last, spoken), all[k]->shape);
         });
-        together = own ? std::vector<std::string>{} : part_of(talk.last, spoken);
+        if (own) together.clear();
+        else if (together.empty()) together = part_of(talk.last, spoken);
         if (shared) talk.last_place = shared->step;
         const std::vector<std::string> fresh = part_of(talk.last, spoken);
         tell_unshown(talk, fresh, first, all[k]->said);
-        add_with(talk, fresh, all[k]->wishes);
+        add_with(talk, fresh, *all[k]);
     };
     // All of them are read before any of them comes.
     do_each(
@@ -329,7 +356,7 @@ void add(Talk& talk, const Words& words) {
                 const std::vector<std::string> none = std::exchange(talk.last, spoken_before);
                 const Words& part = parts[k];
                 try {
-                    all[k] = at_what_is_meant(talk, part);
+                    all[k] = at_what_is_meant(talk, with_noun(talk, part));
                 } catch (const Error&) {
                     talk.last = none;
                     throw;

@@ -45,11 +45,27 @@ bool put_together(Talk& talk, const std::vector<std::string>& ids) {
         return length(b.center - a.center) - extent(a, way) - extent(b, way);
     };
     if (off() < 0.02f) throw AlreadySo(ids[1] + ": it stands there already");
+    // Straight up to it, where nothing stands between them; else beside it.
+    const Vec3f to = talk.editor.placed(ids[0]).position - talk.editor.placed(ids[1]).position;
     EditStep step;
+    step.kind = EditStep::Kind::shift;
+    step.ids = {ids[1]};
+    step.by = Vec3f{to.x, 0, to.z} * ((off() - 0.01f) / std::max(0.01f, length(Vec3f{to.x, 0, to.z})));
+    step.exactly = true;
+    try {
+        talk.editor.apply(step);
+        return true;
+    } catch (const Error&) {
+    }
+    step = {};
     step.kind = EditStep::Kind::place;
     step.wish.relation = "next to", step.wish.relation_to = talk.editor.placed(ids[0]).piece.kind;
     step.ids = {ids[1]}, step.at = {ids[0]};
-    talk.editor.apply(step);
+    try {
+        talk.editor.apply(step);
+    } catch (const AlreadySo&) {
+        throw Error("{}: something stands between it and {}", ids[1], ids[0]);
+    }
     if (off() > kTogether) throw Error("{}: there is no free place for it close to {}", ids[1], ids[0]);
     return true;
 }
@@ -283,13 +299,16 @@ void turn(Talk& talk, const Words& words) {
         return move(talk, all);
     }
     // "so that it faces the door"
-    if (const std::size_t so = find_word(words, {"faces", "looks"}, 1); so < words.size()) {
+    const std::size_t purpose = find_word(words, {"so"}, 1);
+    if (const std::size_t so = std::min(find_word(words, {"faces", "looks"}, 1),
+                                        find_word(words, {"face", "look", "point"}, purpose));
+        so < words.size()) {
         Words all = part_of(words, 0, so);
         // "so that the chair faces the door" is no turn of the desk.
         if (const std::size_t that = find_word(words, {"so"}, 1);
             that < so && so - that > 2 && !is_one_of(words[so - 1], {"it", "they", "that"}))
             throw UsageError("expected what is turned to face something itself, found \"{}\"", text_of(words));
-        while (all.size() > 1 && is_one_of(all.back(), {"so", "that", "it", "and"})) all.pop_back();
+        while (all.size() > 1 && is_one_of(all.back(), {"so", "that", "it", "they", "and"})) all.pop_back();
         all.push_back("facing");
         const Words to = part_of(words, so + 1);
         all.insert(all.end(), to.begin(), to.end());
@@ -453,7 +472,7 @@ bool put_where(Talk& talk, const Clause& clause) {
 // "the desk so that it faces the window": a turn, where no place was said.
 bool says_so_that(const Words& words) {
     const std::size_t so = find_word(words, {"so"}, 1);
-    return so < words.size() && find_word(words, {"faces", "looks"}, so) < words.size() &&
+    return so < words.size() && find_word(words, {"faces", "looks", "face", "look", "point"}, so) < words.size() &&
            next_place(part_of(words, 0, so)) == so;
 }
 

@@ -104,7 +104,7 @@ class Editor {
     std::vector<int> seats_at(int table) const;
     std::optional<Vec2f> target_of(const EditStep& step, int from) const;
     void move(const EditStep& step);
-    bool turned_aside(int index, float turn);
+    bool turned_aside(int index, float turn, const std::vector<int>& along);
     void shift(const EditStep& step);
     void shift_one(int index, const EditStep& step);
     void turn_one(int index, const EditStep& step);
@@ -149,6 +149,9 @@ class Editor {
     // The first place that `accepts` takes.
     std::optional<Squeezed> squeezed_in(const Standing& standing, const EditStep& step, const Placed* moving,
                                         const Squeeze& how, const std::function<bool(const Squeezed&)>& accepts) const;
+    std::optional<Squeezed> squeezed_on_wall(Layout& layout, const EditStep& step, const Placed* moving,
+                                             const Squeeze& how,
+                                             const std::function<bool(const Squeezed&)>& accepts) const;
     std::optional<Squeezed> squeezed_on_top(Layout& layout, const Placed* moving) const;  // edit_tops.cc
     std::set<std::string> fault_texts(const std::vector<Placed>& all, const Passage& passage = {}) const;
     bool place_squeezed(int index, const EditStep& step, const std::vector<int>& along);
@@ -396,6 +399,8 @@ int wall_behind(const Plan& plan, const Placed& p);
 // How far a point is from the middle between two things that a place is said by, other than `own`; +inf: there are
 // none.
 float off_middle(const std::vector<Placed>& all, const PromptObject& wish, Vec2f at, const Placed* own = nullptr);
+std::vector<Footprint> anchors_of(const Plan& plan, const std::vector<Placed>& placed, const std::string& kind);
+std::vector<Placed> grown(std::vector<Placed> all, const PromptObject& wish, float by);
 // From the ceiling above a thing: its middle, else along it.
 bool hang_above(Layout& layout, const PromptObject& wish);
 // ---- edit_shapes.cc
@@ -440,6 +445,8 @@ struct Addition {
     std::optional<Place> place;
     std::string shape{};  // of the first
     Words said{};
+    bool each = false;   // "two tables with two chairs each"
+    bool on_it = false;  // "a table with six plants on it"
 };
 // "another chair", "two more plants", "a few books"
 Words counted_anew(Words words);

@@ -123,12 +123,26 @@ bool is_pronoun(const Words& words) {
            !words.empty() && words.front() != "of";
 }
 
+bool is_part_of_it(const std::string& word) {
+    return is_one_of(word, {"foot", "side", "sides", "end", "ends", "left", "right", "head"});
+}
+
 class Reader {
   public:
     Reader(const Editor& editor, const Words& words, const std::string& kind, const std::string& mover,
            const std::vector<std::string>& spoken)
         : editor_(editor), words_(words), kind_(kind), mover_(mover), spoken_(spoken), moving_(!mover.empty()) {
         std::erase(spoken_, mover_);
+        // "at its foot" is at the foot of it.
+        const std::size_t its = find_word(words_, {"its", "their"});
+        if (its > 0 && its + 1 < words_.size() && is_part_of_it(words_.back())) {
+            if (is_one_of(words_.back(), {"left", "right"}) && is_one_of(words_[its - 1], {"on", "at", "to"}))
+                words_[its - 1] = "to";
+            words_[its] = "the";
+            if (words_.back() == "head") words_ = {"next", "to"};
+            else words_.push_back("of");
+            words_.push_back("it");
+        }
     }
 
     std::optional<Place> read() {

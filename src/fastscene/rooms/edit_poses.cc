@@ -121,19 +121,22 @@ void Editor::checked(const std::function<void()>& change, const Passage& passage
 
 // Turned by an angle; what then reaches into something stands a little off it. False: it has room where it stands, or
 // nowhere.
-bool Editor::turned_aside(int i, float turn) {
+bool Editor::turned_aside(int i, float turn, const std::vector<int>& along) {
     constexpr int kAround = 16;
     const Placed p = placed(i);
     const float yaw = std::remainder(p.yaw + turn, 2 * kPi);
-    if (p.piece.mount != Mount::floor || new_fault(with_pose(i, {p.position, yaw}, {})).empty()) return false;
-    for (const float off : {0.06f, 0.12f, 0.2f, 0.3f, 0.4f, 0.5f})
+    if (p.piece.mount != Mount::floor || new_fault(with_pose(i, {p.position, yaw}, along)).empty()) return false;
+    // With its chairs it may take more room.
+    std::vector<float> offs{0.06f, 0.12f, 0.2f, 0.3f, 0.4f, 0.5f};
+    if (!along.empty()) offs.insert(offs.end(), {0.6f, 0.7f, 0.8f, 0.9f, 1.f});
+    for (const float off : offs)
         for (int way = 0; way < kAround; ++way) {
             const float angle = 2 * kPi * static_cast<float>(way) / kAround;
             Placed turned = p;
             turned.position = p.position + Vec3f{std::sin(angle), 0, std::cos(angle)} * off, turned.yaw = yaw;
-            if (!stands_clear(i, footprint_of(turned), {})) continue;
-            if (!new_fault(with_pose(i, {turned.position, yaw}, {})).empty()) continue;
-            checked([&] { set_pose(i, {turned.position, yaw}, {}); });
+            if (!stands_clear(i, footprint_of(turned), along)) continue;
+            if (!new_fault(with_pose(i, {turned.position, yaw}, along)).empty()) continue;
+            checked([&] { set_pose(i, {turned.position, yaw}, along); });
             return true;
         }
     return false;
@@ -159,9 +162,10 @@ void Editor::turn_one(int i, const EditStep& step) {
     const float turn = step.yaw.value_or(kPi), yaw = std::remainder(placed(i).yaw + turn, 2 * kPi);
     if (const std::vector<int> seats = seats_at(i); !seats.empty()) try {
             return checked([&] { set_pose(i, {placed(i).position, yaw}, seats); });
-        } catch (const Error&) {  // there is no room for them: it turns alone
+        } catch (const Error&) {  // there is no room for them: a little off, or it turns alone
+            if (turned_aside(i, turn, seats)) return;
         }
-    if (turned_aside(i, turn)) return;
+    if (turned_aside(i, turn, {})) return;
     checked([&] { set_pose(i, {placed(i).position, yaw}, {}); });
 }
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "fastscene/base/is_one_of.h"
 #include "fastscene/rooms/catalogue.h"
 #include "fastscene/rooms/edit_parts.h"
 #include "fastscene/rooms/layout_relations.h"
@@ -13,6 +14,8 @@ namespace fastscene::editing {
 namespace {
 
 constexpr int kMostChecks = 200;  // of the whole room: a fraction of a second
+
+}  // namespace
 
 // The boxes of what a place is said by: things, or openings as thin boxes.
 std::vector<Footprint> anchors_of(const Plan& plan, const std::vector<Placed>& placed, const std::string& kind) {
@@ -31,6 +34,8 @@ std::vector<Footprint> anchors_of(const Plan& plan, const std::vector<Placed>& p
     }
     return out;
 }
+
+namespace {
 
 // Backs at walls, every few centimetres along them.
 void add_at_walls(const Plan& plan, Vec3f size, std::vector<Candidate>& out) {
@@ -63,7 +68,8 @@ float off_head(Layout& layout, Vec2f at) {
     const PromptObject& wish = layout.spec().objects[0];
     float least = 1e9f;
     for (const Placed& bed : layout.placed())
-        if (wish.relation == "next to" && has_role(bed.piece.kind, Role::bed) &&
+        if (is_one_of(wish.relation, {"next to", "left of", "right of", "on both sides of"}) &&
+            has_role(bed.piece.kind, Role::bed) &&
             (bed.piece.kind == wish.relation_to || bed.wish.kind == wish.relation_to))
             least = std::min(least, std::max(0.f, dot(at - flat(bed.position), flat(front_of(bed.yaw)))));
     return least < 1e8f ? 0.5f * least : 0.f;
@@ -159,6 +165,8 @@ float off_corner(const Plan& plan, const Footprint& box, const std::optional<Vec
     return std::max(0.f, least);
 }
 
+}  // namespace
+
 // Things that are larger all around, so that what is further off is at them still.
 std::vector<Placed> grown(std::vector<Placed> all, const PromptObject& wish, float by) {
     for (Placed& p : all)
@@ -170,7 +178,21 @@ std::vector<Placed> grown(std::vector<Placed> all, const PromptObject& wish, flo
     return all;
 }
 
+namespace {
+
 constexpr float kOfCorner = 1.6f;  // metres: further off it is in another one
+
+// A nightstand is at a bed's head: not along its foot.
+bool is_at_foot(const std::vector<Placed>& all, const PromptObject& wish, const Placed& p) {
+    constexpr float kNarrow_m = 0.7f, kOfLength = 0.3f;
+    if (!p.piece.against_wall || p.piece.size_m.x > kNarrow_m) return false;
+    if (!is_one_of(wish.relation, {"next to", "left of", "right of", "on both sides of"})) return false;
+    return std::any_of(all.begin(), all.end(), [&](const Placed& bed) {
+        return has_role(bed.piece.kind, Role::bed) && !has_role(bed.piece.kind, Role::along_wall) &&
+               (bed.piece.kind == wish.relation_to || bed.wish.kind == wish.relation_to) &&
+               dot(p.position - bed.position, front_of(bed.yaw)) > kOfLength * bed.piece.size_m.z;
+    });
+}
 
 }  // namespace
 
@@ -208,7 +230,7 @@ std::vector<Candidate> Editor::candidates_for(Layout& layout, const EditStep& st
                     c.yaw = std::atan2(face.inward.x, face.inward.z);
         p.position = {c.at.x, 0, c.at.y}, p.yaw = c.yaw;
         const Footprint box = footprint_of(p);
-        if (!plan().holds(box)) return true;
+        if (!plan().holds(box) || is_at_foot(layout.placed(), wish, p)) return true;
         if (step.wall >= 0 && wall_behind(plan(), p) != step.wall) return true;
         for (const Footprint& a : anchors) c.off = std::min(c.off, off_box(a, box));
         if (wish.relation == "in the corner")

@@ -116,7 +116,8 @@ void remove(Talk& talk, Words words) {
     if (words.empty()) throw UsageError("expected what to remove, found the end of the sentence");
     if (remove_everything(talk, words)) return;
     for (std::size_t i = 1; i < words.size(); ++i)
-        if (is_one_of(words[i], {"off", "from"})) words[i] = "on";
+        if (is_one_of(words[i], {"off", "from"}) && !is_one_of(words[i - 1], {"farthest", "furthest", "away"}))
+            words[i] = "on";
     // Of "the rug and the piano" the rug, where there is no piano.
     const std::vector<Words> parts = parts_of(with_its(words));
     std::vector<std::string> ids;
@@ -378,7 +379,21 @@ void Talk::act(const Clause& whole) {
         throw UsageError("expected what to change after \"{}\", found the end of the sentence", clause.said);
     const std::size_t end = next_place(words), instead = find_word(words, {"instead"}, 1);
     if (instead + 2 < words.size() && words[instead + 1] == "of") {
-        const Words old = instead_of(part_of(words, instead + 2), words), by = part_of(words, 0, instead);
+        // "… instead of the pendant, and two more chairs": those come as well.
+        Words rest = part_of(words, instead + 2);
+        const auto joint = std::find_if(rest.begin(), rest.end(), is_joint);
+        std::size_t more = static_cast<std::size_t>(joint - rest.begin());
+        while (more < rest.size() && is_joint(rest[more])) ++more;
+        if (more < rest.size() && begins_anew(part_of(rest, more))) {
+            Clause first = clause, second = clause;
+            first.words = part_of(
+                words, 0, static_cast<std::size_t>(instead + 2 + static_cast<std::size_t>(joint - rest.begin())));
+            second.verb = Verb::add, second.said = "add", second.words = part_of(rest, more);
+            return do_each(
+                editor, 2, [&](std::size_t k) { act(k == 0 ? first : second); },
+                [&](std::size_t k) { return text_of(k == 0 ? first.words : second.words); });
+        }
+        const Words old = instead_of(rest, words), by = part_of(words, 0, instead);
         if (next_place(by) == by.size()) return replace(*this, old, by);
         return editor.together([&] {
             remove(*this, old);
@@ -466,11 +481,14 @@ EditResult edit_by_sentence(const RoomDocument& document, const std::string& sen
         editor, clauses.size(),
         [&](std::size_t i) {
             if (i + 1 < clauses.size() && editing::picked_up(talk, clauses[i], clauses[i + 1])) return;
+            const std::vector<std::string> spoken = talk.last;
             try {
                 talk.act(clauses[i]);
             } catch (const Error&) {
-                // What should have come is not "it".
-                if (editing::begins_anew(clauses[i].words)) talk.last.clear();
+                // What should have come is not "it", unless it was to come at "it".
+                const bool at_it = editing::find_word(clauses[i].words, {"it", "its", "them", "their"}) <
+                                   clauses[i].words.size();
+                talk.last = editing::begins_anew(clauses[i].words) && !at_it ? std::vector<std::string>{} : spoken;
                 throw;
             }
         },

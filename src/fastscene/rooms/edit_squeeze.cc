@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "fastscene/base/is_one_of.h"
 #include "fastscene/rooms/catalogue.h"
 #include "fastscene/rooms/edit_parts.h"
 #include "fastscene/rooms/layout_relations.h"
@@ -117,6 +118,8 @@ std::optional<Squeezed> Editor::squeezed_in(const Standing& standing, const Edit
             for (int& i : found->pushed) i = standing.was[static_cast<std::size_t>(i)];
         return found && accepts(*found) ? found : std::nullopt;
     }
+    if (is_one_of(wish.relation, {"on", "above", "under"}) || mount_of(*this, wish.kind) == Mount::wall)
+        return squeezed_on_wall(layout, step, moving, how, accepts);
     PieceRequest request = layout.request(wish.kind, &wish);
     request.size_factor *= how.scale;
     request.size_m = request.size_m * how.scale;
@@ -154,6 +157,78 @@ std::optional<Squeezed> Editor::squeezed_in(const Standing& standing, const Edit
         if (!std::includes(before.begin(), before.end(), now.begin(), now.end())) continue;
         for (const int i : *blocked) out.pushed.push_back(standing.was[static_cast<std::size_t>(i)]);
         out.off = c.off;
+        if (accepts(out)) return out;
+    }
+    return {};
+}
+
+// What hangs on walls, also before or beside what stands there; a screen, where it was asked for on the wall.
+std::optional<Squeezed> Editor::squeezed_on_wall(Layout& layout, const EditStep& step, const Placed* moving,
+                                                 const Squeeze& how,
+                                                 const std::function<bool(const Squeezed&)>& accepts) const {
+    if (how.pushes) return {};
+    const PromptObject& wish = layout.spec().objects[0];
+    PieceRequest request = layout.request(wish.kind, &wish);
+    request.size_factor *= how.scale;
+    request.size_m = request.size_m * how.scale;
+    Placed p;
+    p.piece = make_piece(request);
+    p.wish = wish;
+    const bool screen = std::any_of(p.piece.materials.begin(), p.piece.materials.end(),
+                                    [](const Material& m) { return m.pattern == Pattern::screen; });
+    constexpr float kSeated = 0.95f;  // metres: a screen before seats
+    if (p.piece.mount == Mount::surface && screen && wish.relation_to == "wall")
+        mount_as(p.piece, Mount::wall), p.piece.hang_height_m = kSeated;
+    if (p.piece.mount != Mount::wall) return {};
+    const std::vector<Placed>& all = layout.placed();
+    const std::vector<Placed> near = how.further > 0 ? grown(all, wish, how.further) : all;
+    const std::vector<Footprint> anchors = anchors_of(plan(), all, wish.relation_to);
+    const int own = moving ? wall_behind(plan(), *moving) : -1;
+    const float usual = p.piece.hang_height_m > 0 ? p.piece.hang_height_m : 1.5f - p.piece.size_m.y / 2;
+    const float level = moving && moving->piece.mount == Mount::wall ? moving->position.y : usual;
+    struct Spot {
+        Vec3f at;
+        float yaw, cost;
+    };
+    std::vector<Spot> spots;
+    const std::vector<WallFace> faces = plan().faces();
+    for (const WallFace& face : faces) {
+        if (step.wall >= 0 && dot(face.inward, plan().wall(step.wall).inward) < 0.99f) continue;
+        if (step.elsewhere && own >= 0 && dot(face.inward, plan().wall(own).inward) > 0.99f) continue;
+        const float half = p.piece.size_m.x / 2;
+        for (float u = half + 0.02f; u < face.length - half; u += kSlotStep)
+            for (const float up : {0.f, 0.15f, -0.15f, 0.3f, -0.3f, 0.45f, 0.6f}) {
+                p.position = face.point(u, std::max(0.1f, level + up)) + face.inward * 0.004f;
+                p.yaw = yaw_of(face.inward);
+                const Footprint box = footprint_of(p);
+                if (!plan().holds(box) || !hangs_on_wall(plan(), faces, p)) continue;
+                const bool blocked = std::any_of(all.begin(), all.end(), [&](const Placed& other) {
+                    return !other.flat && (overlap(box, footprint_of(other)) || (!how.narrow && hides(other, p)));
+                });
+                if (blocked || !(stands_as_asked(plan(), all, p, wish).value_or(wish.relation.empty()) ||
+                                 (how.further > 0 && stands_as_asked(plan(), near, p, wish).value_or(false))))
+                    continue;
+                float cost = std::abs(up);
+                if (!anchors.empty()) {
+                    float off = 1e9f;
+                    for (const Footprint& a : anchors) off = std::min(off, distance_to(a, box.center));
+                    cost += off;
+                } else if (moving) cost += length(box.center - footprint_of(*moving).center);
+                else cost += 0.3f * std::abs(u - face.length / 2);
+                spots.push_back({p.position, p.yaw, cost});
+            }
+    }
+    std::stable_sort(spots.begin(), spots.end(), [](const Spot& a, const Spot& b) { return a.cost < b.cost; });
+    const std::set<std::string> before = fault_texts(all);
+    int looks = 0;
+    for (const Spot& spot : spots) {
+        if (++looks > kMostLooks) break;
+        Squeezed out{all, {}};
+        p.position = spot.at, p.yaw = spot.yaw;
+        out.all.push_back(p);
+        const auto now = fault_texts(out.all);
+        if (!std::includes(before.begin(), before.end(), now.begin(), now.end())) continue;
+        out.off = spot.cost;
         if (accepts(out)) return out;
     }
     return {};
@@ -220,6 +295,8 @@ bool Editor::add_squeezed(const EditStep& step) {
         EditStep one = step;
         one.wish.count = 1;
         if (pair) one.wish.relation = n % 2 == 0 ? "left of" : "right of";
+        // Lamps in a row hang in a row, or they do not.
+        if (count > 1 && mount_of(*this, step.wish.kind) == Mount::ceiling) return false;
         bool smaller = false, found = false;
         if (count > 1) try {
                 const std::vector<Placed> all = with_added(one, smaller);

@@ -174,7 +174,9 @@ void shape_as_asked(Talk& talk, const std::vector<std::string>& ids, const std::
     }
 }
 
-Addition addition_of(const Talk& talk, const Words& said, const std::vector<std::string>& spoken) {
+namespace {
+
+Addition read_addition(const Talk& talk, const Words& said, const std::vector<std::string>& spoken) {
     const Editor& editor = talk.editor;
     const Words words = hung_up(talk, counted_anew(without_whom(editor, said)));
     const std::string shape = shape_asked(words);
@@ -199,6 +201,21 @@ Addition addition_of(const Talk& talk, const Words& said, const std::vector<std:
     if (furnishing::is_small(wishes.front().kind))
         if (const auto step = on_support(editor, words)) return {wishes, Place{*step, {}, 0}, shape};
     return {wishes, {}, shape};
+}
+
+}  // namespace
+
+Addition addition_of(const Talk& talk, const Words& said, const std::vector<std::string>& spoken) {
+    Words words = said;
+    const std::size_t with = find_word(words, {"with"}, 1);
+    const bool each = with + 2 < words.size() && words.back() == "each" && !is_one_of(words[words.size() - 2], {"on"});
+    if (each) words.pop_back();
+    // "… with six plants on it"
+    const std::size_t n = words.size();
+    const bool on_it = with + 3 < n && is_one_of(words[n - 1], {"it", "them", "top", "each"}) && words[n - 2] == "on";
+    Addition out = read_addition(talk, words, spoken);
+    out.each = each, out.on_it = on_it && out.wishes.size() > 1;
+    return out;
 }
 
 }  // namespace fastscene::editing

@@ -287,7 +287,9 @@ std::vector<int> ending_so(const Editor& editor, const Words& head, const Words&
     constexpr std::size_t kWord = 3;  // letters
     if (one.size() < kWord) return out;
     for (std::size_t i = 0; i < editor.document().things.size(); ++i)
-        if (editor.document().things[i].kind.ends_with("_" + one)) out.push_back(static_cast<int>(i));
+        if (const std::string& kind = editor.document().things[i].kind;
+            kind.ends_with("_" + one) || kind.ends_with("_" + last))
+            out.push_back(static_cast<int>(i));
     if (out.empty()) return out;
     said = {};
     said.words = last, said.kind = editor.document().things[static_cast<std::size_t>(out.front())].kind;
@@ -333,7 +335,11 @@ Meaning meaning_of(const Editor& editor, const std::string& words) {
             if (const Placed& p = editor.room().furnished.placed[i];
                 p.piece.mount == Mount::ceiling && has_role(p.piece.kind, Role::light))
                 out.found.push_back(static_cast<int>(i));
-    if (out.found.empty()) out.found = ending_so(editor, part_of(tokens, 0, place), part_of(tokens, place), out.said);
+    // "The rocking chair", where there is none, is no office chair.
+    const bool known = out.said.words.find(' ') != std::string::npos && !out.said.kind.empty() &&
+                       plain_name(out.said.kind) == plain_name(singular(out.said.words));
+    if (out.found.empty() && !known)
+        out.found = ending_so(editor, part_of(tokens, 0, place), part_of(tokens, place), out.said);
     if (!out.found.empty()) pick(part_of(tokens, 0, place), out.said, editor, out.found);
     return out;
 }
