@@ -218,10 +218,16 @@ bool add_like_another(Talk& talk, const Words& words) {
 void add_there(Talk& talk, const Words& words) {
     const std::vector<std::string> carriers = talk.last;
     const std::vector<Words> riders = parts_of(words);
+    // "Between them" is between what came and what that came at.
+    std::vector<std::string> both = carriers;
+    if (const std::size_t n = words.size(); n > 2 && words[n - 2] == "between" && carriers.size() == 1)
+        if (const auto other = things_at(talk.editor, talk.last_place); other.size() < 3)
+            for (const std::string& id : other)
+                if (both.size() < 2) add_new(both, {id});
     const Words there = part_of(riders.back(), next_place(riders.back()));
     for (Words rider : riders) {
         if (next_place(rider) == rider.size()) rider.insert(rider.end(), there.begin(), there.end());
-        talk.last = carriers;
+        talk.last = both;
         add(talk, rider);
     }
     talk.last = carriers;
@@ -262,8 +268,9 @@ void add(Talk& talk, const Words& words) {
     // "a shelf over the desk with a plant and a candle on it"
     if (const std::size_t with = find_word(words, {"with"}, 1);
         with + 1 < words.size() && is_one_of(words.back(), {"it", "them"}) &&
-        find_word(words, {"and", ","}, with) < words.size() && begins_anew(part_of(words, with + 1)) &&
-        next_place(part_of(words, with + 1)) < words.size() - with - 1) {
+        (find_word(words, {"and", ","}, with) < words.size() ||
+         find_word(words, {"between", "next", "beside", "behind", "above", "front"}, with) < words.size()) &&
+        begins_anew(part_of(words, with + 1)) && next_place(part_of(words, with + 1)) < words.size() - with - 1) {
         add(talk, part_of(words, 0, with));
         return add_there(talk, part_of(words, with + 1));
     }

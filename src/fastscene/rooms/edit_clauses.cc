@@ -32,7 +32,7 @@ constexpr std::array<Row, 24> kBeginnings{{
      "put|place|set|stand|hang|lay|position|mount|lean|put down|put up|lay down|set down|hang up|stack|"
      "pile|pile up|scatter|spread|drape|toss|stick|pop|prop|prop up|rest|squeeze|slot|plop|pin|string|sit|roll "
      "out|unroll|"
-     "decorate|dress|arrange"},
+     "decorate|dress|arrange|fill|top"},
     {Verb::make, "make|change|switch|give"},
     {Verb::refuse, "open|close|shut|rearrange|reorganize|redecorate|improve|fix|undo|redo|divide"},
     {Verb::tidy, "tidy|tidy up|clean|clean up|declutter|straighten up"},

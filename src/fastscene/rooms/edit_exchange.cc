@@ -9,6 +9,7 @@
 #include "fastscene/rooms/catalogue.h"
 #include "fastscene/rooms/document_parts.h"
 #include "fastscene/rooms/edit_parts.h"
+#include "fastscene/rooms/layout_parts.h"
 
 namespace fastscene::editing {
 namespace {
@@ -293,6 +294,16 @@ std::optional<Vec3f> nearest_on_top(const Placed& carrier, const Placed& thing) 
 
 }  // namespace
 
+namespace {
+
+// A bench, a stool: others stand on it as well.
+bool is_low_seat(const Placed& p) {
+    constexpr float kNoBack_m = 0.55f;
+    return p.piece.size_m.y < kNoBack_m;
+}
+
+}  // namespace
+
 // What stood on what was replaced stands on what came, where that has room for it.
 void Editor::set_down(const std::vector<std::pair<std::string, int>>& riders, const std::vector<std::string>& onto) {
     for (const auto& [id, place] : riders) thing(index_of(id)).on = onto[static_cast<std::size_t>(place)];
@@ -306,7 +317,12 @@ void Editor::set_down(const std::vector<std::pair<std::string, int>>& riders, co
         Placed there = placed(i);
         if (to) there.position = *to;
         const Footprint box = footprint_of(there);
-        if (!to || std::any_of(taken.begin(), taken.end(), [&](const Footprint& f) { return overlap(f, box); })) {
+        // Nothing is set down on what one sits on.
+        const bool seat = !top.empty() && has_role(placed(top).piece.kind, Role::seat) &&
+                          !furnishing::lies_on_seats(placed(i).piece.kind) &&
+                          !has_role(placed(top).piece.kind, Role::no_top) && !is_low_seat(placed(top));
+        if (!to || seat ||
+            std::any_of(taken.begin(), taken.end(), [&](const Footprint& f) { return overlap(f, box); })) {
             gone.push_back(id);
             if (!top.empty()) tell(id, "there is no room for it on " + top);
             continue;

@@ -382,6 +382,11 @@ std::string Editor::why_none_added(EditStep step) const {
     Random rng(room_.seed, "why");
     if (const std::string why = Layout(plan(), spec, rng).why_not(step.wish.kind); !why.empty())
         return fmt::format("{}: {}", step.wish.words, why);
+    const auto hangs = [&](const Placed& p) { return asked_kind(p) == step.wish.kind && p.piece.mount == Mount::wall; };
+    if (has_role(step.wish.kind, Role::soft) &&
+        std::any_of(room_.furnished.placed.begin(), room_.furnished.placed.end(), hangs))
+        return fmt::format("{}: they hang at the windows already; \"make the {} …\" changes them", step.wish.words,
+                           step.wish.words);
     const int asked = step.wish.count;
     while (--step.wish.count > 0)
         if (!laid_out(without({}), step, nullptr).empty())
@@ -406,6 +411,18 @@ std::vector<std::string> Editor::admit(const std::vector<Placed>& all, const Sta
     return out;
 }
 
+// What was to hang above a thing and hangs above its end.
+void Editor::tell_aside(const std::string& id, const EditStep& step) {
+    constexpr float kAside = 0.45f;  // of its half
+    if (step.wish.relation != "above" || step.wish.count > 1) return;
+    float least = 1e9f;
+    for (const Placed& below : room_.furnished.placed)
+        if (asked_kind(below) == step.wish.relation_to || below.piece.kind == step.wish.relation_to)
+            least = std::min(least, std::abs(dot(placed(id).position - below.position, right_of(below.yaw))) /
+                                        std::max(0.1f, below.piece.size_m.x / 2));
+    if (least > kAside && least < 2) tell(id, "not above its middle: there was no more room");
+}
+
 void Editor::add(const EditStep& step) {
     if (step.wish.relation == "on both sides of" && step.wish.count == 2) check_no_pair(step);
     bool smaller = false;
@@ -420,6 +437,7 @@ void Editor::add(const EditStep& step) {
     for (const std::string& id : fresh)
         if (smaller) tell(id, "smaller than usual: there was no more room");
     build();
+    for (const std::string& id : fresh) tell_aside(id, step);
     if (step.each) tell_missing_corners(step, fresh.size());
 }
 

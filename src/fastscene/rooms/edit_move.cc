@@ -133,7 +133,11 @@ bool put_at(Talk& talk, const std::vector<std::string>& ids, const Words& words,
         do_each(talk.editor, ids.size(), [&](std::size_t k) {
             place->step.ids = {ids[k]};
             if (!place->each_at.empty()) place->step.at = place->each_at[k % place->each_at.size()];
-            talk.editor.apply(place->step);
+            EditStep step = place->step;
+            // Several on both sides: one here, one there.
+            if (ids.size() > 1 && step.wish.relation == "on both sides of")
+                step.wish.relation = k % 2 == 0 ? "left of" : "right of";
+            talk.editor.apply(step);
         });
     };
     // "Move the chair to the fire and hang the mirror above it": what it was put at may be "it" as well.

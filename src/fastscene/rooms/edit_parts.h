@@ -132,6 +132,7 @@ class Editor {
                         const std::vector<int>& along);
     std::vector<Placed> with_added(const EditStep& step, bool& smaller) const;
     void add(const EditStep& step);
+    void tell_aside(const std::string& id, const EditStep& step);
     std::vector<std::string> admit(const std::vector<Placed>& all, const Standing& standing, const std::string& how);
 
     // ---- edit_search.cc

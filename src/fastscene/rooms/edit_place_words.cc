@@ -11,7 +11,7 @@ namespace {
 
 // Beginnings of places that the lexicon does not have, or that an edit means in its own way. "to", "at" and "in" mean
 // what suits the thing and the place.
-constexpr std::array<std::pair<std::string_view, std::string_view>, 34> kRelations{{
+constexpr std::array<std::pair<std::string_view, std::string_view>, 37> kRelations{{
     {"to", "to"},
     {"into", "to"},
     {"over to", "to"},
@@ -41,6 +41,9 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 34> kRelatio
     {"by the side of", "next to"},
     {"either side of", "on both sides of"},
     {"on either side of", "on both sides of"},
+    {"to either side of", "on both sides of"},
+    {"to both sides of", "on both sides of"},
+    {"to each side of", "on both sides of"},
     {"at either side of", "on both sides of"},
     {"both sides of", "on both sides of"},
     {"each side of", "on both sides of"},
@@ -87,6 +90,7 @@ std::optional<Part> room_part(const Words& words, std::size_t at) {
             out.noun = noun, out.next = i + 1;
             if (w == "corners") out.modifiers.push_back("each");
             if (is_one_of(w, {"end", "ends"})) out.modifiers.push_back("end");
+            if (is_one_of(w, {"sides", "ends"})) out.modifiers.push_back("sides");
             if (w.ends_with("sill")) out.modifiers.push_back("sill");
             return out;
         }

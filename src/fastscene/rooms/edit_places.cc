@@ -142,6 +142,9 @@ class Reader {
             if (words_.back() == "head") words_ = {"next", "to"};
             else words_.push_back("of");
             words_.push_back("it");
+        } else if (words_.size() > 2 && !spoken_.empty() && is_part_of_it(words_.back()) &&
+                   is_one_of(words_[words_.size() - 2], {"each", "both", "either"})) {
+            words_.push_back("of"), words_.push_back("it");  // "a chair at each end"
         }
     }
 
@@ -368,7 +371,7 @@ class Reader {
     // "At each end of the table", "on both sides of the bed"; "at the end of the table".
     void at_both(Place& place, const Part& part) const {
         const auto anchors = things_at(editor_, place.step);
-        const bool both = part.says({"each", "both", "either", "every"});
+        const bool both = part.says({"each", "both", "either", "every", "sides"});
         const bool seats = has_role(kind_, Role::seat) && !anchors.empty() &&
                            is_table(editor_.placed(anchors.front()).piece.kind);
         const bool on_top = both && furnishing::is_small(kind_) && !anchors.empty() &&

@@ -77,6 +77,19 @@ bool remove_everything(Talk& talk, const Words& words) {
         remove_all(talk, ids);
         return true;
     }
+    // "everything off the table except the vase"
+    if (const std::size_t but = find_word(rest, {"except", "but", "besides"}, 2);
+        is_one_of(rest.front(), {"on", "from", "off"}) && but + 1 < rest.size()) {
+        const auto tops = talk.things_of_parts(part_of(rest, 1, but));
+        std::vector<std::string> riders = riders_of(talk.editor, tops);
+        const auto kept = talk.things_of_parts(part_of(rest, but + (rest[but + 1] == "for" ? 2 : 1)));
+        std::erase_if(riders,
+                      [&](const std::string& id) { return std::find(kept.begin(), kept.end(), id) != kept.end(); });
+        if (riders.empty()) throw UsageError("nothing else stands on {}", tops.front());
+        remove_all(talk, riders);
+        talk.last = tops;
+        return true;
+    }
     if (is_one_of(rest.front(), {"on", "from", "off"})) return clear(talk, part_of(rest, 1)), true;
     const std::size_t than = rest.size() > 1 && rest[1] == "than" ? 2 : rest.size() > 1 && rest[1] == "for" ? 2 : 1;
     if (!is_one_of(rest.front(), {"but", "except", "besides", "excluding", "other", "apart"})) return false;
@@ -488,7 +501,7 @@ EditResult edit_by_sentence(const RoomDocument& document, const std::string& sen
                 // What should have come is not "it", unless it was to come at "it".
                 const bool at_it = editing::find_word(clauses[i].words, {"it", "its", "them", "their"}) <
                                    clauses[i].words.size();
-                talk.last = editing::begins_anew(clauses[i].words) && !at_it ? std::vector<std::string>{} : spoken;
+                if (editing::begins_anew(clauses[i].words)) talk.last = at_it ? spoken : std::vector<std::string>{};
                 throw;
             }
         },

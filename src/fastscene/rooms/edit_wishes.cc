@@ -62,7 +62,9 @@ Words hung_up(const Talk& talk, Words words) {
     if (from_ceiling)
         words.erase(words.begin() + static_cast<std::ptrdiff_t>(from),
                     words.begin() + static_cast<std::ptrdiff_t>(from) + 3);
-    else if (!talk.said.starts_with("hang") || find_word(words, {"wall", "walls", "on"}) < words.size()) return words;
+    else if (!talk.said.starts_with("hang") || find_word(words, {"wall", "walls"}) < words.size() ||
+             (find_word(words, {"on"}) < words.size() && find_word(words, {"side", "sides"}) == words.size()))
+        return words;
     const auto hangs = [&](const Words& all) {
         const PromptSpec spec = read_in_room(editor, text_of(all, 0, next_place(all)));
         if (spec.objects.empty()) return true;  // said elsewhere
@@ -73,6 +75,13 @@ Words hung_up(const Talk& talk, Words words) {
     Words hanging = words;
     hanging.insert(hanging.begin() + (number_said(words.front()) ? 1 : 0), "hanging");
     if (hangs(hanging)) return hanging;
+    // "Hang a reading lamp" is a wall lamp.
+    const std::size_t end = next_place(words);
+    Words at_wall = part_of(words, 0, 1);
+    at_wall.insert(at_wall.end(), {"wall", words[end - 1]});
+    at_wall.insert(at_wall.end(), words.begin() + static_cast<std::ptrdiff_t>(end), words.end());
+    const auto known = look_up("wall " + words[end - 1]);
+    if (end > 1 && !from_ceiling && known && known->kind == WordKind::object && hangs(at_wall)) return at_wall;
     throw UsageError("nothing of that kind hangs, found \"{}\"", text_of(words, 0, next_place(words)));
 }
 
@@ -126,6 +135,9 @@ std::vector<PromptObject> wishes_of(const Editor& editor, const Words& words) {
         o.relation = o.relation_to = o.relation_and = "";
         // "Books" are a stack of them.
         if (!o.counted && has_role(o.kind, Role::heap)) o.count = 1;
+        const Thing* thing = find_thing(o.kind);
+        const bool heap = has_role(o.kind, Role::heap) || (thing && has_role(thing->small_form, Role::heap));
+        if (heap && find_word(words, {"stack", "pile"}) < words.size()) o.count = 1;
     }
     PromptObject& first = spec.objects.front();
     // "a bowl of lemons" is a bowl.
@@ -197,6 +209,14 @@ Addition read_addition(const Talk& talk, const Words& said, const std::vector<st
         const auto wishes = wishes_of(editor, part_of(words, 0, end));
         if (auto place = place_of(editor, there, wishes.front().kind, "", spoken)) return {wishes, place, shape};
     }
+    // "An office chair for the desk"
+    if (const std::size_t whose = find_word(words, {"for"}, 1);
+        whose + 1 < words.size() &&
+        (is_definite(words[whose + 1]) || is_one_of(words[whose + 1], {"each", "both", "every", "all"}))) {
+        const auto wishes = wishes_of(editor, part_of(words, 0, whose));
+        if (auto place = place_of(editor, part_of(words, whose), wishes.front().kind, "", spoken))
+            return {wishes, place, shape};
+    }
     const auto wishes = wishes_of(editor, words);
     if (furnishing::is_small(wishes.front().kind))
         if (const auto step = on_support(editor, words)) return {wishes, Place{*step, {}, 0}, shape};
@@ -208,8 +228,11 @@ Addition read_addition(const Talk& talk, const Words& said, const std::vector<st
 Addition addition_of(const Talk& talk, const Words& said, const std::vector<std::string>& spoken) {
     Words words = said;
     const std::size_t with = find_word(words, {"with"}, 1);
-    const bool each = with + 2 < words.size() && words.back() == "each" && !is_one_of(words[words.size() - 2], {"on"});
-    if (each) words.pop_back();
+    // "… with two chairs each by the window"
+    const std::size_t every = find_word(words, {"each"}, std::min(words.size(), with + 2));
+    const bool each = every < words.size() && !is_one_of(words[every - 1], {"on", "at", "to"}) &&
+                      !(every + 1 < words.size() && is_one_of(words[every + 1], {"side", "end", "other", "of"}));
+    if (each) words.erase(words.begin() + static_cast<std::ptrdiff_t>(every));
     // "… with six plants on it"
     const std::size_t n = words.size();
     const bool on_it = with + 3 < n && is_one_of(words[n - 1], {"it", "them", "top", "each"}) && words[n - 2] == "on";

@@ -293,7 +293,11 @@ std::vector<int> ending_so(const Editor& editor, const Words& head, const Words&
     if (out.empty()) return out;
     said = {};
     said.words = last, said.kind = editor.document().things[static_cast<std::size_t>(out.front())].kind;
-    if (const auto relation = place.empty() ? std::nullopt : relation_at(place, 0))
+    const auto relation = place.empty() ? std::nullopt : relation_at(place, 0);
+    const auto part = relation ? room_part(place, relation->next) : std::nullopt;
+    if (part && part->noun == "floor")
+        std::erase_if(out, [&](int i) { return !editor.document().things[static_cast<std::size_t>(i)].on.empty(); });
+    else if (relation && !part)
         at_anchors(editor, relation->name, all_named(editor, text_of(place, relation->next)), out);
     return out;
 }
