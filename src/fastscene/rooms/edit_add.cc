@@ -6,6 +6,7 @@
 #include "fastscene/rooms/catalogue.h"
 #include "fastscene/rooms/edit_parts.h"
 #include "fastscene/rooms/layout_parts.h"
+#include "fastscene/rooms/lexicon.h"
 #include "fastscene/rooms/prompt_text.h"
 
 namespace fastscene::editing {
@@ -120,6 +121,37 @@ Words with_noun(const Talk& talk, const Words& words) {
     return out;
 }
 
+// What stands on tops, where there is none: "a lamp beside it" is one that stands on the floor.
+std::optional<PromptObject> standing_form(const PromptObject& wish, const std::optional<Place>& place) {
+    if (!place || place->step.wish.relation == "on" || !furnishing::is_small(wish.kind)) return {};
+    const Words words = tokens_of(wish.words);
+    if (words.size() != 1 || !has_role(wish.kind, Role::light)) return {};
+    const std::vector<std::string> forms = base_forms(words.front());
+    const auto is_called_so = [&](const std::string& kind) {
+        return kind.ends_with("_" + words.front()) ||
+               std::any_of(forms.begin(), forms.end(), [&](const std::string& f) { return kind.ends_with("_" + f); });
+    };
+    for (const std::string& kind : kinds_with(Role::tall))
+        if (has_role(kind, Role::light) && is_called_so(kind)) {
+            PromptObject out = wish;
+            out.kind = kind;
+            return out;
+        }
+    return {};
+}
+
+void add_or_stand(Talk& talk, const PromptObject& wish, const std::optional<Place>& place) {
+    try {
+        add_wish(talk, wish, place);
+    } catch (const UsageError&) {
+        throw;
+    } catch (const Error&) {
+        const auto other = standing_form(wish, place);
+        if (!other) throw;
+        add_wish(talk, *other, place);
+    }
+}
+
 // What comes with what was added: "two nightstands with a lamp on each" are two lamps.
 void add_with(Talk& talk, const std::vector<std::string>& ids, const Addition& addition) {
     const std::vector<PromptObject>& wishes = addition.wishes;
@@ -136,8 +168,8 @@ void add_with(Talk& talk, const std::vector<std::string>& ids, const Addition& a
             const PromptObject& wish = wishes[k + first];
             const std::string relation = addition.on_it ? "on" : wish.relation;
             if (ids.empty() || (!addition.each && !addition.on_it && (relation != "on" || wish.count > 1)))
-                return add_wish(talk, wish, {});
-            do_each(talk.editor, ids.size(), [&](std::size_t i) { add_wish(talk, wish, at(ids[i], relation)); });
+                return add_or_stand(talk, wish, {});
+            do_each(talk.editor, ids.size(), [&](std::size_t i) { add_or_stand(talk, wish, at(ids[i], relation)); });
         },
         [&](std::size_t k) { return wishes[k + first].words; });
 }
@@ -180,6 +212,27 @@ Place beside_those(const Talk& talk, const std::vector<std::string>& ids) {
     out.step.wish.relation = "next to", out.step.wish.relation_to = talk.editor.placed(ids.back()).piece.kind;
     out.step.at = {ids.back()};
     return out;
+}
+
+// "Two more tables in a row": each beside the one before it.
+void add_row(Talk& talk, PromptObject wish) {
+    const int count = std::exchange(wish.count, 1);
+    add_wish(talk, wish, {});
+    for (int n = 1; n < count; ++n) {
+        Place next = beside_those(talk, {talk.last.back()});
+        bool done = false;
+        for (const char* side : {"left of", "right of"}) {
+            if (done) break;
+            next.step.wish.relation = side;
+            try {
+                add_wish(talk, wish, next);
+                done = true;
+            } catch (const Error&) {
+            }
+        }
+        next.step.wish.relation = "next to";
+        if (!done) add_wish(talk, wish, next);
+    }
 }
 
 Words joined_parts(const std::vector<Words>& parts) {
@@ -332,7 +385,8 @@ void add(Talk& talk, const Words& words) {
                 } catch (const Error&) {  // then at the place alone
                 }
             try {
-                add_wish(talk, first, shared);
+                if (all[k]->in_row && !shared && first.count > 1) add_row(talk, first);
+                else add_or_stand(talk, first, shared);
             } catch (const UsageError&) {
                 throw;
             } catch (const Error&) {
@@ -391,7 +445,33 @@ void copy(Talk& talk, const Words& words) {
     }
 }
 
+namespace {
+
+// "Replace the coffee table with the ottoman": the ottoman that is there takes its place; false: no such words.
+bool replaced_by_its_like(Talk& talk, const Words& old, const Words& by) {
+    if (by.size() < 2 || !is_definite(by.front()) || is_one_of(by.back(), {"one", "ones"}) ||
+        next_place(by) < by.size() || all_named(talk.editor, text_of(by)).empty())
+        return false;
+    const std::vector<std::string> gone = talk.things_of_parts(old), come = talk.things_of_parts(by);
+    if (gone.size() != 1 || come.size() != 1 || gone == come) return false;
+    talk.editor.together([&] {
+        EditStep step;
+        step.kind = EditStep::Kind::place;
+        step.ids = come, step.position = flat(talk.editor.placed(gone.front()).position);
+        step.yaw = talk.editor.placed(gone.front()).yaw;
+        EditStep take;
+        take.ids = gone;
+        talk.editor.apply(take);
+        talk.editor.apply(step);
+    });
+    talk.last = come;
+    return true;
+}
+
+}  // namespace
+
 void replace(Talk& talk, const Words& old, const Words& by) {
+    if (replaced_by_its_like(talk, old, by)) return;
     EditStep step;
     step.kind = EditStep::Kind::replace;
     step.ids = talk.things_of_parts(old);

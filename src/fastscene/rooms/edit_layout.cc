@@ -48,6 +48,7 @@ bool is_where_asked(const Plan& plan, const std::vector<Placed>& all, const Plac
     if (wish.relation == "around" && has_role(piece.piece.kind, Role::seat) &&
         !is_drawn_up(all, piece, wish.relation_to))
         return false;
+    if (!is_beside(all, piece, wish)) return false;
     // A cabinet stands on no counter.
     constexpr float kLow = 0.7f;  // metres
     if (piece.on >= 0 && piece.piece.made_mount == Mount::floor && piece.piece.size_m.y > kLow) return false;
@@ -59,9 +60,10 @@ bool is_where_asked(const Plan& plan, const std::vector<Placed>& all, const Plac
     return stands_as_asked(plan, all, piece, wish).value_or(wish.relation.empty());
 }
 
-// Every place on a top is tried.
+// Places all over a top are tried.
 bool set_down_on(Layout& layout, int top, const PieceRequest& request, const PromptObject& wish) {
-    constexpr float kStep = 0.02f, kLevel = 0.01f;  // metres
+    constexpr float kLevel = 0.01f, kFinest = 0.02f;  // metres
+    constexpr float kMostPlaces = 300;
     const Placed t = layout.placed()[static_cast<std::size_t>(top)];
     const Vec3f size = make_piece(request).size_m;
     for (const bool across : {false, true})
@@ -69,8 +71,9 @@ bool set_down_on(Layout& layout, int top, const PieceRequest& request, const Pro
             if (std::abs(s.center.y - t.piece.surfaces.front().center.y) > kLevel) continue;
             const float wide = s.half.x - (across ? size.z : size.x) / 2;
             const float deep = s.half.y - (across ? size.x : size.z) / 2;
-            for (float z = -deep; z <= deep + 1e-4f; z += kStep)
-                for (float x = -wide; x <= wide + 1e-4f; x += kStep) {
+            const float step = std::max(kFinest, std::sqrt(std::max(0.f, 4 * wide * deep) / kMostPlaces));
+            for (float z = -deep; z <= deep + 1e-4f; z += step)
+                for (float x = -wide; x <= wide + 1e-4f; x += step) {
                     const Vec3f at = t.position + right_of(t.yaw) * (s.center.x + x) +
                                      front_of(t.yaw) * (s.center.z + z);
                     if (layout.on_top_at(top, request, flat(at), t.yaw + (across ? kPi / 2 : 0), wish)) return true;
@@ -429,14 +432,24 @@ void Editor::add(const EditStep& step) {
     std::vector<Placed> all;
     try {
         all = with_added(step, smaller);
+        // Not where the camera stands, nor in its way.
+        const std::set<std::string> before = fault_texts(room_.furnished.placed), now = fault_texts(all);
+        if (!std::includes(before.begin(), before.end(), now.begin(), now.end()) && add_squeezed(step)) return;
     } catch (const Error&) {
         if (add_squeezed(step)) return;
         throw;
     }
-    const std::vector<std::string> fresh = admit(all, without({}), place_in_words(step));
-    for (const std::string& id : fresh)
-        if (smaller) tell(id, "smaller than usual: there was no more room");
-    build();
+    std::vector<std::string> fresh;
+    together([&] {
+        fresh = admit(all, without({}), place_in_words(step));
+        for (const std::string& id : fresh)
+            if (smaller) tell(id, "smaller than usual: there was no more room");
+        try {
+            build();
+        } catch (const Error&) {  // the camera stands there
+            throw Error("{}: there is no free place for it{}", step.wish.words, place_in_words(step));
+        }
+    });
     for (const std::string& id : fresh) tell_aside(id, step);
     if (step.each) tell_missing_corners(step, fresh.size());
 }

@@ -30,6 +30,8 @@ struct Candidate {
     float off = 1e9f;  // metres from what it was asked at
 };
 bool is_rug(const Piece& piece);
+// Left or right of a thing is beside it, not before it.
+bool is_beside(const std::vector<Placed>& all, const Placed& piece, const PromptObject& wish);
 
 // ---- edit_squeeze.cc
 // What is given up for a place.
@@ -446,8 +448,9 @@ struct Addition {
     std::optional<Place> place;
     std::string shape{};  // of the first
     Words said{};
-    bool each = false;   // "two tables with two chairs each"
-    bool on_it = false;  // "a table with six plants on it"
+    bool each = false;    // "two tables with two chairs each"
+    bool in_row = false;  // "two tables in a row"
+    bool on_it = false;   // "a table with six plants on it"
 };
 // "another chair", "two more plants", "a few books"
 Words counted_anew(Words words);

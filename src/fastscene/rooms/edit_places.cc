@@ -158,7 +158,8 @@ class Reader {
         for (std::size_t i = at; i < std::min(words_.size(), at + 3); ++i) {
             if (!relation_at(part_of(words_, i, i + 1), 0)) break;
             const auto part = room_part(words_, i + 1);
-            if (!part || (i > at && relation && relation->next > i + 1)) continue;
+            const bool sides = relation && relation->name == "on both sides of";  // "to either side of the door"
+            if (!part || ((i > at || sides) && relation && relation->next > i + 1)) continue;
             const auto short_one = relation_at(part_of(words_, at, i + 1), 0);
             if (short_one && short_one->next == i + 1 - at)
                 if (auto place = at_part(short_one->name, *part)) return place;
@@ -238,6 +239,9 @@ class Reader {
         out.step.each = !moving_ && part.says({"each", "every", "all"});
         std::optional<Vec2f> near;
         if (const auto direction = direction_said(editor_, part)) near = flat(*direction) * 100.f;
+        // "The far corner" is the freer of two.
+        if (near && rest.empty() && part.says({"left", "right"}) != part.says({"far", "back", "near", "front"}))
+            near = freer_corner(*near);
         if (rest.size() > 2 && is_one_of(rest.front(), {"furthest", "farthest", "closest", "nearest"})) {
             Words at = rest;
             at[0] = "next", at[1] = "to";
@@ -253,6 +257,24 @@ class Reader {
             });
         }
         return out;
+    }
+    // Of the two corners that lie that way, the one with more free floor before it.
+    Vec2f freer_corner(Vec2f way) const {
+        std::vector<Vec2f> corners = corners_of_room(editor_.plan());
+        std::stable_sort(corners.begin(), corners.end(), [&](Vec2f a, Vec2f b) { return dot(a, way) > dot(b, way); });
+        const auto free = [&](Vec2f corner) {
+            constexpr float kInwards = 0.5f;  // metres into the room
+            const Vec2f at = corner - Vec2f{std::copysign(kInwards, corner.x), std::copysign(kInwards, corner.y)};
+            float least = 1e9f;
+            for (const Placed& p : editor_.room().furnished.placed)
+                if (p.piece.mount == Mount::floor && !p.flat && p.id != mover_)
+                    least = std::min(least, distance_to(footprint_of(p), at));
+            for (const Opening& o : editor_.plan().openings)
+                if (o.kind != Opening::Kind::window)
+                    least = std::min(least, length(flat(editor_.plan().wall(o.wall).point((o.u0 + o.u1) / 2, 0)) - at));
+            return least;
+        };
+        return free(corners[0]) >= free(corners[1]) ? corners[0] : corners[1];
     }
     // Where "by the window", "next to the bed" is.
     std::optional<Vec2f> point_of(const Words& words) {
@@ -346,7 +368,8 @@ class Reader {
         // A candle on each side of the mantel stands on it.
         const bool top = furnishing::is_small(kind_) && !first.piece.surfaces.empty() &&
                          !has_role(first.piece.kind, Role::seat) && !has_role(first.piece.kind, Role::bed);
-        if (name == "on both sides of" && top) out.step.wish.relation = kAtTheEnds, out.count = 2;
+        if (name == "on both sides of") out.count = 2;
+        if (name == "on both sides of" && top) out.step.wish.relation = kAtTheEnds;
         if (each)
             for (const int i : found)
                 out.each_at.push_back({editor_.document().things[static_cast<std::size_t>(i)].id});

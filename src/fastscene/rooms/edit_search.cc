@@ -86,6 +86,21 @@ bool is_rug(const Piece& piece) {
     return piece.size_m.y < kFlat;
 }
 
+bool is_beside(const std::vector<Placed>& all, const Placed& piece, const PromptObject& wish) {
+    const bool stands = piece.piece.mount == Mount::floor || piece.piece.mount == Mount::surface;
+    if (!is_one_of(wish.relation, {"left of", "right of"}) || !stands) return true;
+    constexpr float kOfHalf = 0.8f, kAhead = 0.5f;  // of its width; metres before or behind it
+    bool known = false;
+    const bool beside = std::any_of(all.begin(), all.end(), [&](const Placed& at) {
+        if (&at == &piece || (at.piece.kind != wish.relation_to && at.wish.kind != wish.relation_to)) return false;
+        known = true;
+        const Vec3f to = piece.position - at.position, half = at.piece.size_m * 0.5f;
+        return std::abs(dot(to, right_of(at.yaw))) > kOfHalf * half.x &&
+               std::abs(dot(to, front_of(at.yaw))) < half.z + kAhead;
+    });
+    return beside || !known;  // of a window it says nothing
+}
+
 float off_middle(const std::vector<Placed>& all, const PromptObject& wish, Vec2f at, const Placed* own) {
     const auto is_of = [&](const Placed& p, const std::string& kind) {
         return &p != own && (p.piece.kind == kind || p.wish.kind == kind);
@@ -231,6 +246,7 @@ std::vector<Candidate> Editor::candidates_for(Layout& layout, const EditStep& st
         p.position = {c.at.x, 0, c.at.y}, p.yaw = c.yaw;
         const Footprint box = footprint_of(p);
         if (!plan().holds(box) || is_at_foot(layout.placed(), wish, p)) return true;
+        if (!is_beside(layout.placed(), p, wish)) return true;
         if (step.wall >= 0 && wall_behind(plan(), p) != step.wall) return true;
         for (const Footprint& a : anchors) c.off = std::min(c.off, off_box(a, box));
         if (wish.relation == "in the corner")

@@ -213,6 +213,13 @@ std::vector<std::string> Talk::things(const Words& said_words) {
     }
     const std::size_t except = find_word(words, {"except", "but", "excluding", "besides"}, 1);
     if (except + 1 < words.size()) return last = all_but(part_of(words, 0, except), part_of(words, except + 1));
+    // "the other lights": all that shine, but those that were spoken of.
+    if (find_word(words, {"other"}) < words.size() && is_one_of(words.back(), {"lights", "lamps"})) {
+        std::vector<std::string> ids;
+        for (const Placed& p : editor.room().furnished.placed)
+            if (has_role(p.piece.kind, Role::light) && can_shine(p) && !is_among(p.id, last)) ids.push_back(p.id);
+        if (!ids.empty()) return last = ids;
+    }
     // "the other armchair": not that one which was spoken of.
     if (const std::size_t other = find_word(words, {"other"}); other < words.size() && !last.empty()) {
         std::vector<std::string> ids;

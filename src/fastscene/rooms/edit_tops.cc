@@ -10,10 +10,12 @@
 namespace fastscene::editing {
 namespace {
 
-// Points of a top at which a thing with this box lies on it altogether, the middle first.
+// Points of a top at which a thing with this box lies on it altogether, the middle first; at most so many of them.
 std::vector<Vec2f> spots_on(const Placed& top, const Surface& s, const Footprint& box, float step) {
+    constexpr float kMostSpots = 250;
     const auto axes = axes_of(footprint_of(top));
     const float wide = s.half.x - extent(box, axes[0]), deep = s.half.y - extent(box, axes[1]);
+    step = std::max(step, std::sqrt(std::max(0.f, 4 * wide * deep) / kMostSpots));
     std::vector<Vec2f> out;
     const Vec2f middle = flat(top.position) + axes[0] * s.center.x + axes[1] * s.center.z;
     for (float z = -deep; z <= deep + 1e-4f; z += step)
@@ -56,6 +58,8 @@ class Top {
         p.position.y = at().position.y + s_.center.y;
         std::optional<Squeezed> best;
         float least = 1e9f;
+        constexpr int kMostTries = 200;
+        int tries = 0;
         for (const Vec2f spot : spots_on(at(), s_, footprint_of(p), 0.04f)) {
             p.position.x = spot.x, p.position.z = spot.y;
             const Footprint box = footprint_of(p);
@@ -69,6 +73,7 @@ class Top {
             float moved = 0;
             bool fine = true;
             for (std::size_t k = 0; k < blocked.size() && fine && moved < least; ++k) {
+                if (++tries > kMostTries) return best;
                 const auto by = make_room(out.all, blocked, k);
                 fine = by.has_value();
                 if (by) moved += *by;

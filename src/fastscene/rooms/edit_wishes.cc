@@ -236,7 +236,10 @@ Addition addition_of(const Talk& talk, const Words& said, const std::vector<std:
     // "… with six plants on it"
     const std::size_t n = words.size();
     const bool on_it = with + 3 < n && is_one_of(words[n - 1], {"it", "them", "top", "each"}) && words[n - 2] == "on";
+    const std::string text = text_of(words);
     Addition out = read_addition(talk, words, spoken);
+    for (const char* row : {"in a row", "in a line", "side by side", "next to each other"})
+        out.in_row = out.in_row || text.find(row) != std::string::npos;
     out.each = each, out.on_it = on_it && out.wishes.size() > 1;
     return out;
 }
