@@ -6,6 +6,7 @@
 #include "fastscene/rooms/catalogue.h"
 #include "fastscene/rooms/edit_parts.h"
 #include "fastscene/rooms/layout_parts.h"
+#include "fastscene/rooms/layout_relations.h"
 #include "fastscene/rooms/lexicon.h"
 #include "fastscene/rooms/prompt_text.h"
 
@@ -110,7 +111,13 @@ void add_wish(Talk& talk, const PromptObject& wish, const std::optional<Place>& 
 
 // "A second armchair facing the first one": the first armchair.
 Words with_noun(const Talk& talk, const Words& words) {
-    const std::size_t one = find_word(words, {"one"}, 2), place = next_place(words);
+    const std::size_t place = next_place(words);
+    if (words.size() > place + 1 && is_one_of(words.back(), {"first", "other", "existing"})) {
+        Words all = words;
+        all.push_back("one");
+        return with_noun(talk, all);
+    }
+    const std::size_t one = find_word(words, {"one"}, 2);
     if (one >= words.size() || one < place || !is_one_of(words[one - 1], {"first", "other", "old", "existing"}))
         return words;
     const PromptSpec spec = read_in_room(talk.editor, text_of(counted_anew(part_of(words, 0, place))));
@@ -174,6 +181,35 @@ void add_with(Talk& talk, const std::vector<std::string>& ids, const Addition& a
         [&](std::size_t k) { return wishes[k + first].words; });
 }
 
+// Beside those that share its place, and no further from the place than they; false: there is no such place.
+bool grouped(Talk& talk, const PromptObject& wish, const Place& shared, const std::vector<std::string>& together) {
+    constexpr float kTogether = 1.6f;  // metres from the middle of a window
+    const std::vector<std::string> before = talk.last;
+    try {
+        talk.editor.together([&] {
+            Place place;
+            place.step.wish.relation = "next to";
+            place.step.wish.relation_to = talk.editor.placed(together.front()).piece.kind;
+            place.step.at = {together.front()};
+            add_wish(talk, wish, place);
+            PromptObject at = wish;
+            at.id = -2;  // none of those that stand there
+            at.relation = shared.step.wish.relation, at.relation_to = shared.step.wish.relation_to;
+            const Placed& p = talk.editor.placed(talk.last.back());
+            const FurnishedRoom& room = talk.editor.room().furnished;
+            float off = 1e9f;
+            for (const Footprint& o : anchors_of(room.plan, {}, at.relation_to))
+                off = std::min(off, distance_to(footprint_of(p), o.center));
+            if (off > kTogether && !stands_as_asked(room.plan, room.placed, p, at).value_or(false))
+                throw Error("{}: it is too far from there", p.id);
+        });
+        return true;
+    } catch (const Error&) {
+        talk.last = before;
+        return false;
+    }
+}
+
 // "It" is what was last put somewhere, or that at which it was put: where the first has no place for it, the other.
 std::optional<Addition> at_the_other(const Talk& talk, const Words& words, const std::vector<std::string>& spoken) {
     if (!is_one_of(words.back(), {"it", "them"}) || talk.last_place.wish.relation_to.empty()) return {};
@@ -182,7 +218,7 @@ std::optional<Addition> at_the_other(const Talk& talk, const Words& words, const
     // What is to lie on a shelf lies there or nowhere; a mirror carries nothing.
     constexpr float kCarries = 0.08f;  // metres deep
     const bool carrier = std::any_of(spoken.begin(), spoken.end(), [&](const std::string& id) {
-        return talk.editor.placed(id).piece.size_m.z > kCarries;
+        return talk.editor.placed(id).piece.size_m.z > kCarries && !talk.editor.placed(id).flat;
     });
     if (carrier && words.size() > 1 && words[words.size() - 2] == "on") return {};
     Addition out = addition_of(talk, words, others);
@@ -202,6 +238,11 @@ Addition at_what_is_meant(const Talk& talk, const Words& words) {
                        std::any_of(talk.last.begin(), talk.last.end(), [&](const std::string& id) {
                            return !talk.editor.placed(id).piece.surfaces.empty();
                        });
+    // On a rug under a table is on the table.
+    const bool rug = it && std::all_of(talk.last.begin(), talk.last.end(),
+                                       [&](const std::string& id) { return talk.editor.placed(id).flat; });
+    if (rug && out.place && out.place->step.wish.relation == "on" && furnishing::is_small(out.wishes.front().kind))
+        if (auto other = at_the_other(talk, words, talk.last)) return *other;
     if (hung && !on_it && out.place && !hangs(mount_of(talk.editor, out.wishes.front().kind)))
         if (auto other = at_the_other(talk, words, talk.last)) return *other;
     return out;
@@ -380,10 +421,7 @@ void add(Talk& talk, const Words& words) {
         const bool group = shared && !together.empty() && noun_of(shared->step.wish.relation_to) != "" &&
                            shared->step.wish.relation == "next to";
         talk.editor.together([&] {
-            if (group) try {
-                    return add_wish(talk, first, beside_those(talk, together));
-                } catch (const Error&) {  // then at the place alone
-                }
+            if (group && grouped(talk, first, *shared, together)) return;
             try {
                 if (all[k]->in_row && !shared && first.count > 1) add_row(talk, first);
                 else add_or_stand(talk, first, shared);

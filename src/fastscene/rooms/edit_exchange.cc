@@ -126,7 +126,13 @@ void Editor::swap_two(int a, int b, const std::vector<int>& with_a, const std::v
         if (wish.kind.empty()) wish.kind = p.piece.kind;
         wish.relation = wish.relation_to = "";
         const int on = place.on < 0 ? -1 : standing.now[static_cast<std::size_t>(place.on)];
-        const auto i = take_place(layout, layout.request(p.piece.kind, &wish), wish, place, on, 0);
+        const PieceRequest request = layout.request(p.piece.kind, &wish);
+        auto i = take_place(layout, request, wish, place, on, 0);
+        // Or as near to it as may be, at a wall.
+        for (const float reach : {0.8f, 1.6f})
+            if (!i && p.piece.mount == Mount::floor && !p.flat && on < 0)
+                i = layout.against_wall(
+                    request, {.near = flat(place.position), .center_pull = 0, .at_most_from_near = reach}, wish);
         if (!i) throw Error("{} finds no room where {} stands", p.id, place.id);
         return layout.placed()[static_cast<std::size_t>(*i)];
     };

@@ -428,6 +428,7 @@ void Editor::tell_aside(const std::string& id, const EditStep& step) {
 
 void Editor::add(const EditStep& step) {
     if (step.wish.relation == "on both sides of" && step.wish.count == 2) check_no_pair(step);
+    if (add_into_row(step)) return;
     bool smaller = false;
     std::vector<Placed> all;
     try {

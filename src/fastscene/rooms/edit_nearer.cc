@@ -153,6 +153,43 @@ void Editor::tell_missing_corners(const EditStep& step, std::size_t added) {
                                    in_words(step.wish.kind)));
 }
 
+// Lamps above a table where some hang: all of them in one row, for which those move a little. False: there is no room
+// for that, or none hangs there.
+bool Editor::add_into_row(const EditStep& step) {
+    if (step.wish.relation != "above" || step.wish.count < 2) return false;
+    std::vector<int> hanging;
+    PromptObject above;
+    above.id = -2;  // none of those that stand there
+    above.relation = "above", above.relation_to = step.wish.relation_to;
+    for (int i = 0; i < static_cast<int>(room_.furnished.placed.size()); ++i)
+        if (placed(i).piece.mount == Mount::ceiling && asked_kind(placed(i)) == step.wish.kind &&
+            stands_as_asked(plan(), room_.furnished.placed, placed(i), above).value_or(false))
+            hanging.push_back(i);
+    if (hanging.empty()) return false;
+    const Standing standing = without(hanging);
+    EditStep row = step;
+    row.wish.count += static_cast<int>(hanging.size());
+    std::vector<Placed> all = laid_out(standing, row, nullptr);
+    if (all.size() != standing.placed.size() + static_cast<std::size_t>(row.wish.count)) return false;
+    // Each of those that hang has the place nearest to it.
+    for (const int i : hanging) {
+        const auto first = all.begin() + static_cast<std::ptrdiff_t>(standing.placed.size());
+        const auto nearest = std::min_element(first, all.end(), [&](const Placed& a, const Placed& b) {
+            return length(a.position - placed(i).position) < length(b.position - placed(i).position);
+        });
+        const float by = length(flat(nearest->position) - flat(placed(i).position));
+        thing(i).position.x = nearest->position.x, thing(i).position.z = nearest->position.z;
+        if (by > 0.01f) tell(thing(i).id, fmt::format("moved {:.2f} m into the row", by));
+        all.erase(nearest);
+    }
+    const Standing rest = without({});
+    std::vector<Placed> now = rest.placed;
+    now.insert(now.end(), all.begin() + static_cast<std::ptrdiff_t>(standing.placed.size()), all.end());
+    admit(now, rest, place_in_words(step));
+    build();
+    return true;
+}
+
 // Seats before a table, a counter, an island: side by side, drawn up to it.
 bool Editor::seats_in_row(Layout& layout) const {
     const PromptObject& wish = layout.spec().objects[0];

@@ -170,6 +170,7 @@ class Editor {
     bool stand_near(Layout& layout, const EditStep& step) const;
     bool bring_nearer(Layout& layout, const EditStep& step, std::size_t before) const;
     void line_up(const EditStep& step);
+    bool add_into_row(const EditStep& step);
     void tell_missing_corners(const EditStep& step, std::size_t added);
     void check_no_pair(const EditStep& step) const;
 

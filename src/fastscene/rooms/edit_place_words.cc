@@ -73,7 +73,7 @@ std::string noun_of(const std::string& word) {
     if (is_one_of(word, {"middle", "center", "centre"})) return "middle";
     if (is_one_of(word, {"side", "end", "sides", "ends"})) return "side";
     if (is_one_of(word, {"floor", "ground"})) return "floor";
-    if (is_one_of(word, {"room", "bedroom", "kitchen", "office", "bathroom"})) return "room";
+    if (is_one_of(word, {"room", "bedroom", "kitchen", "office", "bathroom", "hallway", "corridor"})) return "room";
     if (word == "carpet") return {};
     const auto known = look_up(word);
     if (!known || known->kind != WordKind::structure) return {};

@@ -229,8 +229,25 @@ class Reader {
         if (kind == "window" && hung && !moving_) return place("");
         if (kind == "window" && (part.says({"sill"}) || (small && is_one_of(relation, {"in", "on", "at", "to"}))))
             return place("on", "window");
-        if (is_one_of(relation, {"to", "at", "in", "on", "from", "against", "along"})) return place("next to", kind);
-        return place(relation, kind);
+        const bool at_it = is_one_of(relation, {"to", "at", "in", "on", "from", "against", "along"});
+        Place out = place(at_it ? "next to" : relation, kind);
+        out.step.position = which_opening(part, kind);
+        return out;
+    }
+
+    // "The left window", "the far door", of several: a point before it.
+    std::optional<Vec2f> which_opening(const Part& part, const std::string& kind) const {
+        const auto direction = direction_said(editor_, part);
+        std::vector<Vec2f> points;
+        for (const Opening& o : editor_.plan().openings) {
+            constexpr float kBefore = 0.4f;  // metres
+            const WallFace face = editor_.plan().wall(o.wall);
+            if (is_opening_of(o, kind))
+                points.push_back(flat(face.point((o.u0 + o.u1) / 2, 0) + face.inward * kBefore));
+        }
+        if (!direction || points.size() < 2) return {};
+        return *std::max_element(points.begin(), points.end(),
+                                 [&](Vec2f a, Vec2f b) { return dot(a, flat(*direction)) < dot(b, flat(*direction)); });
     }
 
     std::optional<Place> at_corner(const Part& part, const Words& rest) {

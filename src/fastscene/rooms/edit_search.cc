@@ -254,7 +254,8 @@ std::vector<Candidate> Editor::candidates_for(Layout& layout, const EditStep& st
         if (stands_as_asked(plan(), layout.placed(), p, wish).value_or(wish.relation.empty())) return false;
         if (!(further > 0)) return true;
         constexpr float kInCorner = 0.55f, kAtOpening = 0.85f;  // metres, as stands_as_asked() has them
-        if (wish.relation == "in the corner") return c.off > kInCorner + further;
+        constexpr float kStillCorner = 0.25f;                   // of what it may be further off elsewhere
+        if (wish.relation == "in the corner") return c.off > kInCorner + kStillCorner * further;
         if (wish.relation == "next to" && c.off < kAtOpening + further && !anchors.empty()) return false;
         return !stands_as_asked(plan(), near, p, wish).value_or(false);
     });

@@ -118,7 +118,8 @@ std::optional<Squeezed> Editor::squeezed_in(const Standing& standing, const Edit
             for (int& i : found->pushed) i = standing.was[static_cast<std::size_t>(i)];
         return found && accepts(*found) ? found : std::nullopt;
     }
-    if (is_one_of(wish.relation, {"on", "above", "under"}) || mount_of(*this, wish.kind) == Mount::wall)
+    const bool under_thing = wish.relation == "under" && noun_of(wish.relation_to).empty();
+    if (is_one_of(wish.relation, {"on", "above"}) || under_thing || mount_of(*this, wish.kind) == Mount::wall)
         return squeezed_on_wall(layout, step, moving, how, accepts);
     PieceRequest request = layout.request(wish.kind, &wish);
     request.size_factor *= how.scale;

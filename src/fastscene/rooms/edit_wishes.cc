@@ -127,6 +127,11 @@ std::vector<PromptObject> wishes_of(const Editor& editor, const Words& words) {
     if (const auto number = number_said(words.front());
         number && *number >= 1 && !is_one_of(words.front(), {"a", "an"}) && !spec.objects.front().counted)
         spec.objects.front().count = static_cast<int>(*number), spec.objects.front().counted = true;
+    // "a bowl of lemons" is a bowl.
+    for (std::size_t i = 1; i + 1 < words.size() && spec.objects.size() > 1; ++i)
+        if (words[i] == "of" && text_of(words, i + 1).starts_with(spec.objects[1].words) &&
+            furnishing::is_small(spec.objects[1].kind))
+            spec.objects.erase(spec.objects.begin() + 1);
     for (std::size_t k = is_definite(words.front()) ? 1 : 0; k < spec.objects.size(); ++k)
         check_new(words, spec.objects[k]);
     for (PromptObject& o : spec.objects) {
@@ -140,11 +145,6 @@ std::vector<PromptObject> wishes_of(const Editor& editor, const Words& words) {
         if (heap && find_word(words, {"stack", "pile"}) < words.size()) o.count = 1;
     }
     PromptObject& first = spec.objects.front();
-    // "a bowl of lemons" is a bowl.
-    for (std::size_t i = 1; i + 1 < words.size() && spec.objects.size() > 1; ++i)
-        if (words[i] == "of" && text_of(words, i + 1).starts_with(spec.objects[1].words) &&
-            furnishing::is_small(spec.objects[1].kind))
-            spec.objects.erase(spec.objects.begin() + 1);
     for (std::size_t k = 1; k < spec.objects.size(); ++k) {
         PromptObject& o = spec.objects[k];
         o.relation_to = first.kind;
@@ -187,6 +187,17 @@ void shape_as_asked(Talk& talk, const std::vector<std::string>& ids, const std::
 }
 
 namespace {
+
+// "Three more tables" are tables as there are, where those are of one kind.
+void as_those_there(const Editor& editor, const Words& words, PromptObject& wish) {
+    const bool more = find_word(words, {"more", "another", "second", "third", "additional", "extra"}) <
+                      next_place(words);
+    if (!more || wish.words.find(' ') != std::string::npos) return;
+    std::set<std::string> kinds;
+    for (const int i : all_named(editor, "all " + wish.words))
+        kinds.insert(asked_kind(editor.room().furnished.placed[static_cast<std::size_t>(i)]));
+    if (kinds.size() == 1) wish.kind = *kinds.begin();
+}
 
 Addition read_addition(const Talk& talk, const Words& said, const std::vector<std::string>& spoken) {
     const Editor& editor = talk.editor;
@@ -240,6 +251,7 @@ Addition addition_of(const Talk& talk, const Words& said, const std::vector<std:
     Addition out = read_addition(talk, words, spoken);
     for (const char* row : {"in a row", "in a line", "side by side", "next to each other"})
         out.in_row = out.in_row || text.find(row) != std::string::npos;
+    as_those_there(talk.editor, said, out.wishes.front());
     out.each = each, out.on_it = on_it && out.wishes.size() > 1;
     return out;
 }
