@@ -407,6 +407,14 @@ void add(Talk& talk, const Words& words) {
             parts[k - 1].insert(parts[k - 1].end(), parts[k].begin(), parts[k].end());
             parts.erase(parts.begin() + static_cast<std::ptrdiff_t>(k));
         }
+    // "A lamp over the table and two chairs at the ends": of the table.
+    for (std::size_t k = 1; k < parts.size(); ++k) {
+        const Words there = part_of(parts[k - 1], next_place(parts[k - 1]));
+        const auto relation = there.empty() ? std::nullopt : relation_at(there, 0);
+        if (!relation || !is_one_of(parts[k].back(), {"ends", "sides"}) || room_part(there, relation->next)) continue;
+        parts[k].push_back("of");
+        parts[k].insert(parts[k].end(), there.begin() + static_cast<std::ptrdiff_t>(relation->next), there.end());
+    }
     std::vector<std::optional<Addition>> all(parts.size());
     const std::vector<std::string> spoken_before = std::exchange(talk.last, {});
     std::vector<std::string> together;  // those that share the place of the next one
@@ -417,6 +425,10 @@ void add(Talk& talk, const Words& words) {
             if (all[next]) shared = all[next]->place;
         const PromptObject& first = all[k]->wishes.front();
         const std::size_t spoken = talk.last.size();
+        // Of "two stools and a lamp over the island" the stools stand at it.
+        if (shared && !own && shared->step.wish.relation == "above" &&
+            mount_of(talk.editor, first.kind) == Mount::floor)
+            shared->step.wish.relation = has_role(first.kind, Role::seat) ? "around" : "next to";
         // "An armchair, a lamp and a shelf by the window": at one window, side by side.
         const bool group = shared && !together.empty() && noun_of(shared->step.wish.relation_to) != "" &&
                            shared->step.wish.relation == "next to";

@@ -374,8 +374,9 @@ std::vector<Clause> clauses_of(const std::string& sentence) {
         while (!clause.words.empty() && is_joint(clause.words.back())) clause.words.pop_back();
         if (clause.words.size() > 2 && clause.words.back() == "instead") clause.words.pop_back();
         const std::size_t n = clause.words.size();
-        clause.there = n > 1 &&
-                       (clause.words.back() == "there" || (n > 3 && stands_at(clause.words, n - 3, "in its place")));
+        clause.there = n > 1 && (clause.words.back() == "there" ||
+                                 (n > 3 && (stands_at(clause.words, n - 3, "in its place") ||
+                                            stands_at(clause.words, n - 3, "in their place"))));
         if (clause.there && clause.words.back() == "place") clause.words.resize(n - 3);
         trim(clause.words, kRooms);
     }

@@ -190,7 +190,9 @@ bool Editor::at_a_wall(Layout& layout, const EditStep& step, const Placed* movin
             layout.undo(before);
             continue;
         }
-        if (!step.elsewhere || !moving || length(to - footprint_of(*moving).center) > kElsewhere) return true;
+        const Vec2f from = moving ? footprint_of(*moving).center : Vec2f{};
+        const bool same_corner = corner && moving && from.x * to.x > 0 && from.y * to.y > 0;
+        if (!step.elsewhere || !moving || (length(to - from) > kElsewhere && !same_corner)) return true;
         layout.undo(before);
     }
     return false;

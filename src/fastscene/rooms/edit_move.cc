@@ -382,6 +382,12 @@ void face(Talk& talk, const Words& words) {
         if (!place) throw UsageError("expected a thing or an opening to face, found \"{}\"", text);
         step.wish.relation_to = place->step.wish.relation_to;
         step.at = things_at(talk.editor, place->step);
+        // "To the wall": that at its back, unless another one was said.
+        if (noun_of(noun) == "wall") {
+            step.wish.relation_to = "wall", step.wall = place->step.wall;
+            if (step.wall < 0) step.wall = wall_behind(talk.editor.plan(), talk.editor.placed(step.ids.front()));
+            if (step.wall < 0) throw UsageError("which wall? found \"{}\"", text);
+        }
     }
     talk.editor.apply(step);
 }

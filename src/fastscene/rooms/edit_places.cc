@@ -232,6 +232,7 @@ class Reader {
         const bool at_it = is_one_of(relation, {"to", "at", "in", "on", "from", "against", "along"});
         Place out = place(at_it ? "next to" : relation, kind);
         out.step.position = which_opening(part, kind);
+        if (relation == "on both sides of") out.count = 2;
         return out;
     }
 

@@ -228,6 +228,10 @@ std::optional<Vec2f> Editor::target_of(const EditStep& step, int from) const {
         if (!best || length(there - here) < length(*best - here)) best = there;
     };
     if (step.wish.relation_to == "room") return Vec2f{0, 0};
+    if (step.wall >= 0) {
+        const WallFace face = plan().wall(step.wall);
+        return here - flat(face.inward) * dot(here - flat(face.origin), flat(face.inward));
+    }
     if (step.wish.relation_to == "viewer") return flat(room_.furnished.camera);
     for (const std::string& id : step.at) take(footprint_of(placed(id)).center);
     for (const Opening& o : plan().openings)
@@ -263,7 +267,9 @@ void Editor::face(const EditStep& step) {
 }
 
 void Editor::face_one(int i, const EditStep& step) {
-    constexpr float kFaces = 3 * kPi / 180;
+    // To a window one need not look at its very middle.
+    const bool opening = step.at.empty() && noun_of(step.wish.relation_to) != "";
+    const float kFaces = (opening ? 20.f : 3.f) * kPi / 180;
     {
         const std::string id = thing(i).id;
         const std::optional<Vec2f> target = target_of(step, i);

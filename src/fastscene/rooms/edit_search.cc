@@ -197,6 +197,20 @@ namespace {
 
 constexpr float kOfCorner = 1.6f;  // metres: further off it is in another one
 
+// A chair in front of a desk is drawn up to it.
+bool is_drawn_up_before(const std::vector<Placed>& all, const PromptObject& wish, const Placed& p) {
+    constexpr float kReach_m = 0.35f, kOfHalf = 0.6f;
+    if (wish.relation != "in front of" || !has_role(wish.kind, Role::work_seat)) return true;
+    return std::none_of(all.begin(), all.end(), [&](const Placed& desk) {
+        if ((desk.piece.kind != wish.relation_to && desk.wish.kind != wish.relation_to) ||
+            !has_role(desk.piece.kind, Role::work_place))
+            return false;
+        const Vec3f to = p.position - desk.position;
+        return std::abs(dot(to, right_of(desk.yaw))) > kOfHalf * desk.piece.size_m.x / 2 ||
+               dot(to, front_of(desk.yaw)) > desk.piece.size_m.z / 2 + p.piece.size_m.z / 2 + kReach_m;
+    });
+}
+
 // A nightstand is at a bed's head: not along its foot.
 bool is_at_foot(const std::vector<Placed>& all, const PromptObject& wish, const Placed& p) {
     constexpr float kNarrow_m = 0.7f, kOfLength = 0.3f;
@@ -221,7 +235,7 @@ std::vector<Candidate> Editor::candidates_for(Layout& layout, const EditStep& st
     const std::vector<Footprint> anchors = anchors_of(plan(), layout.placed(), wish.relation_to);
     if (piece.against_wall) add_at_walls(plan(), piece.size_m, all);
     else add_on_floor(plan(), piece.size_m, flat_one ? step.yaw : std::nullopt, all);
-    if (!flat_one)
+    if (!flat_one && noun_of(wish.relation_to).empty())
         for (const Footprint& a : anchors) add_at_sides(a, piece.size_m, all);
     const std::vector<Placed> near = further > 0 ? grown(layout.placed(), wish, further) : layout.placed();
     Placed p;
@@ -246,7 +260,7 @@ std::vector<Candidate> Editor::candidates_for(Layout& layout, const EditStep& st
         p.position = {c.at.x, 0, c.at.y}, p.yaw = c.yaw;
         const Footprint box = footprint_of(p);
         if (!plan().holds(box) || is_at_foot(layout.placed(), wish, p)) return true;
-        if (!is_beside(layout.placed(), p, wish)) return true;
+        if (!is_beside(layout.placed(), p, wish) || !is_drawn_up_before(layout.placed(), wish, p)) return true;
         if (step.wall >= 0 && wall_behind(plan(), p) != step.wall) return true;
         for (const Footprint& a : anchors) c.off = std::min(c.off, off_box(a, box));
         if (wish.relation == "in the corner")

@@ -201,7 +201,8 @@ std::vector<std::string> Talk::things(const Words& said_words) {
         if (!ids.empty()) return last = ids;
     }
     // "the first one"
-    if (words.size() > 1 && is_one_of(words.back(), {"one", "ones"}) && !noun.empty()) {
+    const bool but_one = words.size() > 1 && is_one_of(words[words.size() - 2], {"except", "but"});
+    if (words.size() > 1 && is_one_of(words.back(), {"one", "ones"}) && !noun.empty() && !but_one) {
         Words all = words;
         all.back() = noun;
         return things(all);

@@ -121,6 +121,9 @@ std::optional<Squeezed> Editor::squeezed_in(const Standing& standing, const Edit
     const bool under_thing = wish.relation == "under" && noun_of(wish.relation_to).empty();
     if (is_one_of(wish.relation, {"on", "above"}) || under_thing || mount_of(*this, wish.kind) == Mount::wall)
         return squeezed_on_wall(layout, step, moving, how, accepts);
+    // Nobody sits on a chair for dolls.
+    constexpr float kLeastSeat = 0.8f;
+    if (how.scale < kLeastSeat && has_role(wish.kind, Role::seat)) return {};
     PieceRequest request = layout.request(wish.kind, &wish);
     request.size_factor *= how.scale;
     request.size_m = request.size_m * how.scale;
@@ -137,7 +140,9 @@ std::optional<Squeezed> Editor::squeezed_in(const Standing& standing, const Edit
         std::erase_if(places, [&](const Candidate& c) {
             p.position = {c.at.x, 0, c.at.y}, p.yaw = c.yaw;
             constexpr float kElsewhere = 0.7f;  // metres: nearer than that is the same place
-            return length(c.at - footprint_of(*moving).center) < kElsewhere ||
+            const Vec2f from = footprint_of(*moving).center;
+            return length(c.at - from) < kElsewhere ||
+                   (wish.relation == "in the corner" && from.x * c.at.x > 0 && from.y * c.at.y > 0) ||
                    (own >= 0 && wish.relation != "in the corner" && wall_behind(plan(), p) == own);
         });
     const std::vector<int> loose = how.pushes ? loose_ones(all) : std::vector<int>{};
