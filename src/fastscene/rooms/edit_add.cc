@@ -183,7 +183,7 @@ void add_with(Talk& talk, const std::vector<std::string>& ids, const Addition& a
 
 // Beside those that share its place, and no further from the place than they; false: there is no such place.
 bool grouped(Talk& talk, const PromptObject& wish, const Place& shared, const std::vector<std::string>& together) {
-    constexpr float kTogether = 1.6f;  // metres from the middle of a window
+    constexpr float kTogether = 1;  // metres from a window
     const std::vector<std::string> before = talk.last;
     try {
         talk.editor.together([&] {
@@ -199,7 +199,7 @@ bool grouped(Talk& talk, const PromptObject& wish, const Place& shared, const st
             const FurnishedRoom& room = talk.editor.room().furnished;
             float off = 1e9f;
             for (const Footprint& o : anchors_of(room.plan, {}, at.relation_to))
-                off = std::min(off, distance_to(footprint_of(p), o.center));
+                off = std::min(off, distance_to(o, footprint_of(p).center));
             if (off > kTogether && !stands_as_asked(room.plan, room.placed, p, at).value_or(false))
                 throw Error("{}: it is too far from there", p.id);
         });
@@ -319,11 +319,15 @@ void add_there(Talk& talk, const Words& words) {
             for (const std::string& id : other)
                 if (both.size() < 2) add_new(both, {id});
     const Words there = part_of(riders.back(), next_place(riders.back()));
-    for (Words rider : riders) {
-        if (next_place(rider) == rider.size()) rider.insert(rider.end(), there.begin(), there.end());
-        talk.last = both;
-        add(talk, rider);
-    }
+    do_each(
+        talk.editor, riders.size(),
+        [&](std::size_t k) {
+            Words rider = riders[k];
+            if (next_place(rider) == rider.size()) rider.insert(rider.end(), there.begin(), there.end());
+            talk.last = both;
+            add(talk, rider);
+        },
+        [&](std::size_t k) { return text_of(riders[k]); });
     talk.last = carriers;
 }
 
@@ -411,7 +415,11 @@ void add(Talk& talk, const Words& words) {
     for (std::size_t k = 1; k < parts.size(); ++k) {
         const Words there = part_of(parts[k - 1], next_place(parts[k - 1]));
         const auto relation = there.empty() ? std::nullopt : relation_at(there, 0);
-        if (!relation || !is_one_of(parts[k].back(), {"ends", "sides"}) || room_part(there, relation->next)) continue;
+        const std::size_t n = parts[k].size();
+        const bool both = n > 1 && is_one_of(parts[k][n - 2], {"each", "both", "either"}) &&
+                          is_one_of(parts[k].back(), {"end", "side"});
+        if (!relation || (!both && !is_one_of(parts[k].back(), {"ends", "sides"})) || room_part(there, relation->next))
+            continue;
         parts[k].push_back("of");
         parts[k].insert(parts[k].end(), there.begin() + static_cast<std::ptrdiff_t>(relation->next), there.end());
     }

@@ -61,12 +61,14 @@ bool put_together(Talk& talk, const std::vector<std::string>& ids) {
     step.kind = EditStep::Kind::place;
     step.wish.relation = "next to", step.wish.relation_to = talk.editor.placed(ids[0]).piece.kind;
     step.ids = {ids[1]}, step.at = {ids[0]};
-    try {
-        talk.editor.apply(step);
-    } catch (const AlreadySo&) {
-        throw Error("{}: something stands between it and {}", ids[1], ids[0]);
-    }
-    if (off() > kTogether) throw Error("{}: there is no free place for it close to {}", ids[1], ids[0]);
+    talk.editor.together([&] {
+        try {
+            talk.editor.apply(step);
+        } catch (const AlreadySo&) {
+            throw Error("{}: something stands between it and {}", ids[1], ids[0]);
+        }
+        if (off() > kTogether) throw Error("{}: there is no free place for it close to {}", ids[1], ids[0]);
+    });
     return true;
 }
 

@@ -198,6 +198,8 @@ class Reader {
         const bool of_room = rest.empty() || (rest.front() == "of" && noun_of(rest.back()) == "room");
         if (part.noun == "corner") return at_corner(part, rest);
         if (part.noun == "middle" && of_room) return place("in the middle");
+        // "A chair at each end": of what?
+        if (part.noun == "side" && rest.empty() && part.says({"each", "both", "either", "sides"})) return {};
         if (part.noun == "side" && of_room) return at_wall(part, {});
         // "on the other side of the sofa"
         if (part.noun == "side" && rest.size() > 1 && rest.front() == "of" && !part.says({"left", "right"})) {

@@ -197,6 +197,22 @@ namespace {
 
 constexpr float kOfCorner = 1.6f;  // metres: further off it is in another one
 
+// A chair around a table is turned to the side at which it stands; false: it stands beyond a corner.
+bool faces_side(const std::vector<Footprint>& anchors, Candidate& c, Placed& p) {
+    for (const Footprint& a : anchors) {
+        const auto axes = axes_of(a);
+        const Vec2f to = c.at - a.center;
+        const float x = dot(to, axes[0]), z = dot(to, axes[1]);
+        const bool beside = std::abs(x) > a.half.x && std::abs(z) < a.half.y;
+        const bool before = std::abs(z) > a.half.y && std::abs(x) < a.half.x;
+        if (!beside && !before) continue;
+        const Vec2f in = beside ? axes[0] * std::copysign(1.f, -x) : axes[1] * std::copysign(1.f, -z);
+        c.yaw = p.yaw = std::atan2(in.x, in.y);
+        return true;
+    }
+    return false;
+}
+
 // A chair in front of a desk is drawn up to it.
 bool is_drawn_up_before(const std::vector<Placed>& all, const PromptObject& wish, const Placed& p) {
     constexpr float kReach_m = 0.35f, kOfHalf = 0.6f;
@@ -260,6 +276,7 @@ std::vector<Candidate> Editor::candidates_for(Layout& layout, const EditStep& st
         p.position = {c.at.x, 0, c.at.y}, p.yaw = c.yaw;
         const Footprint box = footprint_of(p);
         if (!plan().holds(box) || is_at_foot(layout.placed(), wish, p)) return true;
+        if (wish.relation == "around" && has_role(wish.kind, Role::seat) && !faces_side(anchors, c, p)) return true;
         if (!is_beside(layout.placed(), p, wish) || !is_drawn_up_before(layout.placed(), wish, p)) return true;
         if (step.wall >= 0 && wall_behind(plan(), p) != step.wall) return true;
         for (const Footprint& a : anchors) c.off = std::min(c.off, off_box(a, box));

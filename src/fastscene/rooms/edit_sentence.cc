@@ -56,6 +56,10 @@ void clear(Talk& talk, const Words& words) {
     talk.last = tops;  // "clear the table and make it white"
 }
 
+bool is_among(const std::string& id, const std::vector<std::string>& ids) {
+    return std::find(ids.begin(), ids.end(), id) != ids.end();
+}
+
 // "everything on the table", "everything but the sofa"; nothing: it does not speak of everything.
 bool remove_everything(Talk& talk, const Words& words) {
     std::size_t next = 1;
@@ -82,7 +86,16 @@ bool remove_everything(Talk& talk, const Words& words) {
         is_one_of(rest.front(), {"on", "from", "off"}) && but + 1 < rest.size()) {
         const auto tops = talk.things_of_parts(part_of(rest, 1, but));
         std::vector<std::string> riders = riders_of(talk.editor, tops);
-        const auto kept = talk.things_of_parts(part_of(rest, but + (rest[but + 1] == "for" ? 2 : 1)));
+        // Of several vases, the one that stands there.
+        std::vector<std::string> kept;
+        for (const Words& part : parts_of(part_of(rest, but + (rest[but + 1] == "for" ? 2 : 1)))) {
+            std::vector<std::string> there;
+            for (const int i : all_named(talk.editor, text_of(part)))
+                if (const std::string& id = talk.editor.document().things[static_cast<std::size_t>(i)].id;
+                    is_among(id, riders))
+                    there.push_back(id);
+            add_new(kept, there.empty() ? talk.things(part) : there);
+        }
         std::erase_if(riders,
                       [&](const std::string& id) { return std::find(kept.begin(), kept.end(), id) != kept.end(); });
         if (riders.empty()) throw UsageError("nothing else stands on {}", tops.front());
@@ -170,14 +183,6 @@ void add_new(std::vector<std::string>& to, const std::vector<std::string>& more)
     for (const std::string& id : more)
         if (std::find(to.begin(), to.end(), id) == to.end()) to.push_back(id);
 }
-
-namespace {
-
-bool is_among(const std::string& id, const std::vector<std::string>& ids) {
-    return std::find(ids.begin(), ids.end(), id) != ids.end();
-}
-
-}  // namespace
 
 std::vector<std::string> Talk::things(const Words& said_words) {
     Words words = said_words;

@@ -189,7 +189,10 @@ std::optional<Squeezed> Editor::squeezed_on_wall(Layout& layout, const EditStep&
     const std::vector<Placed>& all = layout.placed();
     const std::vector<Placed> near = how.further > 0 ? grown(all, wish, how.further) : all;
     const std::vector<Footprint> anchors = anchors_of(plan(), all, wish.relation_to);
-    const int own = moving ? wall_behind(plan(), *moving) : -1;
+    // The wall at its back, however far off that is.
+    int own = -1;
+    for (int w = 0; w < 4 && moving; ++w)
+        if (dot(plan().wall(w).inward, front_of(moving->yaw)) > 0.9f) own = w;
     const float usual = p.piece.hang_height_m > 0 ? p.piece.hang_height_m : 1.5f - p.piece.size_m.y / 2;
     const float level = moving && moving->piece.mount == Mount::wall ? moving->position.y : usual;
     struct Spot {
