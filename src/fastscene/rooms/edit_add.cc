@@ -130,7 +130,7 @@ Words with_noun(const Talk& talk, const Words& words) {
 
 // What stands on tops, where there is none: "a lamp beside it" is one that stands on the floor.
 std::optional<PromptObject> standing_form(const PromptObject& wish, const std::optional<Place>& place) {
-    if (!place || place->step.wish.relation == "on" || !furnishing::is_small(wish.kind)) return {};
+    if (!place || is_one_of(place->step.wish.relation, {"on", "above"}) || !furnishing::is_small(wish.kind)) return {};
     const Words words = tokens_of(wish.words);
     if (words.size() != 1 || !has_role(wish.kind, Role::light)) return {};
     const std::vector<std::string> forms = base_forms(words.front());
@@ -218,7 +218,8 @@ std::optional<Addition> at_the_other(const Talk& talk, const Words& words, const
     // What is to lie on a shelf lies there or nowhere; a mirror carries nothing.
     constexpr float kCarries = 0.08f;  // metres deep
     const bool carrier = std::any_of(spoken.begin(), spoken.end(), [&](const std::string& id) {
-        return talk.editor.placed(id).piece.size_m.z > kCarries && !talk.editor.placed(id).flat;
+        const Placed& p = talk.editor.placed(id);
+        return p.piece.size_m.z > kCarries && !p.flat && !has_role(p.piece.kind, Role::seat);
     });
     if (carrier && words.size() > 1 && words[words.size() - 2] == "on") return {};
     Addition out = addition_of(talk, words, others);
@@ -238,10 +239,13 @@ Addition at_what_is_meant(const Talk& talk, const Words& words) {
                        std::any_of(talk.last.begin(), talk.last.end(), [&](const std::string& id) {
                            return !talk.editor.placed(id).piece.surfaces.empty();
                        });
-    // On a rug under a table is on the table.
-    const bool rug = it && std::all_of(talk.last.begin(), talk.last.end(),
-                                       [&](const std::string& id) { return talk.editor.placed(id).flat; });
-    if (rug && out.place && out.place->step.wish.relation == "on" && furnishing::is_small(out.wishes.front().kind))
+    // On a rug under a table is on the table, and no bowl stands on a stool before an island.
+    const bool rug = it && std::all_of(talk.last.begin(), talk.last.end(), [&](const std::string& id) {
+                         const Placed& p = talk.editor.placed(id);
+                         return p.flat || has_role(p.piece.kind, Role::seat);
+                     });
+    if (rug && out.place && out.place->step.wish.relation == "on" && furnishing::is_small(out.wishes.front().kind) &&
+        !furnishing::lies_on_seats(out.wishes.front().kind))
         if (auto other = at_the_other(talk, words, talk.last)) return *other;
     if (hung && !on_it && out.place && !hangs(mount_of(talk.editor, out.wishes.front().kind)))
         if (auto other = at_the_other(talk, words, talk.last)) return *other;

@@ -39,8 +39,13 @@ namespace {
 bool is_drawn_up(const std::vector<Placed>& all, const Placed& piece, const std::string& kind) {
     constexpr float kReach = 0.45f;  // metres from a table's edge to a chair's front
     return std::any_of(all.begin(), all.end(), [&](const Placed& p) {
+        constexpr float kTurnedTo = 0.6f;  // cosine: to the side at which it stands, or to the middle
+        const Vec2f at = footprint_of(piece).center, front = flat(front_of(piece.yaw));
+        const Vec2f to = footprint_of(p).center - at;
+        const Vec2f ahead = at + front * (kReach + piece.piece.size_m.z / 2);
         return &p != &piece && (p.piece.kind == kind || p.wish.kind == kind) &&
-               distance_to(footprint_of(p), footprint_of(piece).center) < kReach + piece.piece.size_m.z / 2;
+               distance_to(footprint_of(p), at) < kReach + piece.piece.size_m.z / 2 &&
+               (dot(front, to) > kTurnedTo * length(to) || distance_to(footprint_of(p), ahead) < 0.01f);
     });
 }
 
@@ -48,7 +53,7 @@ bool is_where_asked(const Plan& plan, const std::vector<Placed>& all, const Plac
     if (wish.relation == "around" && has_role(piece.piece.kind, Role::seat) &&
         !is_drawn_up(all, piece, wish.relation_to))
         return false;
-    if (!is_beside(all, piece, wish)) return false;
+    if (!is_beside(all, piece, wish) || is_at_foot(all, wish, piece)) return false;
     // A cabinet stands on no counter.
     constexpr float kLow = 0.7f;  // metres
     if (piece.on >= 0 && piece.piece.made_mount == Mount::floor && piece.piece.size_m.y > kLow) return false;

@@ -349,13 +349,16 @@ void face(Talk& talk, const Words& words) {
     Words thing = part_of(words, 0, end);
     while (thing.size() > 1 && is_one_of(thing.back(), {"to", "so", "it", "around", "that", "should"}))
         thing.pop_back();
-    const Words target = part_of(words, next);
+    Words target = part_of(words, next);
     if (target.empty())
         throw UsageError("expected what \"{}\" is to face, for example \"to the window\"", text_of(words));
     EditStep step;
     step.kind = EditStep::Kind::face;
     const std::vector<std::string> spoken = talk.last;
     step.ids = talk.things_of_parts(thing);
+    // "The second desk to face the first"
+    if (is_one_of(target.back(), {"first", "second", "third", "last"}) && !talk.noun.empty())
+        target.push_back(talk.noun);
     const std::string text = text_of(target);
     if (text == "each other" || text == "one another") {
         if (step.ids.size() != 2)

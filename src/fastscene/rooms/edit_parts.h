@@ -32,6 +32,8 @@ struct Candidate {
 bool is_rug(const Piece& piece);
 // Left or right of a thing is beside it, not before it.
 bool is_beside(const std::vector<Placed>& all, const Placed& piece, const PromptObject& wish);
+// By a bed, along its foot, where nightstands do not stand.
+bool is_at_foot(const std::vector<Placed>& all, const PromptObject& wish, const Placed& p);
 
 // ---- edit_squeeze.cc
 // What is given up for a place.

@@ -161,7 +161,7 @@ class Reader {
             const bool sides = relation && relation->name == "on both sides of";  // "to either side of the door"
             if (!part || ((i > at || sides) && relation && relation->next > i + 1)) continue;
             const auto short_one = relation_at(part_of(words_, at, i + 1), 0);
-            if (short_one && short_one->next == i + 1 - at)
+            if (short_one && short_one->next == i + 1 - at && short_one->name != "between")
                 if (auto place = at_part(short_one->name, *part)) return place;
         }
         if (!relation) return {};
@@ -455,6 +455,11 @@ class Reader {
         }
         const Anchor one = side(Words(words.begin(), joint));
         const Anchor other = joint == words.end() ? one : side(Words(joint + 1, words.end()));
+        const Plan& plan = editor_.plan();
+        if (one.kind == other.kind && has_opening(plan, one.kind) &&
+            std::count_if(plan.openings.begin(), plan.openings.end(),
+                          [&](const Opening& o) { return is_opening_of(o, one.kind); }) < 2)
+            throw UsageError("there is only one {} in the room", one.kind);
         Place out = place("between", one.kind);
         out.step.wish.relation_and = other.kind;
         out.step.at = one.ids, out.step.at_and = other.ids;

@@ -101,6 +101,17 @@ bool is_beside(const std::vector<Placed>& all, const Placed& piece, const Prompt
     return beside || !known;  // of a window it says nothing
 }
 
+bool is_at_foot(const std::vector<Placed>& all, const PromptObject& wish, const Placed& p) {
+    constexpr float kNarrow_m = 0.7f, kOfLength = 0.05f;
+    if (!p.piece.against_wall || p.piece.size_m.x > kNarrow_m) return false;
+    if (!is_one_of(wish.relation, {"next to", "left of", "right of", "on both sides of"})) return false;
+    return std::any_of(all.begin(), all.end(), [&](const Placed& bed) {
+        return has_role(bed.piece.kind, Role::bed) && !has_role(bed.piece.kind, Role::along_wall) &&
+               (bed.piece.kind == wish.relation_to || bed.wish.kind == wish.relation_to) &&
+               dot(p.position - bed.position, front_of(bed.yaw)) > kOfLength * bed.piece.size_m.z;
+    });
+}
+
 float off_middle(const std::vector<Placed>& all, const PromptObject& wish, Vec2f at, const Placed* own) {
     const auto is_of = [&](const Placed& p, const std::string& kind) {
         return &p != own && (p.piece.kind == kind || p.wish.kind == kind);
@@ -224,18 +235,6 @@ bool is_drawn_up_before(const std::vector<Placed>& all, const PromptObject& wish
         const Vec3f to = p.position - desk.position;
         return std::abs(dot(to, right_of(desk.yaw))) > kOfHalf * desk.piece.size_m.x / 2 ||
                dot(to, front_of(desk.yaw)) > desk.piece.size_m.z / 2 + p.piece.size_m.z / 2 + kReach_m;
-    });
-}
-
-// A nightstand is at a bed's head: not along its foot.
-bool is_at_foot(const std::vector<Placed>& all, const PromptObject& wish, const Placed& p) {
-    constexpr float kNarrow_m = 0.7f, kOfLength = 0.3f;
-    if (!p.piece.against_wall || p.piece.size_m.x > kNarrow_m) return false;
-    if (!is_one_of(wish.relation, {"next to", "left of", "right of", "on both sides of"})) return false;
-    return std::any_of(all.begin(), all.end(), [&](const Placed& bed) {
-        return has_role(bed.piece.kind, Role::bed) && !has_role(bed.piece.kind, Role::along_wall) &&
-               (bed.piece.kind == wish.relation_to || bed.wish.kind == wish.relation_to) &&
-               dot(p.position - bed.position, front_of(bed.yaw)) > kOfLength * bed.piece.size_m.z;
     });
 }
 

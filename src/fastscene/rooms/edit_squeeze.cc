@@ -168,6 +168,20 @@ std::optional<Squeezed> Editor::squeezed_in(const Standing& standing, const Edit
     return {};
 }
 
+namespace {
+
+// Above a thing's end rather than above it.
+bool is_off_middle(const std::vector<Placed>& all, const Placed& p, const PromptObject& wish) {
+    constexpr float kOfHalf = 0.6f;
+    return wish.relation == "above" && std::none_of(all.begin(), all.end(), [&](const Placed& below) {
+               return (below.piece.kind == wish.relation_to || below.wish.kind == wish.relation_to) &&
+                      std::abs(dot(p.position - below.position, right_of(below.yaw))) <
+                          kOfHalf * below.piece.size_m.x / 2;
+           });
+}
+
+}  // namespace
+
 // What hangs on walls, also before or beside what stands there; a screen, where it was asked for on the wall.
 std::optional<Squeezed> Editor::squeezed_on_wall(Layout& layout, const EditStep& step, const Placed* moving,
                                                  const Squeeze& how,
@@ -217,6 +231,7 @@ std::optional<Squeezed> Editor::squeezed_on_wall(Layout& layout, const EditStep&
                 if (blocked || !(stands_as_asked(plan(), all, p, wish).value_or(wish.relation.empty()) ||
                                  (how.further > 0 && stands_as_asked(plan(), near, p, wish).value_or(false))))
                     continue;
+                if (how.further == 0 && is_off_middle(all, p, wish)) continue;
                 float cost = std::abs(up);
                 if (!anchors.empty()) {
                     float off = 1e9f;

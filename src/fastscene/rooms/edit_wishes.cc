@@ -192,11 +192,14 @@ namespace {
 void as_those_there(const Editor& editor, const Words& words, PromptObject& wish) {
     const bool more = find_word(words, {"more", "another", "second", "third", "additional", "extra"}) <
                       next_place(words);
-    if (!more || wish.words.find(' ') != std::string::npos) return;
+    if (wish.words.find(' ') != std::string::npos) return;
     std::set<std::string> kinds;
-    for (const int i : all_named(editor, "all " + wish.words))
-        kinds.insert(asked_kind(editor.room().furnished.placed[static_cast<std::size_t>(i)]));
-    if (kinds.size() == 1) wish.kind = *kinds.begin();
+    const std::vector<int> found = all_named(editor, "all " + wish.words);
+    for (const int i : found) kinds.insert(asked_kind(editor.room().furnished.placed[static_cast<std::size_t>(i)]));
+    // Chairs where many stand are of theirs, too.
+    constexpr std::size_t kMany = 4;
+    const bool many = has_role(wish.kind, Role::seat) && found.size() >= kMany;
+    if (kinds.size() == 1 && (more || many)) wish.kind = *kinds.begin();
 }
 
 Addition read_addition(const Talk& talk, const Words& said, const std::vector<std::string>& spoken) {
@@ -252,6 +255,15 @@ Addition addition_of(const Talk& talk, const Words& said, const std::vector<std:
     for (const char* row : {"in a row", "in a line", "side by side", "next to each other"})
         out.in_row = out.in_row || text.find(row) != std::string::npos;
     as_those_there(talk.editor, said, out.wishes.front());
+    // "A lamp above the table" hangs.
+    PromptObject& first = out.wishes.front();
+    if (out.place && out.place->step.wish.relation == "above" && furnishing::is_small(first.kind) &&
+        has_role(first.kind, Role::light) && first.words.find(' ') == std::string::npos)
+        for (const std::string& kind : kinds_with(Role::overhead))
+            if (has_role(kind, Role::hung) && has_role(kind, Role::light)) {
+                first.kind = kind;
+                break;
+            }
     out.each = each, out.on_it = on_it && out.wishes.size() > 1;
     return out;
 }
