@@ -244,7 +244,9 @@ std::vector<Placed> Editor::in_place_of(const std::vector<Placed>& all, const St
     spec.objects = {wish};
     Random rng(room_.seed, "replace:" + wish.kind + old.id, all.size());
     const auto now = [&](int i) { return i < 0 ? -1 : standing.now[static_cast<std::size_t>(i)]; };
+    constexpr float kLeastBed = 0.8f;
     for (const float scale : {1.f, 0.85f, 0.7f}) {
+        if (scale < kLeastBed && (has_role(wish.kind, Role::bed) || has_role(wish.kind, Role::seat))) break;
         Layout layout = begin_layout(spec, rng, all, nullptr);
         if (const std::string why = layout.why_not(wish.kind); !why.empty()) throw Error("{}: {}", wish.words, why);
         PieceRequest request = layout.request(wish.kind, &wish);

@@ -364,6 +364,7 @@ std::vector<Placed> Editor::with_added(const EditStep& step, bool& smaller) cons
         Layout layout(plan(), spec, rng);
         return layout.why_not(wish.kind).empty() ? make_piece(layout.request(wish.kind, &wish)).size_m : Vec3f{};
     };
+    const bool stands = mount_of(*this, step.wish.kind) == Mount::floor && step.wish.relation != "on";
     const int most = std::max(1, step.wish.count), least = step.wish.counted && !step.each ? most : 1;
     for (int count = most; count >= least; --count)
         for (const float scale : {1.f, 0.82f, 0.66f, 0.56f}) {
@@ -371,8 +372,10 @@ std::vector<Placed> Editor::with_added(const EditStep& step, bool& smaller) cons
             one.wish.count = count;
             if (scale < 1) one.wish.size_m = usual_size(one.wish) * scale;
             // Nobody sits on a chair for dolls.
-            constexpr float kLeastSeat = 0.8f;
+            constexpr float kLeastSeat = 0.8f, kLeastFurniture = 0.8f;
             if (scale < kLeastSeat && has_role(step.wish.kind, Role::seat)) break;
+            // What stands on the floor stands closer before it is smaller still.
+            if (scale < kLeastFurniture && stands) break;
             if (scale < 1 && (step.wish.size_m != Vec3f{} || one.wish.size_m == Vec3f{})) break;
             const std::vector<Placed> all = laid_out(standing, one, nullptr);
             // Pictures and mirrors shrink to the wall that is free: half as wide as usual, nobody calls them large.

@@ -140,6 +140,10 @@ bool put_at(Talk& talk, const std::vector<std::string>& ids, const Words& words,
             if (ids.size() > 1 && step.wish.relation == "on both sides of")
                 step.wish.relation = k % 2 == 0 ? "left of" : "right of";
             talk.editor.apply(step);
+            // All of them at that window, where there are several.
+            if (k == 0 && ids.size() > 1 && step.wish.relation == "next to" && !step.position &&
+                !noun_of(step.wish.relation_to).empty())
+                place->step.position = flat(talk.editor.placed(ids[k]).position);
         });
     };
     // "Move the chair to the fire and hang the mirror above it": what it was put at may be "it" as well.

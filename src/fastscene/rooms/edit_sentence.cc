@@ -440,6 +440,9 @@ void Talk::act(const Clause& whole) {
         case Verb::move:
             if (says_so_that(words)) return turn(*this, words);
             if (to_face(words)) return face(*this, words);
+            // "Move the bicycle out": it goes.
+            if (words.size() > 1 && words.back() == "out" && is_one_of(said, {"move", "carry", "bring"}))
+                return remove(*this, words);
             return move(*this, lowered(clause));
         case Verb::put:
             if (says_so_that(words)) return turn(*this, words);

@@ -123,7 +123,7 @@ std::optional<Squeezed> Editor::squeezed_in(const Standing& standing, const Edit
         return squeezed_on_wall(layout, step, moving, how, accepts);
     // Nobody sits on a chair for dolls.
     constexpr float kLeastSeat = 0.8f;
-    if (how.scale < kLeastSeat && has_role(wish.kind, Role::seat)) return {};
+    if (how.scale < kLeastSeat && (has_role(wish.kind, Role::seat) || has_role(wish.kind, Role::bed))) return {};
     PieceRequest request = layout.request(wish.kind, &wish);
     request.size_factor *= how.scale;
     request.size_m = request.size_m * how.scale;
