@@ -21,7 +21,7 @@ inline constexpr const char* kAtTheEnds = "at the ends of";  // a relation of se
 
 std::string in_words(std::string kind);  // "coffee_table" -> "coffee table"
 
-// ---- edit_search.cc
+// ---- edit_candidates.cc
 // A place on the floor.
 struct Candidate {
     Vec2f at;
@@ -405,7 +405,9 @@ int wall_behind(const Plan& plan, const Placed& p);
 // How far a point is from the middle between two things that a place is said by, other than `own`; +inf: there are
 // none.
 float off_middle(const std::vector<Placed>& all, const PromptObject& wish, Vec2f at, const Placed* own = nullptr);
+// The boxes of what a place is said by: things, or openings as thin boxes.
 std::vector<Footprint> anchors_of(const Plan& plan, const std::vector<Placed>& placed, const std::string& kind);
+// Things that are larger all around, so that what is further off is at them still.
 std::vector<Placed> grown(std::vector<Placed> all, const PromptObject& wish, float by);
 // From the ceiling above a thing: its middle, else along it.
 bool hang_above(Layout& layout, const PromptObject& wish);
@@ -435,7 +437,17 @@ struct Talk {
 std::string asked_kind(const Placed& p);  // as it was asked for
 std::size_t find_word(const Words& words, std::initializer_list<std::string_view> any, std::size_t from = 0);
 void add_new(std::vector<std::string>& to, const std::vector<std::string>& more);
+bool is_among(const std::string& id, const std::vector<std::string>& ids);
+// ---- edit_remove.cc
 void remove(Talk& talk, Words words);
+void remove_all(Talk& talk, const std::vector<std::string>& ids);
+void clear(Talk& talk, const Words& words);  // "the table": what stands on it
+// "everything on the table", "everything but the sofa"; false: the words do not speak of everything.
+bool remove_everything(Talk& talk, const Words& words);
+// "all but one chair": of the chairs.
+bool says_all_but_some(const Words& words);
+// "the table together with its chairs": the table, and its chairs.
+Words with_its(const Words& words);
 // ---- edit_move.cc
 void move(Talk& talk, const Words& words);
 void turn(Talk& talk, const Words& words);
@@ -468,6 +480,17 @@ Addition addition_of(const Talk& talk, const Words& said, const std::vector<std:
 // ---- edit_add.cc
 void add(Talk& talk, const Words& words);
 void add_there(Talk& talk, const Words& words);
+// ---- edit_add_one.cc
+// What is wished for comes to the place; without one, with its like or where such things stand.
+void add_wish(Talk& talk, const PromptObject& wish, const std::optional<Place>& place);
+// … or a form of it that needs no top: a lamp that stands on the floor.
+void add_or_stand(Talk& talk, const PromptObject& wish, const std::optional<Place>& place);
+Place beside_those(const Talk& talk, const std::vector<std::string>& ids);
+// "Two more tables in a row": each beside the one before it.
+void add_row(Talk& talk, PromptObject wish);
+// Beside those that share its place, and no further from that than they; false: there is no such place.
+bool grouped(Talk& talk, const PromptObject& wish, const Place& shared, const std::vector<std::string>& together);
+// ---- edit_replace.cc
 void copy(Talk& talk, const Words& words);
 void replace(Talk& talk, const Words& old, const Words& by);
 void swap(Talk& talk, Words words);
