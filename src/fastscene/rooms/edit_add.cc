@@ -105,6 +105,13 @@ Words joined_parts(const std::vector<Words>& parts) {
     return out;
 }
 
+// "A lamp here and the bench under the window": the bench is there, and moves.
+bool stands_already(const Talk& talk, const Words& words) {
+    const std::size_t place = next_place(words);
+    return is_definite(words.front()) && !is_one_of(words.front(), {"it", "them"}) && place > 1 &&
+           place < words.size() && !all_named(talk.editor, text_of(words, 0, place)).empty();
+}
+
 bool says_how(const Words& words) {
     for (std::size_t i = 1; i < words.size(); ++i)
         if (value_of(part_of(words, i))) return true;
@@ -291,6 +298,8 @@ void add(Talk& talk, const Words& words) {
             // "Two more chairs, and the walls in green"
             if (parts.size() > 1 && is_definite(parts[k].front()) && says_how(parts[k])) {
                 if (i >= parts.size()) make(talk, parts[k]);
+            } else if (parts.size() > 1 && stands_already(talk, parts[k])) {
+                if (i >= parts.size()) move(talk, parts[k]);
             } else if (i < parts.size()) {
                 const std::vector<std::string> none = std::exchange(talk.last, spoken_before);
                 const Words& part = parts[k];

@@ -1,4 +1,6 @@
 // One thing that comes new: with its like, by the same as they, beside those that share its place.
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "fastscene/base/error.h"
@@ -106,6 +108,21 @@ std::optional<PromptObject> standing_form(const PromptObject& wish, const std::o
     return {};
 }
 
+// "I want eight chairs at the table", where six stand: two more.
+void fill_up(Talk& talk, EditStep& step) {
+    const bool in_all = is_one_of(talk.said, {"i want", "we want", "i need", "we need", "there should be", "have"});
+    if (!in_all || talk.more || step.wish.relation != "around" || !has_role(step.wish.kind, Role::seat)) return;
+    int there = 0;
+    for (const Placed& p : talk.editor.room().furnished.placed)
+        if (p.with >= 0 && asked_kind(p) == step.wish.kind &&
+            asked_kind(talk.editor.room().furnished.placed[static_cast<std::size_t>(p.with)]) == step.wish.relation_to)
+            ++there;
+    if (there == 0 || there >= step.wish.count) return;
+    talk.editor.note("room",
+                     fmt::format("{} of the {} {} stand there already", there, step.wish.count, step.wish.words));
+    step.wish.count -= there;
+}
+
 }  // namespace
 
 void add_wish(Talk& talk, const PromptObject& wish, const std::optional<Place>& place) {
@@ -119,6 +136,7 @@ void add_wish(Talk& talk, const PromptObject& wish, const std::optional<Place>& 
         step.wish.relation_and = where.relation_and;
     if (place && place->count > step.wish.count) step.wish.count = place->count, step.wish.counted = true;
     if (step.each) step.wish.count = std::max(4, wish.count), step.wish.counted = false;
+    fill_up(talk, step);
     if (!place && talk.there) stand_there(talk, step);
     if (!place && (drawn_up(talk, step) || with_its_like(talk, step) || by_the_same(talk, step))) {
         // with its like, at their table

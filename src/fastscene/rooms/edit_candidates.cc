@@ -164,8 +164,10 @@ bool faces_side(const std::vector<Footprint>& anchors, Candidate& c, Placed& p) 
         const auto axes = axes_of(a);
         const Vec2f to = c.at - a.center;
         const float x = dot(to, axes[0]), z = dot(to, axes[1]);
-        const bool beside = std::abs(x) > a.half.x && std::abs(z) < a.half.y;
-        const bool before = std::abs(z) > a.half.y && std::abs(x) < a.half.x;
+        constexpr float kDrawnUp = 0.3f;  // metres from its edge; further off there is another row before it
+        const float deep = p.piece.size_m.z / 2 + kDrawnUp;
+        const bool beside = std::abs(x) > a.half.x && std::abs(x) < a.half.x + deep && std::abs(z) < a.half.y;
+        const bool before = std::abs(z) > a.half.y && std::abs(z) < a.half.y + deep && std::abs(x) < a.half.x;
         if (!beside && !before) continue;
         const Vec2f in = beside ? axes[0] * std::copysign(1.f, -x) : axes[1] * std::copysign(1.f, -z);
         c.yaw = p.yaw = std::atan2(in.x, in.y);

@@ -155,6 +155,8 @@ const Beginning* beginning_at(const Words& words, std::size_t at) {
     for (const Beginning& b : beginnings()) {
         if (part_of(words, at, at + b.words.size()) != b.words || (best && b.words.size() <= best->words.size()))
             continue;
+        // "No, the bench" takes nothing away.
+        if (b.words.back() == "no" && at + 1 < words.size() && is_joint(words[at + 1])) continue;
         const bool of_those = b.verb == Verb::kindle || b.verb == Verb::quench ||
                               is_one_of(b.words.front(), {"tile", "carpet", "plaster"});
         if (!of_those || is_of_those(at + b.words.size())) best = &b;
@@ -213,7 +215,7 @@ void trim(Words& words, const Words& all_rooms) {
         const std::size_t n = words.size();
         if (n > 2 && stands_at(words, n - 2, "in here")) words.resize(n - 2);
         else if (is_joint(words.back()) ||
-                 is_one_of(words.back(), {"too", "instead", "now", "thanks", "there", "here"}))
+                 is_one_of(words.back(), {"too", "instead", "now", "thanks", "there", "here", "again"}))
             words.pop_back();
         else if (n > 2 && (stands_at(words, n - 2, "as well") || stands_at(words, n - 2, "for me") ||
                            stands_at(words, n - 2, "thank you")))

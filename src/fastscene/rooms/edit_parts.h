@@ -425,6 +425,7 @@ struct Talk {
     EditStep last_place{};             // where they were put
     std::string said{};                // the clause's verb
     bool there = false;                // the clause ends with "there"
+    bool more = false;                 // it says "more", "another": beside those that are there
     std::optional<Vec2f> last_gone{};  // where what was removed last stood: "there"
     std::string last_gone_from{};      // … and what carried it; "clear the table and put a bowl there"
     std::vector<std::string> kept{};   // "leave the rug as it is"

@@ -75,6 +75,7 @@ std::string noun_of(const std::string& word) {
     if (is_one_of(word, {"floor", "ground"})) return "floor";
     if (is_one_of(word, {"room", "bedroom", "kitchen", "office", "bathroom", "hallway", "corridor"})) return "room";
     if (word == "carpet") return {};
+    if (word == "entrance") return "door";
     const auto known = look_up(word);
     if (!known || known->kind != WordKind::structure) return {};
     return is_one_of(known->meaning, {"wall", "ceiling", "window", "door", "doorway", "floor"}) ? known->meaning : "";

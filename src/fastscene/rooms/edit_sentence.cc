@@ -262,6 +262,7 @@ void Talk::act(const Clause& whole) {
     if (clause.verb == Verb::tidy) return tidy(*this, clause);
     if (clause.verb == Verb::remark) return remark(*this, clause.words);
     there = clause.there, said = clause.said;
+    more = find_word(words, {"more", "another", "additional", "extra"}) < words.size();
     if (words.empty())
         throw UsageError("expected what to change after \"{}\", found the end of the sentence", clause.said);
     const std::size_t end = next_place(words), instead = find_word(words, {"instead"}, 1);
