@@ -87,9 +87,16 @@ EditResult edited(const EditFlags& flags, const RoomDocument& document,
     return out;
 }
 
+// What was done; of the rest there was a warning.
+std::vector<std::string> lines_of(const EditResult& result) {
+    std::vector<std::string> out;
+    for (const EditChange& change : result.changes)
+        if (change.id != kNotDone) out.push_back(fmt::format("{}: {}", change.id, change.what));
+    return out;
+}
 std::string as_text(const EditResult& result, const std::string& where) {
     std::string out;
-    for (const EditChange& change : result.changes) out += fmt::format("{}: {}\n", change.id, change.what);
+    for (const std::string& line : lines_of(result)) out += line + "\n";
     return out + where;
 }
 Json as_json(const EditResult& result, const std::string& where) {
@@ -157,7 +164,7 @@ void edit_run(const EditFlags& flags, const Session& session) {
                                            : fs::path(flags.out)};
     if (!flags.in_place && fs::weakly_canonical(to.root) == fs::weakly_canonical(from.root))
         throw UsageError("-o: expected another folder than that of the scene; --in-place changes the scene itself");
-    for (const EditChange& change : result.changes) run.note(fmt::format("{}: {}", change.id, change.what));
+    for (const std::string& line : lines_of(result)) run.note(line);
     SceneRequest& request = recorded.request;
     request.source = edit_of(document_source(result.document, to.room_json()), from);
     request.last_stage = flags.plan_only ? "panorama" : std::string(last_finished_stage(from));

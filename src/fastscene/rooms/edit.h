@@ -50,8 +50,11 @@ struct EditStep {
     std::string value;
 };
 
+// In place of an id: what was asked for and could not be done.
+inline constexpr const char* kNotDone = "not done";
+
 struct EditChange {
-    std::string id;    // of a thing, or "room", "wall" …
+    std::string id;    // of a thing, or "room", "wall" …, or kNotDone
     std::string what;  // "moved 1.20 m", "color: green"
 };
 struct EditResult {
@@ -63,7 +66,8 @@ struct EditResult {
 // document is completed first, so that nothing of it is drawn anew.
 EditResult edit_document(const RoomDocument& document, const std::vector<EditStep>& steps,
                          std::shared_ptr<const FurniturePack> pack, const Run& run);
-// Clause by clause: each sees what those before it did.
+// Clause by clause: each sees what those before it did. What cannot be done is warned of, and among the changes, as
+// kNotDone; where nothing can be done at all, it throws.
 EditResult edit_by_sentence(const RoomDocument& document, const std::string& sentence,
                             std::shared_ptr<const FurniturePack> pack, const Run& run);
 

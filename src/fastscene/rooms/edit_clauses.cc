@@ -32,7 +32,7 @@ constexpr std::array<Row, 24> kBeginnings{{
      "put|place|set|stand|hang|lay|position|mount|lean|put down|put up|lay down|set down|hang up|stack|"
      "pile|pile up|scatter|spread|drape|toss|stick|pop|prop|prop up|rest|squeeze|slot|plop|pin|string|sit|roll "
      "out|unroll|"
-     "decorate|dress|arrange"},
+     "decorate|dress|arrange|fill|top"},
     {Verb::make, "make|change|switch|give"},
     {Verb::refuse, "open|close|shut|rearrange|reorganize|redecorate|improve|fix|undo|redo|divide"},
     {Verb::tidy, "tidy|tidy up|clean|clean up|declutter|straighten up"},
@@ -155,6 +155,8 @@ const Beginning* beginning_at(const Words& words, std::size_t at) {
     for (const Beginning& b : beginnings()) {
         if (part_of(words, at, at + b.words.size()) != b.words || (best && b.words.size() <= best->words.size()))
             continue;
+        // "No, the bench" takes nothing away.
+        if (b.words.back() == "no" && at + 1 < words.size() && is_joint(words[at + 1])) continue;
         const bool of_those = b.verb == Verb::kindle || b.verb == Verb::quench ||
                               is_one_of(b.words.front(), {"tile", "carpet", "plaster"});
         if (!of_those || is_of_those(at + b.words.size())) best = &b;
@@ -213,7 +215,7 @@ void trim(Words& words, const Words& all_rooms) {
         const std::size_t n = words.size();
         if (n > 2 && stands_at(words, n - 2, "in here")) words.resize(n - 2);
         else if (is_joint(words.back()) ||
-                 is_one_of(words.back(), {"too", "instead", "now", "thanks", "there", "here"}))
+                 is_one_of(words.back(), {"too", "instead", "now", "thanks", "there", "here", "again"}))
             words.pop_back();
         else if (n > 2 && (stands_at(words, n - 2, "as well") || stands_at(words, n - 2, "for me") ||
                            stands_at(words, n - 2, "thank you")))
@@ -374,8 +376,9 @@ std::vector<Clause> clauses_of(const std::string& sentence) {
         while (!clause.words.empty() && is_joint(clause.words.back())) clause.words.pop_back();
         if (clause.words.size() > 2 && clause.words.back() == "instead") clause.words.pop_back();
         const std::size_t n = clause.words.size();
-        clause.there = n > 1 &&
-                       (clause.words.back() == "there" || (n > 3 && stands_at(clause.words, n - 3, "in its place")));
+        clause.there = n > 1 && (clause.words.back() == "there" ||
+                                 (n > 3 && (stands_at(clause.words, n - 3, "in its place") ||
+                                            stands_at(clause.words, n - 3, "in their place"))));
         if (clause.there && clause.words.back() == "place") clause.words.resize(n - 3);
         trim(clause.words, kRooms);
     }

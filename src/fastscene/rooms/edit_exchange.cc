@@ -9,6 +9,7 @@
 #include "fastscene/rooms/catalogue.h"
 #include "fastscene/rooms/document_parts.h"
 #include "fastscene/rooms/edit_parts.h"
+#include "fastscene/rooms/layout_parts.h"
 
 namespace fastscene::editing {
 namespace {
@@ -125,7 +126,13 @@ void Editor::swap_two(int a, int b, const std::vector<int>& with_a, const std::v
         if (wish.kind.empty()) wish.kind = p.piece.kind;
         wish.relation = wish.relation_to = "";
         const int on = place.on < 0 ? -1 : standing.now[static_cast<std::size_t>(place.on)];
-        const auto i = take_place(layout, layout.request(p.piece.kind, &wish), wish, place, on, 0);
+        const PieceRequest request = layout.request(p.piece.kind, &wish);
+        auto i = take_place(layout, request, wish, place, on, 0);
+        // Or as near to it as may be, at a wall.
+        for (const float reach : {0.8f, 1.6f})
+            if (!i && p.piece.mount == Mount::floor && !p.flat && on < 0)
+                i = layout.against_wall(
+                    request, {.near = flat(place.position), .center_pull = 0, .at_most_from_near = reach}, wish);
         if (!i) throw Error("{} finds no room where {} stands", p.id, place.id);
         return layout.placed()[static_cast<std::size_t>(*i)];
     };
@@ -237,7 +244,9 @@ std::vector<Placed> Editor::in_place_of(const std::vector<Placed>& all, const St
     spec.objects = {wish};
     Random rng(room_.seed, "replace:" + wish.kind + old.id, all.size());
     const auto now = [&](int i) { return i < 0 ? -1 : standing.now[static_cast<std::size_t>(i)]; };
+    constexpr float kLeastBed = 0.8f;
     for (const float scale : {1.f, 0.85f, 0.7f}) {
+        if (scale < kLeastBed && (has_role(wish.kind, Role::bed) || has_role(wish.kind, Role::seat))) break;
         Layout layout = begin_layout(spec, rng, all, nullptr);
         if (const std::string why = layout.why_not(wish.kind); !why.empty()) throw Error("{}: {}", wish.words, why);
         PieceRequest request = layout.request(wish.kind, &wish);
@@ -293,6 +302,16 @@ std::optional<Vec3f> nearest_on_top(const Placed& carrier, const Placed& thing) 
 
 }  // namespace
 
+namespace {
+
+// A bench, a stool: others stand on it as well.
+bool is_low_seat(const Placed& p) {
+    constexpr float kNoBack_m = 0.55f;
+    return p.piece.size_m.y < kNoBack_m;
+}
+
+}  // namespace
+
 // What stood on what was replaced stands on what came, where that has room for it.
 void Editor::set_down(const std::vector<std::pair<std::string, int>>& riders, const std::vector<std::string>& onto) {
     for (const auto& [id, place] : riders) thing(index_of(id)).on = onto[static_cast<std::size_t>(place)];
@@ -306,7 +325,12 @@ void Editor::set_down(const std::vector<std::pair<std::string, int>>& riders, co
         Placed there = placed(i);
         if (to) there.position = *to;
         const Footprint box = footprint_of(there);
-        if (!to || std::any_of(taken.begin(), taken.end(), [&](const Footprint& f) { return overlap(f, box); })) {
+        // Nothing is set down on what one sits on.
+        const bool seat = !top.empty() && has_role(placed(top).piece.kind, Role::seat) &&
+                          !furnishing::lies_on_seats(placed(i).piece.kind) &&
+                          !has_role(placed(top).piece.kind, Role::no_top) && !is_low_seat(placed(top));
+        if (!to || seat ||
+            std::any_of(taken.begin(), taken.end(), [&](const Footprint& f) { return overlap(f, box); })) {
             gone.push_back(id);
             if (!top.empty()) tell(id, "there is no room for it on " + top);
             continue;

@@ -18,6 +18,8 @@ namespace {
 
 constexpr float kElsewhere = 0.7f;  // metres: nearer than that is the same place
 
+}  // namespace
+
 std::string place_in_words(const EditStep& step) {
     const PromptObject& wish = step.wish;
     if (step.wall >= 0) return " at that wall";
@@ -31,12 +33,19 @@ std::string place_in_words(const EditStep& step) {
     return out;
 }
 
+namespace {
+
 // Chairs around a table are drawn up to it.
 bool is_drawn_up(const std::vector<Placed>& all, const Placed& piece, const std::string& kind) {
     constexpr float kReach = 0.45f;  // metres from a table's edge to a chair's front
     return std::any_of(all.begin(), all.end(), [&](const Placed& p) {
+        constexpr float kTurnedTo = 0.6f;  // cosine: to the side at which it stands, or to the middle
+        const Vec2f at = footprint_of(piece).center, front = flat(front_of(piece.yaw));
+        const Vec2f to = footprint_of(p).center - at;
+        const Vec2f ahead = at + front * (kReach + piece.piece.size_m.z / 2);
         return &p != &piece && (p.piece.kind == kind || p.wish.kind == kind) &&
-               distance_to(footprint_of(p), footprint_of(piece).center) < kReach + piece.piece.size_m.z / 2;
+               distance_to(footprint_of(p), at) < kReach + piece.piece.size_m.z / 2 &&
+               (dot(front, to) > kTurnedTo * length(to) || distance_to(footprint_of(p), ahead) < 0.01f);
     });
 }
 
@@ -44,6 +53,10 @@ bool is_where_asked(const Plan& plan, const std::vector<Placed>& all, const Plac
     if (wish.relation == "around" && has_role(piece.piece.kind, Role::seat) &&
         !is_drawn_up(all, piece, wish.relation_to))
         return false;
+    if (!is_beside(all, piece, wish) || is_at_foot(all, wish, piece)) return false;
+    // A cabinet stands on no counter.
+    constexpr float kLow = 0.7f;  // metres
+    if (piece.on >= 0 && piece.piece.made_mount == Mount::floor && piece.piece.size_m.y > kLow) return false;
     // Nothing stands "around a table" on top of a bookshelf.
     constexpr float kHigh = 1.4f;  // metres
     if (piece.on >= 0 && piece.position.y > kHigh &&
@@ -52,9 +65,10 @@ bool is_where_asked(const Plan& plan, const std::vector<Placed>& all, const Plac
     return stands_as_asked(plan, all, piece, wish).value_or(wish.relation.empty());
 }
 
-// Every place on a top is tried.
+// Places all over a top are tried.
 bool set_down_on(Layout& layout, int top, const PieceRequest& request, const PromptObject& wish) {
-    constexpr float kStep = 0.02f, kLevel = 0.01f;  // metres
+    constexpr float kLevel = 0.01f, kFinest = 0.02f;  // metres
+    constexpr float kMostPlaces = 300;
     const Placed t = layout.placed()[static_cast<std::size_t>(top)];
     const Vec3f size = make_piece(request).size_m;
     for (const bool across : {false, true})
@@ -62,8 +76,9 @@ bool set_down_on(Layout& layout, int top, const PieceRequest& request, const Pro
             if (std::abs(s.center.y - t.piece.surfaces.front().center.y) > kLevel) continue;
             const float wide = s.half.x - (across ? size.z : size.x) / 2;
             const float deep = s.half.y - (across ? size.x : size.z) / 2;
-            for (float z = -deep; z <= deep + 1e-4f; z += kStep)
-                for (float x = -wide; x <= wide + 1e-4f; x += kStep) {
+            const float step = std::max(kFinest, std::sqrt(std::max(0.f, 4 * wide * deep) / kMostPlaces));
+            for (float z = -deep; z <= deep + 1e-4f; z += step)
+                for (float x = -wide; x <= wide + 1e-4f; x += step) {
                     const Vec3f at = t.position + right_of(t.yaw) * (s.center.x + x) +
                                      front_of(t.yaw) * (s.center.z + z);
                     if (layout.on_top_at(top, request, flat(at), t.yaw + (across ? kPi / 2 : 0), wish)) return true;
@@ -98,22 +113,6 @@ void fill_gap(Layout& layout, const PromptObject& wish, bool moving) {
         }
 }
 
-// While it lives, the very things that a place means bear a name of their own, by which the layout finds them.
-class Tagged {
-  public:
-    Tagged(std::vector<Placed>& placed, const std::vector<DocumentThing>& things, const std::vector<int>& was,
-           const EditStep& step, PromptObject& wish) {
-        for (const auto& [ids, to, tag] :
-             {std::tuple{&step.at, &wish.relation_to, "@at"}, {&step.at_and, &wish.relation_and, "@and"}}) {
-            if (ids->empty()) continue;
-            for (std::size_t i = 0; i < placed.size(); ++i)
-                if (std::find(ids->begin(), ids->end(), things[static_cast<std::size_t>(was[i])].id) != ids->end())
-                    placed[i].wish.kind = tag;
-            *to = tag;
-        }
-    }
-};
-
 // Nothing comes along to carry it: no small table, no stand.
 std::vector<PromptObject> wish_alone(const PromptObject& wish) {
     std::vector<PromptObject> out{wish};
@@ -129,7 +128,10 @@ std::vector<PromptObject> wish_alone(const PromptObject& wish) {
 }
 
 // Whether it is among them.
-bool has(const std::vector<int>& all, int one) { return std::find(all.begin(), all.end(), one) != all.end(); }
+template <class T>
+bool has(const std::vector<T>& all, const T& one) {
+    return std::find(all.begin(), all.end(), one) != all.end();
+}
 
 }  // namespace
 
@@ -193,7 +195,9 @@ bool Editor::at_a_wall(Layout& layout, const EditStep& step, const Placed* movin
             layout.undo(before);
             continue;
         }
-        if (!step.elsewhere || !moving || length(to - footprint_of(*moving).center) > kElsewhere) return true;
+        const Vec2f from = moving ? footprint_of(*moving).center : Vec2f{};
+        const bool same_corner = corner && moving && from.x * to.x > 0 && from.y * to.y > 0;
+        if (!step.elsewhere || !moving || (length(to - from) > kElsewhere && !same_corner)) return true;
         layout.undo(before);
     }
     return false;
@@ -210,18 +214,31 @@ bool Editor::near_a_point(Layout& layout, const EditStep& step) const {
     return (mount == Mount::floor || mount == Mount::wall) && layout.against_wall(request, there, wish).has_value();
 }
 
+// By those names the layout finds them.
+Editor::Asked Editor::asked_among(const Standing& standing, const EditStep& step) const {
+    Asked out{room_.spec, standing.placed};
+    out.spec.objects = wish_alone(step.wish);
+    PromptObject& wish = out.spec.objects[0];
+    wish.id = 0;
+    if (is_one_of(wish.relation, {"on", "at the foot of"}))
+        for (Placed& p : out.among)
+            if (p.piece.kind == wish.relation_to || p.wish.kind == wish.relation_to) add_flat_top(p.piece);
+    for (const auto& [ids, to, tag] :
+         {std::tuple{&step.at, &wish.relation_to, "@at"}, {&step.at_and, &wish.relation_and, "@and"}}) {
+        if (ids->empty()) continue;
+        for (std::size_t i = 0; i < out.among.size(); ++i)
+            if (has(*ids, result_.document.things[static_cast<std::size_t>(standing.was[i])].id))
+                out.among[i].wish.kind = tag;
+        *to = tag;
+    }
+    return out;
+}
+
 // Lays out what is wished for among what stands; `moving` is made as it was. Nothing: there is no place for all of it.
 std::vector<Placed> Editor::laid_out(const Standing& standing, const EditStep& step, const Placed* moving,
                                      bool finely) const {
-    PromptSpec spec = room_.spec;
-    spec.objects = wish_alone(step.wish);
-    PromptObject& wish = spec.objects[0];
-    wish.id = 0;
-    std::vector<Placed> among = standing.placed;
-    if (is_one_of(wish.relation, {"on", "at the foot of"}))
-        for (Placed& p : among)
-            if (p.piece.kind == wish.relation_to || p.wish.kind == wish.relation_to) add_flat_top(p.piece);
-    const Tagged tagged(among, result_.document.things, standing.was, step, wish);
+    auto [spec, among] = asked_among(standing, step);
+    const PromptObject& wish = spec.objects[0];
     Random rng(room_.seed, "edit:" + wish.kind + wish.relation + step.wish.relation_to, among.size());
     Layout layout = begin_layout(spec, rng, among, moving);
     const std::size_t before = layout.mark();
@@ -233,8 +250,9 @@ std::vector<Placed> Editor::laid_out(const Standing& standing, const EditStep& s
     else {
         if (step.position) done = stand_near(layout, step) || near_a_point(layout, step);
         if (!done)
-            done = hang_above(layout, wish) || hang_in_row(layout) || on_flat(layout) || on_top_beside(layout) ||
-                   at_the_ends(layout) || in_the_middle(layout, step, moving) || on_the_floor(layout, step);
+            done = hang_above(layout, wish) || hang_in_row(layout) || seats_in_row(layout) || on_flat(layout) ||
+                   on_top_beside(layout) || at_the_ends(layout) || in_the_middle(layout, step, moving) ||
+                   on_the_floor(layout, step);
         if (!done && wish.relation != kAtTheEnds && !step.on_floor) place_asked(layout);
         if (layout.mark() == before || !is_where_asked(plan(), layout.placed(), layout.placed().back(), wish)) {
             layout.undo(before);
@@ -270,15 +288,7 @@ std::vector<Placed> Editor::laid_out(const Standing& standing, const EditStep& s
 }
 
 void Editor::place(const EditStep& step) {
-    std::vector<std::string> already;
-    for (const std::string& id : step.ids) try {
-            place_with_seats(index_of(id), step);
-        } catch (const AlreadySo&) {
-            if (step.ids.size() == 1) throw;
-            already.push_back(id);
-        }
-    if (already.size() == step.ids.size()) throw AlreadySo(already.front() + ": it stands there already");
-    for (const std::string& id : already) tell(id, "stands there already");
+    do_each(*this, step.ids.size(), [&](std::size_t k) { place_with_seats(index_of(step.ids[k]), step); });
 }
 
 void Editor::place_with_seats(int index, const EditStep& step) {
@@ -305,8 +315,10 @@ void Editor::place_one(int index, const std::vector<int>& along, EditStep step) 
         throw UsageError("{}: it cannot stand{}", id, place_in_words(step));
     const std::vector<Placed> all = laid_out(standing, step, &was);
     constexpr float kThere = 0.02f, kNudge = 0.25f;  // metres
-    if (all.size() != standing.placed.size() + 1)
+    if (all.size() != standing.placed.size() + 1) {
+        if (place_squeezed(index, step, along)) return;
         throw Error("{}: there is no free place for it{}", id, place_in_words(step));
+    }
     const Placed& found = all.back();
     PromptObject now = wish;
     now.id = -2;  // none of those that stand there
@@ -318,9 +330,12 @@ void Editor::place_one(int index, const std::vector<int>& along, EditStep step) 
         checked([&] { stand_at_found(index, found, standing, step, along); });
     } catch (const Error& e) {
         const std::vector<Placed> other = laid_out(standing, step, &was, true);
-        if (other.size() != standing.placed.size() + 1)
+        if (other.size() == standing.placed.size() + 1) try {
+                return checked([&] { stand_at_found(index, other.back(), standing, step, along); });
+            } catch (const Error&) {  // more closely, then
+            }
+        if (!place_squeezed(index, step, along))
             throw Error("{}: there is no place for it{}: {}", id, place_in_words(step), e.what());
-        checked([&] { stand_at_found(index, other.back(), standing, step, along); });
     }
 }
 
@@ -349,6 +364,7 @@ std::vector<Placed> Editor::with_added(const EditStep& step, bool& smaller) cons
         Layout layout(plan(), spec, rng);
         return layout.why_not(wish.kind).empty() ? make_piece(layout.request(wish.kind, &wish)).size_m : Vec3f{};
     };
+    const bool stands = mount_of(*this, step.wish.kind) == Mount::floor && step.wish.relation != "on";
     const int most = std::max(1, step.wish.count), least = step.wish.counted && !step.each ? most : 1;
     for (int count = most; count >= least; --count)
         for (const float scale : {1.f, 0.82f, 0.66f, 0.56f}) {
@@ -356,8 +372,10 @@ std::vector<Placed> Editor::with_added(const EditStep& step, bool& smaller) cons
             one.wish.count = count;
             if (scale < 1) one.wish.size_m = usual_size(one.wish) * scale;
             // Nobody sits on a chair for dolls.
-            constexpr float kLeastSeat = 0.8f;
+            constexpr float kLeastSeat = 0.8f, kLeastFurniture = 0.8f;
             if (scale < kLeastSeat && has_role(step.wish.kind, Role::seat)) break;
+            // What stands on the floor stands closer before it is smaller still.
+            if (scale < kLeastFurniture && stands) break;
             if (scale < 1 && (step.wish.size_m != Vec3f{} || one.wish.size_m == Vec3f{})) break;
             const std::vector<Placed> all = laid_out(standing, one, nullptr);
             // Pictures and mirrors shrink to the wall that is free: half as wide as usual, nobody calls them large.
@@ -377,6 +395,11 @@ std::string Editor::why_none_added(EditStep step) const {
     Random rng(room_.seed, "why");
     if (const std::string why = Layout(plan(), spec, rng).why_not(step.wish.kind); !why.empty())
         return fmt::format("{}: {}", step.wish.words, why);
+    const auto hangs = [&](const Placed& p) { return asked_kind(p) == step.wish.kind && p.piece.mount == Mount::wall; };
+    if (has_role(step.wish.kind, Role::soft) &&
+        std::any_of(room_.furnished.placed.begin(), room_.furnished.placed.end(), hangs))
+        return fmt::format("{}: they hang at the windows already; \"make the {} …\" changes them", step.wish.words,
+                           step.wish.words);
     const int asked = step.wish.count;
     while (--step.wish.count > 0)
         if (!laid_out(without({}), step, nullptr).empty())
@@ -401,13 +424,45 @@ std::vector<std::string> Editor::admit(const std::vector<Placed>& all, const Sta
     return out;
 }
 
+// What was to hang above a thing and hangs above its end.
+void Editor::tell_aside(const std::string& id, const EditStep& step) {
+    constexpr float kAside = 0.45f;  // of its half
+    if (step.wish.relation != "above" || step.wish.count > 1) return;
+    float least = 1e9f;
+    for (const Placed& below : room_.furnished.placed)
+        if (asked_kind(below) == step.wish.relation_to || below.piece.kind == step.wish.relation_to)
+            least = std::min(least, std::abs(dot(placed(id).position - below.position, right_of(below.yaw))) /
+                                        std::max(0.1f, below.piece.size_m.x / 2));
+    if (least > kAside && least < 2) tell(id, "not above its middle: there was no more room");
+}
+
 void Editor::add(const EditStep& step) {
     if (step.wish.relation == "on both sides of" && step.wish.count == 2) check_no_pair(step);
+    if (add_into_row(step)) return;
     bool smaller = false;
-    const std::vector<Placed> all = with_added(step, smaller);
-    for (const std::string& id : admit(all, without({}), place_in_words(step)))
-        if (smaller) tell(id, "smaller than usual: there was no more room");
-    build();
+    std::vector<Placed> all;
+    try {
+        all = with_added(step, smaller);
+        // Not where the camera stands, nor in its way.
+        const std::set<std::string> before = fault_texts(room_.furnished.placed), now = fault_texts(all);
+        if (!std::includes(before.begin(), before.end(), now.begin(), now.end()) && add_squeezed(step)) return;
+    } catch (const Error&) {
+        if (add_squeezed(step)) return;
+        throw;
+    }
+    std::vector<std::string> fresh;
+    together([&] {
+        fresh = admit(all, without({}), place_in_words(step));
+        for (const std::string& id : fresh)
+            if (smaller) tell(id, "smaller than usual: there was no more room");
+        try {
+            build();
+        } catch (const Error&) {  // the camera stands there
+            throw Error("{}: there is no free place for it{}", step.wish.words, place_in_words(step));
+        }
+    });
+    for (const std::string& id : fresh) tell_aside(id, step);
+    if (step.each) tell_missing_corners(step, fresh.size());
 }
 
 }  // namespace fastscene::editing

@@ -239,13 +239,20 @@ void check_one_look(Talk& talk, const std::vector<Group>& groups) {
 
 void apply(Talk& talk, const Group& group) {
     std::vector<std::string> spoken;
-    for (const Words& subject : group.subjects) {
-        if (!group.by.empty()) {
-            replace(talk, subject, group.by);
-            spoken = talk.last;
-        }
-        for (const Words& words : group.values) add_new(spoken, make_one(talk, subject, *value_of(words)));
-    }
+    do_each(
+        talk.editor, group.subjects.size(),
+        [&](std::size_t k) {
+            const Words& subject = group.subjects[k];
+            if (!group.by.empty()) {
+                replace(talk, subject, group.by);
+                spoken = talk.last;
+            }
+            do_each(
+                talk.editor, group.values.size(),
+                [&](std::size_t v) { add_new(spoken, make_one(talk, subject, *value_of(group.values[v]))); },
+                [&](std::size_t v) { return text_of(group.values[v]); });
+        },
+        [&](std::size_t k) { return text_of(group.subjects[k]); });
     talk.last = spoken;
 }
 
@@ -379,8 +386,14 @@ bool each_on_or_off(const Words& words) {
 void make(Talk& talk, const Words& words) {
     // "the ceiling lights off and the desk lamp on"
     if (each_on_or_off(words)) {
-        for (const Words& part : parts_of(words)) make(talk, part);
-        return;
+        const std::vector<Words> parts = parts_of(words);
+        return do_each(talk.editor, parts.size(), [&](std::size_t k) { make(talk, parts[k]); });
+    }
+    // "it a rainy evening with only the lamps on"
+    if (const std::size_t with = find_word(words, {"with"}, 2);
+        with + 2 < words.size() && is_one_of(words.front(), {"it", "the"}) && says_on_or_off(words)) {
+        make(talk, part_of(words, 0, with));
+        return make(talk, part_of(words, with + 1));
     }
     // "the room brick walls and a concrete floor"
     if (talk.said == "give" && words.size() > 3 && noun_of(words[1]) == "room") return add(talk, part_of(words, 2));
@@ -394,7 +407,7 @@ void make(Talk& talk, const Words& words) {
     if (of_the_room(talk, words)) return;
     const std::vector<Group> groups = groups_of(as_made(words));
     check_one_look(talk, groups);
-    for (const Group& group : groups) apply(talk, group);
+    do_each(talk.editor, groups.size(), [&](std::size_t k) { apply(talk, groups[k]); });
 }
 
 bool swap_colors(Talk& talk, const Words& words) {

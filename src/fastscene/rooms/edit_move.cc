@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 #include "fastscene/base/error.h"
 #include "fastscene/base/is_one_of.h"
@@ -44,12 +45,30 @@ bool put_together(Talk& talk, const std::vector<std::string>& ids) {
         return length(b.center - a.center) - extent(a, way) - extent(b, way);
     };
     if (off() < 0.02f) throw AlreadySo(ids[1] + ": it stands there already");
+    // Straight up to it, where nothing stands between them; else beside it.
+    const Vec3f to = talk.editor.placed(ids[0]).position - talk.editor.placed(ids[1]).position;
     EditStep step;
+    step.kind = EditStep::Kind::shift;
+    step.ids = {ids[1]};
+    step.by = Vec3f{to.x, 0, to.z} * ((off() - 0.01f) / std::max(0.01f, length(Vec3f{to.x, 0, to.z})));
+    step.exactly = true;
+    try {
+        talk.editor.apply(step);
+        return true;
+    } catch (const Error&) {
+    }
+    step = {};
     step.kind = EditStep::Kind::place;
     step.wish.relation = "next to", step.wish.relation_to = talk.editor.placed(ids[0]).piece.kind;
     step.ids = {ids[1]}, step.at = {ids[0]};
-    talk.editor.apply(step);
-    if (off() > kTogether) throw Error("{}: there is no free place for it close to {}", ids[1], ids[0]);
+    talk.editor.together([&] {
+        try {
+            talk.editor.apply(step);
+        } catch (const AlreadySo&) {
+            throw Error("{}: something stands between it and {}", ids[1], ids[0]);
+        }
+        if (off() > kTogether) throw Error("{}: there is no free place for it close to {}", ids[1], ids[0]);
+    });
     return true;
 }
 
@@ -76,7 +95,7 @@ bool shifted(Talk& talk, const std::vector<std::string>& ids, const Words& place
     for (const std::string& id : steps.empty() ? ids : std::vector<std::string>{})
         if (const auto step = shift_of(talk.editor, place, id)) steps.push_back(*step);
     if (steps.size() < ids.size() || steps.empty()) return false;
-    for (const EditStep& step : steps) talk.editor.apply(step);
+    do_each(talk.editor, steps.size(), [&](std::size_t k) { talk.editor.apply(steps[k]); });
     return true;
 }
 
@@ -87,7 +106,15 @@ bool put_at(Talk& talk, const std::vector<std::string>& ids, const Words& words,
     Words way = words;
     if (is_one_of(way.back(), {"it", "them"}) && !spoken.empty()) way.back() = spoken.front();
     try {
-        if (shifted(talk, ids, way)) return true;
+        if (shifted(talk, ids, way)) {
+            // "Closer to the fireplace" is at it.
+            try {
+                const std::string kind = asked_kind(talk.editor.placed(ids.front()));
+                if (const auto at = place_of(talk.editor, words, kind, ids.front(), spoken)) talk.last_place = at->step;
+            } catch (const UsageError&) {
+            }
+            return true;
+        }
     } catch (const UsageError&) {
         throw;
     } catch (const Error& e) {  // "closer to the window", with no free way there: a place at the window
@@ -103,18 +130,38 @@ bool put_at(Talk& talk, const std::vector<std::string>& ids, const Words& words,
     }
     if (!place && !why_not.empty()) throw Error("{}", why_not);
     if (!place) return false;
-    place->step.kind = EditStep::Kind::place;
-    std::vector<std::string> already;
-    for (std::size_t k = 0; k < ids.size(); ++k) try {
+    const auto put_all = [&] {
+        place->step.kind = EditStep::Kind::place;
+        do_each(talk.editor, ids.size(), [&](std::size_t k) {
             place->step.ids = {ids[k]};
             if (!place->each_at.empty()) place->step.at = place->each_at[k % place->each_at.size()];
-            talk.editor.apply(place->step);
-        } catch (const AlreadySo&) {
-            if (ids.size() == 1) throw;
-            already.push_back(ids[k]);
-        }
-    if (already.size() == ids.size()) throw AlreadySo(already.front() + ": it stands there already");
-    for (const std::string& id : already) talk.editor.note(id, "stands there already");
+            EditStep step = place->step;
+            // Several on both sides: one here, one there.
+            if (ids.size() > 1 && step.wish.relation == "on both sides of")
+                step.wish.relation = k % 2 == 0 ? "left of" : "right of";
+            talk.editor.apply(step);
+            // All of them at that window, where there are several.
+            if (k == 0 && ids.size() > 1 && step.wish.relation == "next to" && !step.position &&
+                !noun_of(step.wish.relation_to).empty())
+                place->step.position = flat(talk.editor.placed(ids[k]).position);
+        });
+    };
+    // "Move the chair to the fire and hang the mirror above it": what it was put at may be "it" as well.
+    const std::vector<std::string> others = talk.last_place.wish.relation_to.empty()
+                                                ? std::vector<std::string>{}
+                                                : things_at(talk.editor, talk.last_place);
+    try {
+        put_all();
+    } catch (const UsageError&) {
+        throw;
+    } catch (const AlreadySo&) {
+        throw;
+    } catch (const Error&) {
+        if (!is_one_of(words.back(), {"it", "them"}) || others.empty() || others == spoken) throw;
+        place = place_of(talk.editor, words, asked_kind(talk.editor.placed(ids.front())), ids.front(), others);
+        if (!place) throw;
+        put_all();
+    }
     talk.last_place = place->step;
     return true;
 }
@@ -211,31 +258,31 @@ void move(Talk& talk, const Words& words) {
         if (with + 2 != part.size() || !is_one_of(part.back(), {"it", "them"})) parts.push_back(part);
         else before.push_back(part_of(part, 0, is_one_of(part[with - 1], {"along", "together"}) ? with - 1 : with));
     }
-    for (const Words& part : parts) {
+    const auto move_part = [&](const Words& part) {
         // "in front of the fireplace, facing it"
         if (part.front() == "facing" && !talk.last.empty()) {
             Words all{"them"};
             all.insert(all.end(), part.begin(), part.end());
-            face(talk, all);
-            continue;
+            return face(talk, all);
         }
         if (next_place(part) == part.size()) {
             before.push_back(part);
-            continue;
+            return;
         }
+        const std::vector<Words> first = std::exchange(before, {});
         // "in the middle of the room facing the door"
         if (const std::size_t facing = find_word(part, {"facing"}, 2);
             facing + 1 < part.size() && next_place(part) < facing) {
-            move_one(talk, before, part_of(part, 0, facing));
-            before.clear();
+            move_one(talk, first, part_of(part, 0, facing));
             Words all{"them"};
             all.insert(all.end(), part.begin() + static_cast<std::ptrdiff_t>(facing), part.end());
-            face(talk, all);
-            continue;
+            return face(talk, all);
         }
-        move_one(talk, before, part);
-        before.clear();
-    }
+        move_one(talk, first, part);
+    };
+    do_each(
+        talk.editor, parts.size(), [&](std::size_t k) { move_part(parts[k]); },
+        [&](std::size_t k) { return text_of(parts[k]); });
     if (!before.empty() && talk.there && (talk.last_gone || !talk.last_place.wish.relation.empty())) {
         // "remove the shelf and move the plant there"
         EditStep step = talk.last_gone ? EditStep{} : talk.last_place;
@@ -262,13 +309,16 @@ void turn(Talk& talk, const Words& words) {
         return move(talk, all);
     }
     // "so that it faces the door"
-    if (const std::size_t so = find_word(words, {"faces", "looks"}, 1); so < words.size()) {
+    const std::size_t purpose = find_word(words, {"so"}, 1);
+    if (const std::size_t so = std::min(find_word(words, {"faces", "looks"}, 1),
+                                        find_word(words, {"face", "look", "point"}, purpose));
+        so < words.size()) {
         Words all = part_of(words, 0, so);
         // "so that the chair faces the door" is no turn of the desk.
         if (const std::size_t that = find_word(words, {"so"}, 1);
             that < so && so - that > 2 && !is_one_of(words[so - 1], {"it", "they", "that"}))
             throw UsageError("expected what is turned to face something itself, found \"{}\"", text_of(words));
-        while (all.size() > 1 && is_one_of(all.back(), {"so", "that", "it", "and"})) all.pop_back();
+        while (all.size() > 1 && is_one_of(all.back(), {"so", "that", "it", "they", "and"})) all.pop_back();
         all.push_back("facing");
         const Words to = part_of(words, so + 1);
         all.insert(all.end(), to.begin(), to.end());
@@ -303,13 +353,16 @@ void face(Talk& talk, const Words& words) {
     Words thing = part_of(words, 0, end);
     while (thing.size() > 1 && is_one_of(thing.back(), {"to", "so", "it", "around", "that", "should"}))
         thing.pop_back();
-    const Words target = part_of(words, next);
+    Words target = part_of(words, next);
     if (target.empty())
         throw UsageError("expected what \"{}\" is to face, for example \"to the window\"", text_of(words));
     EditStep step;
     step.kind = EditStep::Kind::face;
     const std::vector<std::string> spoken = talk.last;
     step.ids = talk.things_of_parts(thing);
+    // "The second desk to face the first"
+    if (is_one_of(target.back(), {"first", "second", "third", "last"}) && !talk.noun.empty())
+        target.push_back(talk.noun);
     const std::string text = text_of(target);
     if (text == "each other" || text == "one another") {
         if (step.ids.size() != 2)
@@ -338,6 +391,12 @@ void face(Talk& talk, const Words& words) {
         if (!place) throw UsageError("expected a thing or an opening to face, found \"{}\"", text);
         step.wish.relation_to = place->step.wish.relation_to;
         step.at = things_at(talk.editor, place->step);
+        // "To the wall": that at its back, unless another one was said.
+        if (noun_of(noun) == "wall") {
+            step.wish.relation_to = "wall", step.wall = place->step.wall;
+            if (step.wall < 0) step.wall = wall_behind(talk.editor.plan(), talk.editor.placed(step.ids.front()));
+            if (step.wall < 0) throw UsageError("which wall? found \"{}\"", text);
+        }
     }
     talk.editor.apply(step);
 }
@@ -374,7 +433,9 @@ bool put_one_by_one(Talk& talk, const Words& words) {
     if (open && each.size() > 1) return false;
     if (std::none_of(each.begin(), each.end(), [&](const Words& w) { return begins_anew(w) != begins_anew(each[0]); }))
         return false;
-    for (const Words& one : each) put(talk, one);
+    do_each(
+        talk.editor, each.size(), [&](std::size_t k) { put(talk, each[k]); },
+        [&](std::size_t k) { return text_of(each[k]); });
     return true;
 }
 
@@ -430,7 +491,7 @@ bool put_where(Talk& talk, const Clause& clause) {
 // "the desk so that it faces the window": a turn, where no place was said.
 bool says_so_that(const Words& words) {
     const std::size_t so = find_word(words, {"so"}, 1);
-    return so < words.size() && find_word(words, {"faces", "looks"}, so) < words.size() &&
+    return so < words.size() && find_word(words, {"faces", "looks", "face", "look", "point"}, so) < words.size() &&
            next_place(part_of(words, 0, so)) == so;
 }
 

@@ -146,6 +146,89 @@ bool Editor::on_top_at_wall(Layout& layout, int wall) const {
     return false;
 }
 
+void Editor::tell_missing_corners(const EditStep& step, std::size_t added) {
+    constexpr std::size_t kCorners = 4;
+    if (added < kCorners)
+        note(kNotDone, fmt::format("{} of {} corners have no room for a {}", kCorners - added, kCorners,
+                                   in_words(step.wish.kind)));
+}
+
+// Lamps above a table where some hang: all of them in one row, for which those move a little. False: there is no room
+// for that, or none hangs there.
+bool Editor::add_into_row(const EditStep& step) {
+    if (step.wish.relation != "above" || step.wish.count < 2) return false;
+    std::vector<int> hanging;
+    PromptObject above;
+    above.id = -2;  // none of those that stand there
+    above.relation = "above", above.relation_to = step.wish.relation_to;
+    for (int i = 0; i < static_cast<int>(room_.furnished.placed.size()); ++i)
+        if (placed(i).piece.mount == Mount::ceiling && asked_kind(placed(i)) == step.wish.kind &&
+            stands_as_asked(plan(), room_.furnished.placed, placed(i), above).value_or(false))
+            hanging.push_back(i);
+    if (hanging.empty()) return false;
+    const Standing standing = without(hanging);
+    EditStep row = step;
+    row.wish.count += static_cast<int>(hanging.size());
+    std::vector<Placed> all = laid_out(standing, row, nullptr);
+    if (all.size() != standing.placed.size() + static_cast<std::size_t>(row.wish.count)) return false;
+    // Each of those that hang has the place nearest to it.
+    for (const int i : hanging) {
+        const auto first = all.begin() + static_cast<std::ptrdiff_t>(standing.placed.size());
+        const auto nearest = std::min_element(first, all.end(), [&](const Placed& a, const Placed& b) {
+            return length(a.position - placed(i).position) < length(b.position - placed(i).position);
+        });
+        const float by = length(flat(nearest->position) - flat(placed(i).position));
+        thing(i).position.x = nearest->position.x, thing(i).position.z = nearest->position.z;
+        if (by > 0.01f) tell(thing(i).id, fmt::format("moved {:.2f} m into the row", by));
+        all.erase(nearest);
+    }
+    const Standing rest = without({});
+    std::vector<Placed> now = rest.placed;
+    now.insert(now.end(), all.begin() + static_cast<std::ptrdiff_t>(standing.placed.size()), all.end());
+    admit(now, rest, place_in_words(step));
+    build();
+    return true;
+}
+
+// Seats before a table, a counter, an island: side by side, drawn up to it.
+bool Editor::seats_in_row(Layout& layout) const {
+    const PromptObject& wish = layout.spec().objects[0];
+    const bool there = is_one_of(wish.relation, {"in front of", "next to", "behind"});
+    if (!there || wish.count < 2 || !has_role(wish.kind, Role::sits_before)) return false;
+    if (has_role(wish.kind, Role::easy_chair) || !layout.why_not(wish.kind).empty()) return false;
+    const Piece piece = make_piece(layout.request(wish.kind, &wish));
+    const std::size_t before = layout.mark();
+    for (int i = 0; i < static_cast<int>(before); ++i) {
+        const Placed table = layout.placed()[static_cast<std::size_t>(i)];
+        if (table.piece.kind != wish.relation_to && table.wish.kind != wish.relation_to) continue;
+        constexpr float kLow = 0.6f;  // metres: nobody sits at what is lower
+        if (table.piece.surfaces.empty() || table.piece.size_m.y < kLow) continue;
+        if (!has_role(table.piece.kind, Role::lamp_above) && !has_role(table.piece.kind, Role::work_place)) continue;
+        std::vector<float> sides{1, -1};
+        if (wish.relation == "behind") sides = {-1};
+        if (wish.relation == "in front of") sides = {1, -1};
+        const auto count = static_cast<float>(wish.count);
+        for (const float side : sides)
+            for (const float gap : {0.02f, 0.1f, 0.18f})
+                for (const float share : {1.f, 0.8f, 0.6f}) {
+                    const float step = std::max(table.piece.size_m.x * share / count, piece.size_m.x + 0.04f);
+                    if (step * (count - 1) + piece.size_m.x > table.piece.size_m.x + 0.3f) continue;
+                    const Vec3f out = front_of(table.yaw) *
+                                      (side * (table.piece.size_m.z / 2 + gap + piece.size_m.z / 2));
+                    for (int n = 0; n < wish.count; ++n) {
+                        const float at = (static_cast<float>(n) - 0.5f * (count - 1)) * step;
+                        const Vec3f to = table.position + out + right_of(table.yaw) * at;
+                        const auto k = layout.stand_at(piece, flat(to), yaw_of(out * -1.f), wish, {});
+                        if (!k) break;
+                        layout.join(*k, i);
+                    }
+                    if (layout.mark() == before + static_cast<std::size_t>(wish.count)) return true;
+                    layout.undo(before);
+                }
+    }
+    return false;
+}
+
 // A pair that stands there already needs no other.
 void Editor::check_no_pair(const EditStep& step) const {
     constexpr float kBy = 0.5f;  // metres

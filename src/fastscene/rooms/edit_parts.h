@@ -13,12 +13,44 @@
 
 #include "fastscene/base/error.h"
 #include "fastscene/rooms/edit.h"
+#include "fastscene/rooms/layout_ways.h"
 
 namespace fastscene::editing {
 
 inline constexpr const char* kAtTheEnds = "at the ends of";  // a relation of seats and tables
 
 std::string in_words(std::string kind);  // "coffee_table" -> "coffee table"
+
+// ---- edit_candidates.cc
+// A place on the floor.
+struct Candidate {
+    Vec2f at;
+    float yaw = 0;
+    float cost = 0;
+    float off = 1e9f;  // metres from what it was asked at
+};
+bool is_rug(const Piece& piece);
+// Left or right of a thing is beside it, not before it.
+bool is_beside(const std::vector<Placed>& all, const Placed& piece, const PromptObject& wish);
+// By a bed, along its foot, where nightstands do not stand.
+bool is_at_foot(const std::vector<Placed>& all, const PromptObject& wish, const Placed& p);
+
+// ---- edit_squeeze.cc
+// What is given up for a place.
+struct Squeeze {
+    bool narrow = false;  // ways are kNarrow
+    float scale = 1;      // of its usual size
+    float further = 0;    // metres further off what it was asked at
+    bool pushes = false;  // small things move aside
+};
+inline constexpr Passage kNarrow{.body_radius = 0.225f, .eye_radius = 0.45f};  // a way of 0.45 m
+std::vector<Squeeze> squeezes(bool may_shrink);
+// What stands, what came last, and the room's things that were moved for it.
+struct Squeezed {
+    std::vector<Placed> all;
+    std::vector<int> pushed;
+    float off = 0;  // metres from what it was asked at
+};
 
 // A document while it is edited, with its room. edit.cc; poses in edit_poses.cc, places in edit_layout.cc,
 // exchanges in edit_exchange.cc.
@@ -33,10 +65,14 @@ class Editor {
     const std::shared_ptr<const FurniturePack>& pack() const { return pack_; }
     const EditResult& result() const { return result_; }
     // Tells what was not done as it was said.
-    void note(const std::string& id, const std::string& what) { tell(id, what); }
+    void note(const std::string& id, const std::string& what) { tell(id, what), ++notes_; }
+    // How many changes there are beside what was only told.
+    std::size_t deeds() const { return result_.changes.size() - notes_; }
     int index_of(const std::string& id) const;
     const Placed& placed(const std::string& id) const;
     std::string color_seen(const std::string& id) const;  // by name, else "#rrggbb"
+    // All of it, or nothing.
+    void together(const std::function<void()>& change);
     // With all that stands on them.
     std::vector<int> with_riders(const std::vector<int>& roots) const;
 
@@ -51,6 +87,12 @@ class Editor {
         std::vector<int> was, now;
     };
 
+    // What is wished for, and what stands: the very things that a place means bear a name of their own.
+    struct Asked {
+        PromptSpec spec;
+        std::vector<Placed> among;
+    };
+
     void build();
     void tell(const std::string& id, const std::string& what);
     DocumentThing& thing(int index) { return result_.document.things[static_cast<std::size_t>(index)]; }
@@ -60,15 +102,18 @@ class Editor {
     // ---- edit_poses.cc
     void set_pose(int index, Pose pose, const std::vector<int>& along);
     void tell_pose(int index, Vec3f from);
-    void checked(const std::function<void()>& change);
+    void checked(const std::function<void()>& change, const Passage& passage = {});
     std::string new_fault(const std::vector<Placed>& all) const;
     std::vector<Placed> with_pose(int index, Pose pose, const std::vector<int>& along) const;
     std::vector<int> seats_at(int table) const;
     std::optional<Vec2f> target_of(const EditStep& step, int from) const;
     void move(const EditStep& step);
-    bool turned_aside(int index, float turn);
+    bool turned_aside(int index, float turn, const std::vector<int>& along);
     void shift(const EditStep& step);
+    void shift_one(int index, const EditStep& step);
+    void turn_one(int index, const EditStep& step);
     void face(const EditStep& step);
+    void face_one(int index, const EditStep& step);
     void resize(const EditStep& step);
     void resize_one(int index, Vec3f factor, bool exactly);
     std::string resize_to(int index, Vec3f factor);
@@ -79,6 +124,7 @@ class Editor {
     Standing without(const std::vector<int>& gone) const;
     std::vector<Placed> laid_out(const Standing& standing, const EditStep& step, const Placed* moving,
                                  bool finely = false) const;
+    Asked asked_among(const Standing& standing, const EditStep& step) const;
     Layout begin_layout(PromptSpec& spec, Random& rng, const std::vector<Placed>& standing, const Placed* moving) const;
     bool at_a_wall(Layout& layout, const EditStep& step, const Placed* moving) const;
     bool near_a_point(Layout& layout, const EditStep& step) const;
@@ -90,15 +136,33 @@ class Editor {
                         const std::vector<int>& along);
     std::vector<Placed> with_added(const EditStep& step, bool& smaller) const;
     void add(const EditStep& step);
+    void tell_aside(const std::string& id, const EditStep& step);
     std::vector<std::string> admit(const std::vector<Placed>& all, const Standing& standing, const std::string& how);
 
     // ---- edit_search.cc
+    std::vector<Candidate> candidates_for(Layout& layout, const EditStep& step, const Piece& piece,
+                                          float further) const;
     bool search_finely(Layout& layout, const EditStep& step) const;
     bool at_the_ends(Layout& layout) const;
+    bool seats_in_row(Layout& layout) const;
     bool in_the_middle(Layout& layout, const EditStep& step, const Placed* moving) const;
     bool on_the_floor(Layout& layout, const EditStep& step) const;
     bool hang_behind(Layout& layout) const;
     bool stands_clear(int index, const Footprint& box, const std::vector<int>& along) const;
+
+    // ---- edit_squeeze.cc
+    // The first place that `accepts` takes.
+    std::optional<Squeezed> squeezed_in(const Standing& standing, const EditStep& step, const Placed* moving,
+                                        const Squeeze& how, const std::function<bool(const Squeezed&)>& accepts) const;
+    std::optional<Squeezed> squeezed_on_wall(Layout& layout, const EditStep& step, const Placed* moving,
+                                             const Squeeze& how,
+                                             const std::function<bool(const Squeezed&)>& accepts) const;
+    std::optional<Squeezed> squeezed_on_top(Layout& layout, const Placed* moving) const;  // edit_tops.cc
+    std::set<std::string> fault_texts(const std::vector<Placed>& all, const Passage& passage = {}) const;
+    bool place_squeezed(int index, const EditStep& step, const std::vector<int>& along);
+    bool add_squeezed(const EditStep& step);
+    void make_way(const Squeezed& found, const std::string& whom);
+    void tell_squeeze(const std::string& id, const EditStep& step, const Squeezed& found, const Squeeze& how);
 
     // ---- edit_nearer.cc
     bool hang_in_row(Layout& layout) const;
@@ -108,6 +172,8 @@ class Editor {
     bool stand_near(Layout& layout, const EditStep& step) const;
     bool bring_nearer(Layout& layout, const EditStep& step, std::size_t before) const;
     void line_up(const EditStep& step);
+    bool add_into_row(const EditStep& step);
+    void tell_missing_corners(const EditStep& step, std::size_t added);
     void check_no_pair(const EditStep& step) const;
 
     // ---- edit_shapes.cc
@@ -137,7 +203,16 @@ class Editor {
     Run run_;
     EditResult result_;
     DocumentRoom room_;
+    std::size_t notes_ = 0;
 };
+
+// " next to bed-1", " at a wall"; empty: it was not said where.
+std::string place_in_words(const EditStep& step);
+
+// Does some things one after the other. What cannot be done, or is so already, is told; where nothing else is done, it
+// is thrown. `words`: what was said of each, if that is to be told with it.
+void do_each(Editor& editor, std::size_t count, const std::function<void(std::size_t)>& act,
+             const std::function<std::string(std::size_t)>& words = {});
 
 // What was asked for is so without any change: another part of the sentence may do something.
 class AlreadySo : public Error {
@@ -330,6 +405,10 @@ int wall_behind(const Plan& plan, const Placed& p);
 // How far a point is from the middle between two things that a place is said by, other than `own`; +inf: there are
 // none.
 float off_middle(const std::vector<Placed>& all, const PromptObject& wish, Vec2f at, const Placed* own = nullptr);
+// The boxes of what a place is said by: things, or openings as thin boxes.
+std::vector<Footprint> anchors_of(const Plan& plan, const std::vector<Placed>& placed, const std::string& kind);
+// Things that are larger all around, so that what is further off is at them still.
+std::vector<Placed> grown(std::vector<Placed> all, const PromptObject& wish, float by);
 // From the ceiling above a thing: its middle, else along it.
 bool hang_above(Layout& layout, const PromptObject& wish);
 // ---- edit_shapes.cc
@@ -346,6 +425,7 @@ struct Talk {
     EditStep last_place{};             // where they were put
     std::string said{};                // the clause's verb
     bool there = false;                // the clause ends with "there"
+    bool more = false;                 // it says "more", "another": beside those that are there
     std::optional<Vec2f> last_gone{};  // where what was removed last stood: "there"
     std::string last_gone_from{};      // … and what carried it; "clear the table and put a bowl there"
     std::vector<std::string> kept{};   // "leave the rug as it is"
@@ -358,7 +438,17 @@ struct Talk {
 std::string asked_kind(const Placed& p);  // as it was asked for
 std::size_t find_word(const Words& words, std::initializer_list<std::string_view> any, std::size_t from = 0);
 void add_new(std::vector<std::string>& to, const std::vector<std::string>& more);
+bool is_among(const std::string& id, const std::vector<std::string>& ids);
+// ---- edit_remove.cc
 void remove(Talk& talk, Words words);
+void remove_all(Talk& talk, const std::vector<std::string>& ids);
+void clear(Talk& talk, const Words& words);  // "the table": what stands on it
+// "everything on the table", "everything but the sofa"; false: the words do not speak of everything.
+bool remove_everything(Talk& talk, const Words& words);
+// "all but one chair": of the chairs.
+bool says_all_but_some(const Words& words);
+// "the table together with its chairs": the table, and its chairs.
+Words with_its(const Words& words);
 // ---- edit_move.cc
 void move(Talk& talk, const Words& words);
 void turn(Talk& talk, const Words& words);
@@ -374,6 +464,9 @@ struct Addition {
     std::optional<Place> place;
     std::string shape{};  // of the first
     Words said{};
+    bool each = false;    // "two tables with two chairs each"
+    bool in_row = false;  // "two tables in a row"
+    bool on_it = false;   // "a table with six plants on it"
 };
 // "another chair", "two more plants", "a few books"
 Words counted_anew(Words words);
@@ -388,9 +481,23 @@ Addition addition_of(const Talk& talk, const Words& said, const std::vector<std:
 // ---- edit_add.cc
 void add(Talk& talk, const Words& words);
 void add_there(Talk& talk, const Words& words);
+// ---- edit_add_one.cc
+// What is wished for comes to the place; without one, with its like or where such things stand.
+void add_wish(Talk& talk, const PromptObject& wish, const std::optional<Place>& place);
+// … or a form of it that needs no top: a lamp that stands on the floor.
+void add_or_stand(Talk& talk, const PromptObject& wish, const std::optional<Place>& place);
+Place beside_those(const Talk& talk, const std::vector<std::string>& ids);
+// "Two more tables in a row": each beside the one before it.
+void add_row(Talk& talk, PromptObject wish);
+// Beside those that share its place, and no further from that than they; false: there is no such place.
+bool grouped(Talk& talk, const PromptObject& wish, const Place& shared, const std::vector<std::string>& together);
+// ---- edit_replace.cc
 void copy(Talk& talk, const Words& words);
 void replace(Talk& talk, const Words& old, const Words& by);
 void swap(Talk& talk, Words words);
+// ---- edit_center.cc
+// "the rug under the table": their middles in line; false: the words say no such thing.
+bool center(Talk& talk, const Words& words);
 // ---- edit_make.cc
 // "the sofa green", "it night", "the walls sage", "the rug larger", "the style to japandi"
 void make(Talk& talk, const Words& words);

@@ -11,7 +11,7 @@ namespace {
 
 // Beginnings of places that the lexicon does not have, or that an edit means in its own way. "to", "at" and "in" mean
 // what suits the thing and the place.
-constexpr std::array<std::pair<std::string_view, std::string_view>, 34> kRelations{{
+constexpr std::array<std::pair<std::string_view, std::string_view>, 37> kRelations{{
     {"to", "to"},
     {"into", "to"},
     {"over to", "to"},
@@ -41,6 +41,9 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 34> kRelatio
     {"by the side of", "next to"},
     {"either side of", "on both sides of"},
     {"on either side of", "on both sides of"},
+    {"to either side of", "on both sides of"},
+    {"to both sides of", "on both sides of"},
+    {"to each side of", "on both sides of"},
     {"at either side of", "on both sides of"},
     {"both sides of", "on both sides of"},
     {"each side of", "on both sides of"},
@@ -70,8 +73,9 @@ std::string noun_of(const std::string& word) {
     if (is_one_of(word, {"middle", "center", "centre"})) return "middle";
     if (is_one_of(word, {"side", "end", "sides", "ends"})) return "side";
     if (is_one_of(word, {"floor", "ground"})) return "floor";
-    if (is_one_of(word, {"room", "bedroom", "kitchen", "office", "bathroom"})) return "room";
+    if (is_one_of(word, {"room", "bedroom", "kitchen", "office", "bathroom", "hallway", "corridor"})) return "room";
     if (word == "carpet") return {};
+    if (word == "entrance") return "door";
     const auto known = look_up(word);
     if (!known || known->kind != WordKind::structure) return {};
     return is_one_of(known->meaning, {"wall", "ceiling", "window", "door", "doorway", "floor"}) ? known->meaning : "";
@@ -87,6 +91,7 @@ std::optional<Part> room_part(const Words& words, std::size_t at) {
             out.noun = noun, out.next = i + 1;
             if (w == "corners") out.modifiers.push_back("each");
             if (is_one_of(w, {"end", "ends"})) out.modifiers.push_back("end");
+            if (is_one_of(w, {"sides", "ends"})) out.modifiers.push_back("sides");
             if (w.ends_with("sill")) out.modifiers.push_back("sill");
             return out;
         }

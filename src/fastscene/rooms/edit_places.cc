@@ -123,12 +123,29 @@ bool is_pronoun(const Words& words) {
            !words.empty() && words.front() != "of";
 }
 
+bool is_part_of_it(const std::string& word) {
+    return is_one_of(word, {"foot", "side", "sides", "end", "ends", "left", "right", "head"});
+}
+
 class Reader {
   public:
     Reader(const Editor& editor, const Words& words, const std::string& kind, const std::string& mover,
            const std::vector<std::string>& spoken)
         : editor_(editor), words_(words), kind_(kind), mover_(mover), spoken_(spoken), moving_(!mover.empty()) {
         std::erase(spoken_, mover_);
+        // "at its foot" is at the foot of it.
+        const std::size_t its = find_word(words_, {"its", "their"});
+        if (its > 0 && its + 1 < words_.size() && is_part_of_it(words_.back())) {
+            if (is_one_of(words_.back(), {"left", "right"}) && is_one_of(words_[its - 1], {"on", "at", "to"}))
+                words_[its - 1] = "to";
+            words_[its] = "the";
+            if (words_.back() == "head") words_ = {"next", "to"};
+            else words_.push_back("of");
+            words_.push_back("it");
+        } else if (words_.size() > 2 && !spoken_.empty() && is_part_of_it(words_.back()) &&
+                   is_one_of(words_[words_.size() - 2], {"each", "both", "either"})) {
+            words_.push_back("of"), words_.push_back("it");  // "a chair at each end"
+        }
     }
 
     std::optional<Place> read() {
@@ -141,9 +158,10 @@ class Reader {
         for (std::size_t i = at; i < std::min(words_.size(), at + 3); ++i) {
             if (!relation_at(part_of(words_, i, i + 1), 0)) break;
             const auto part = room_part(words_, i + 1);
-            if (!part || (i > at && relation && relation->next > i + 1)) continue;
+            const bool sides = relation && relation->name == "on both sides of";  // "to either side of the door"
+            if (!part || ((i > at || sides) && relation && relation->next > i + 1)) continue;
             const auto short_one = relation_at(part_of(words_, at, i + 1), 0);
-            if (short_one && short_one->next == i + 1 - at)
+            if (short_one && short_one->next == i + 1 - at && short_one->name != "between")
                 if (auto place = at_part(short_one->name, *part)) return place;
         }
         if (!relation) return {};
@@ -180,6 +198,8 @@ class Reader {
         const bool of_room = rest.empty() || (rest.front() == "of" && noun_of(rest.back()) == "room");
         if (part.noun == "corner") return at_corner(part, rest);
         if (part.noun == "middle" && of_room) return place("in the middle");
+        // "A chair at each end": of what?
+        if (part.noun == "side" && rest.empty() && part.says({"each", "both", "either", "sides"})) return {};
         if (part.noun == "side" && of_room) return at_wall(part, {});
         // "on the other side of the sofa"
         if (part.noun == "side" && rest.size() > 1 && rest.front() == "of" && !part.says({"left", "right"})) {
@@ -205,10 +225,32 @@ class Reader {
     std::optional<Place> at_opening(const std::string& relation, const Part& part) {
         const std::string kind = opening_there(editor_.plan(), part.noun);
         const bool small = furnishing::is_small(kind_);
+        // Curtains and blinds hang at windows wherever they come.
+        const bool hung = has_role(kind_, Role::blind) ||
+                          (has_role(kind_, Role::soft) && mount_of(editor_, kind_) == Mount::wall);
+        if (kind == "window" && hung && !moving_) return place("");
         if (kind == "window" && (part.says({"sill"}) || (small && is_one_of(relation, {"in", "on", "at", "to"}))))
             return place("on", "window");
-        if (is_one_of(relation, {"to", "at", "in", "on", "from", "against", "along"})) return place("next to", kind);
-        return place(relation, kind);
+        const bool at_it = is_one_of(relation, {"to", "at", "in", "on", "from", "against", "along"});
+        Place out = place(at_it ? "next to" : relation, kind);
+        out.step.position = which_opening(part, kind);
+        if (relation == "on both sides of") out.count = 2;
+        return out;
+    }
+
+    // "The left window", "the far door", of several: a point before it.
+    std::optional<Vec2f> which_opening(const Part& part, const std::string& kind) const {
+        const auto direction = direction_said(editor_, part);
+        std::vector<Vec2f> points;
+        for (const Opening& o : editor_.plan().openings) {
+            constexpr float kBefore = 0.4f;  // metres
+            const WallFace face = editor_.plan().wall(o.wall);
+            if (is_opening_of(o, kind))
+                points.push_back(flat(face.point((o.u0 + o.u1) / 2, 0) + face.inward * kBefore));
+        }
+        if (!direction || points.size() < 2) return {};
+        return *std::max_element(points.begin(), points.end(),
+                                 [&](Vec2f a, Vec2f b) { return dot(a, flat(*direction)) < dot(b, flat(*direction)); });
     }
 
     std::optional<Place> at_corner(const Part& part, const Words& rest) {
@@ -217,6 +259,9 @@ class Reader {
         out.step.each = !moving_ && part.says({"each", "every", "all"});
         std::optional<Vec2f> near;
         if (const auto direction = direction_said(editor_, part)) near = flat(*direction) * 100.f;
+        // "The far corner" is the freer of two.
+        if (near && rest.empty() && part.says({"left", "right"}) != part.says({"far", "back", "near", "front"}))
+            near = freer_corner(*near);
         if (rest.size() > 2 && is_one_of(rest.front(), {"furthest", "farthest", "closest", "nearest"})) {
             Words at = rest;
             at[0] = "next", at[1] = "to";
@@ -232,6 +277,24 @@ class Reader {
             });
         }
         return out;
+    }
+    // Of the two corners that lie that way, the one with more free floor before it.
+    Vec2f freer_corner(Vec2f way) const {
+        std::vector<Vec2f> corners = corners_of_room(editor_.plan());
+        std::stable_sort(corners.begin(), corners.end(), [&](Vec2f a, Vec2f b) { return dot(a, way) > dot(b, way); });
+        const auto free = [&](Vec2f corner) {
+            constexpr float kInwards = 0.5f;  // metres into the room
+            const Vec2f at = corner - Vec2f{std::copysign(kInwards, corner.x), std::copysign(kInwards, corner.y)};
+            float least = 1e9f;
+            for (const Placed& p : editor_.room().furnished.placed)
+                if (p.piece.mount == Mount::floor && !p.flat && p.id != mover_)
+                    least = std::min(least, distance_to(footprint_of(p), at));
+            for (const Opening& o : editor_.plan().openings)
+                if (o.kind != Opening::Kind::window)
+                    least = std::min(least, length(flat(editor_.plan().wall(o.wall).point((o.u0 + o.u1) / 2, 0)) - at));
+            return least;
+        };
+        return free(corners[0]) >= free(corners[1]) ? corners[0] : corners[1];
     }
     // Where "by the window", "next to the bed" is.
     std::optional<Vec2f> point_of(const Words& words) {
@@ -325,7 +388,8 @@ class Reader {
         // A candle on each side of the mantel stands on it.
         const bool top = furnishing::is_small(kind_) && !first.piece.surfaces.empty() &&
                          !has_role(first.piece.kind, Role::seat) && !has_role(first.piece.kind, Role::bed);
-        if (name == "on both sides of" && top) out.step.wish.relation = kAtTheEnds, out.count = 2;
+        if (name == "on both sides of") out.count = 2;
+        if (name == "on both sides of" && top) out.step.wish.relation = kAtTheEnds;
         if (each)
             for (const int i : found)
                 out.each_at.push_back({editor_.document().things[static_cast<std::size_t>(i)].id});
@@ -350,7 +414,7 @@ class Reader {
     // "At each end of the table", "on both sides of the bed"; "at the end of the table".
     void at_both(Place& place, const Part& part) const {
         const auto anchors = things_at(editor_, place.step);
-        const bool both = part.says({"each", "both", "either", "every"});
+        const bool both = part.says({"each", "both", "either", "every", "sides"});
         const bool seats = has_role(kind_, Role::seat) && !anchors.empty() &&
                            is_table(editor_.placed(anchors.front()).piece.kind);
         const bool on_top = both && furnishing::is_small(kind_) && !anchors.empty() &&
@@ -391,6 +455,11 @@ class Reader {
         }
         const Anchor one = side(Words(words.begin(), joint));
         const Anchor other = joint == words.end() ? one : side(Words(joint + 1, words.end()));
+        const Plan& plan = editor_.plan();
+        if (one.kind == other.kind && has_opening(plan, one.kind) &&
+            std::count_if(plan.openings.begin(), plan.openings.end(),
+                          [&](const Opening& o) { return is_opening_of(o, one.kind); }) < 2)
+            throw UsageError("there is only one {} in the room", one.kind);
         Place out = place("between", one.kind);
         out.step.wish.relation_and = other.kind;
         out.step.at = one.ids, out.step.at_and = other.ids;

@@ -15,10 +15,10 @@ namespace fastscene::editing {
 namespace {
 
 // What is wrong with a room, with the ids of its things.
-std::set<std::string> faults_of(const RoomDocument& document, const FurnishedRoom& room,
-                                const std::vector<Placed>& all) {
+std::set<std::string> faults_of(const RoomDocument& document, const FurnishedRoom& room, const std::vector<Placed>& all,
+                                const Passage& passage = {}) {
     std::set<std::string> out;
-    for (const Fault& fault : room_faults(room.plan, all, room.camera)) {
+    for (const Fault& fault : room_faults(room.plan, all, room.camera, passage)) {
         std::string text = fault.text;
         for (std::size_t i = all.size(); i-- > 0;) {
             const std::string name = all[i].piece.kind + " #" + std::to_string(i);
@@ -90,69 +90,83 @@ std::string Editor::new_fault(const std::vector<Placed>& all) const {
     return {};
 }
 
-// Nothing may be wrong that was not before.
-void Editor::checked(const std::function<void()>& change) {
-    const std::set<std::string> before = faults_of(result_.document, room_.furnished, room_.furnished.placed);
+void Editor::together(const std::function<void()>& change) {
     const EditResult kept = result_;
     try {
         change();
-        build();
-        for (const std::string& fault : faults_of(result_.document, room_.furnished, room_.furnished.placed))
-            if (!before.contains(fault)) throw Error("{}", fault);
-    } catch (const UsageError&) {
+    } catch (const Error&) {
         result_ = kept;
         build();
         throw;
+    }
+}
+
+// Nothing may be wrong that was not before.
+void Editor::checked(const std::function<void()>& change, const Passage& passage) {
+    const auto faults = [&] { return faults_of(result_.document, room_.furnished, room_.furnished.placed, passage); };
+    const std::set<std::string> before = faults();
+    try {
+        together([&] {
+            change();
+            build();
+            for (const std::string& fault : faults())
+                if (!before.contains(fault)) throw Error("{}", fault);
+        });
+    } catch (const UsageError&) {
+        throw;
     } catch (const Error& e) {
-        result_ = kept;
-        build();
         throw Error("{}", without_place(e.what()));
     }
 }
 
 // Turned by an angle; what then reaches into something stands a little off it. False: it has room where it stands, or
 // nowhere.
-bool Editor::turned_aside(int i, float turn) {
+bool Editor::turned_aside(int i, float turn, const std::vector<int>& along) {
     constexpr int kAround = 16;
     const Placed p = placed(i);
     const float yaw = std::remainder(p.yaw + turn, 2 * kPi);
-    if (p.piece.mount != Mount::floor || new_fault(with_pose(i, {p.position, yaw}, {})).empty()) return false;
-    for (const float off : {0.06f, 0.12f, 0.2f, 0.3f, 0.4f, 0.5f})
+    if (p.piece.mount != Mount::floor || new_fault(with_pose(i, {p.position, yaw}, along)).empty()) return false;
+    // With its chairs it may take more room.
+    std::vector<float> offs{0.06f, 0.12f, 0.2f, 0.3f, 0.4f, 0.5f};
+    if (!along.empty()) offs.insert(offs.end(), {0.6f, 0.7f, 0.8f, 0.9f, 1.f});
+    for (const float off : offs)
         for (int way = 0; way < kAround; ++way) {
             const float angle = 2 * kPi * static_cast<float>(way) / kAround;
             Placed turned = p;
             turned.position = p.position + Vec3f{std::sin(angle), 0, std::cos(angle)} * off, turned.yaw = yaw;
-            if (!stands_clear(i, footprint_of(turned), {})) continue;
-            if (!new_fault(with_pose(i, {turned.position, yaw}, {})).empty()) continue;
-            checked([&] { set_pose(i, {turned.position, yaw}, {}); });
+            if (!stands_clear(i, footprint_of(turned), along)) continue;
+            if (!new_fault(with_pose(i, {turned.position, yaw}, along)).empty()) continue;
+            checked([&] { set_pose(i, {turned.position, yaw}, along); });
             return true;
         }
     return false;
 }
 
 void Editor::move(const EditStep& step) {
-    for (const std::string& id : step.ids) {
-        const int i = index_of(id);
-        if (const std::vector<int> seats = seats_at(i); step.kind == EditStep::Kind::turn && !seats.empty()) try {
-                const float yaw = std::remainder(placed(i).yaw + step.yaw.value_or(kPi), 2 * kPi);
-                checked([&] { set_pose(i, {placed(i).position, yaw}, seats); });
-                continue;
-            } catch (const Error&) {  // there is no room for them: it turns alone
-            }
-        if (step.kind == EditStep::Kind::turn && turned_aside(i, step.yaw.value_or(kPi))) continue;
+    do_each(*this, step.ids.size(), [&](std::size_t k) {
+        const int i = index_of(step.ids[k]);
+        if (step.kind == EditStep::Kind::turn) return turn_one(i, step);
         checked([&] {
             const Placed& p = placed(i);
             Vec3f to = p.position;
             if (step.position) to.x = step.position->x, to.z = step.position->y;
-            const float yaw = step.kind == EditStep::Kind::turn
-                                  ? std::remainder(p.yaw + step.yaw.value_or(kPi), 2 * kPi)
-                                  : step.yaw.value_or(p.yaw);
             DocumentThing& t = thing(i);
             // Off what carried it, it stands on the floor.
             if (step.position && !t.on.empty()) to.y = 0, t.on.clear();
-            set_pose(i, {to, yaw}, {});
+            set_pose(i, {to, step.yaw.value_or(p.yaw)}, {});
         });
-    }
+    });
+}
+
+void Editor::turn_one(int i, const EditStep& step) {
+    const float turn = step.yaw.value_or(kPi), yaw = std::remainder(placed(i).yaw + turn, 2 * kPi);
+    if (const std::vector<int> seats = seats_at(i); !seats.empty()) try {
+            return checked([&] { set_pose(i, {placed(i).position, yaw}, seats); });
+        } catch (const Error&) {  // there is no room for them: a little off, or it turns alone
+            if (turned_aside(i, turn, seats)) return;
+        }
+    if (turned_aside(i, turn, {})) return;
+    checked([&] { set_pose(i, {placed(i).position, yaw}, {}); });
 }
 
 // Chairs go with the table that they stand at.
@@ -190,23 +204,20 @@ std::vector<Vec3f> ways_of(const EditStep& step) {
 }  // namespace
 
 void Editor::shift(const EditStep& step) {
-    for (const std::string& id : step.ids) {
-        const int i = index_of(id);
-        std::string fault;
-        bool done = false;
-        const std::vector<int> seats = seats_at(i);
-        for (const Vec3f way : ways_of(step)) {
-            if (done) break;
-            for (const std::vector<int>& along : {seats, std::vector<int>{}}) {
-                const Pose to{placed(i).position + along_its_wall(placed(i), way), placed(i).yaw};
-                fault = new_fault(with_pose(i, to, along));
-                done = fault.empty();
-                if (done) checked([&] { set_pose(i, to, along); });
-                if (done || seats.empty()) break;
-            }
+    do_each(*this, step.ids.size(), [&](std::size_t k) { shift_one(index_of(step.ids[k]), step); });
+}
+
+void Editor::shift_one(int i, const EditStep& step) {
+    std::string fault;
+    const std::vector<int> seats = seats_at(i);
+    for (const Vec3f way : ways_of(step))
+        for (const std::vector<int>& along : {seats, std::vector<int>{}}) {
+            const Pose to{placed(i).position + along_its_wall(placed(i), way), placed(i).yaw};
+            fault = new_fault(with_pose(i, to, along));
+            if (fault.empty()) return checked([&] { set_pose(i, to, along); });
+            if (seats.empty()) break;
         }
-        if (!done) throw Error("{}: there is no room for it there: {}", id, fault);
-    }
+    throw Error("{}: there is no room for it there: {}", thing(i).id, fault);
 }
 
 // Where what it is to face stands: the nearest that is meant.
@@ -217,6 +228,10 @@ std::optional<Vec2f> Editor::target_of(const EditStep& step, int from) const {
         if (!best || length(there - here) < length(*best - here)) best = there;
     };
     if (step.wish.relation_to == "room") return Vec2f{0, 0};
+    if (step.wall >= 0) {
+        const WallFace face = plan().wall(step.wall);
+        return here - flat(face.inward) * dot(here - flat(face.origin), flat(face.inward));
+    }
     if (step.wish.relation_to == "viewer") return flat(room_.furnished.camera);
     for (const std::string& id : step.at) take(footprint_of(placed(id)).center);
     for (const Opening& o : plan().openings)
@@ -248,9 +263,15 @@ constexpr int kWays = 16;
 
 // Turned where it stands; what then reaches into something stands a little off it.
 void Editor::face(const EditStep& step) {
-    constexpr float kFaces = 3 * kPi / 180;
-    for (const std::string& id : step.ids) {
-        const int i = index_of(id);
+    do_each(*this, step.ids.size(), [&](std::size_t k) { face_one(index_of(step.ids[k]), step); });
+}
+
+void Editor::face_one(int i, const EditStep& step) {
+    // To a window one need not look at its very middle.
+    const bool opening = step.at.empty() && noun_of(step.wish.relation_to) != "";
+    const float kFaces = (opening ? 20.f : 3.f) * kPi / 180;
+    {
+        const std::string id = thing(i).id;
         const std::optional<Vec2f> target = target_of(step, i);
         if (!target) throw UsageError("there is no {} in the room", in_words(step.wish.relation_to));
         const Placed& p = placed(i);
@@ -396,7 +417,8 @@ void Editor::resize_one(int index, Vec3f factor, bool exactly) {
 }
 
 void Editor::resize(const EditStep& step) {
-    for (const std::string& id : step.ids) resize_one(index_of(id), step.factor, step.exactly);
+    do_each(*this, step.ids.size(),
+            [&](std::size_t k) { resize_one(index_of(step.ids[k]), step.factor, step.exactly); });
 }
 
 }  // namespace fastscene::editing

@@ -130,7 +130,7 @@ bool done_with(Talk& talk, const Clause& clause) {
 
 std::optional<Words> laid_with(const Talk& talk, const Words& words) {
     const std::size_t with = find_word(words, {"with"}, 1);
-    const bool lays = is_one_of(talk.said, {"set", "lay", "decorate", "dress"});
+    const bool lays = is_one_of(talk.said, {"set", "lay", "decorate", "dress", "fill", "top"});
     if (!lays || with + 1 >= words.size() || !is_definite(words.front()) || next_place(words) < with) return {};
     Words out = part_of(words, with + 1);
     out.push_back("on");
@@ -154,6 +154,11 @@ void line_up(Talk& talk, const Words& words) {
     if (!there.empty() && is_one_of(text_of(there), {"in a row", "in a line", "side by side"})) there.clear();
     if (!there.empty()) {
         const auto relation = relation_at(there, 0);
+        if (relation && relation->name == "on both sides of") {
+            Words all = part_of(words, 0, end);
+            all.insert(all.end(), there.begin(), there.end());
+            return move(talk, all);
+        }
         // "Along the wall" is a word of the lexicon.
         std::size_t at = relation ? relation->next : there.size();
         if (at == there.size()) at = 1;

@@ -17,90 +17,6 @@ namespace fastscene {
 namespace editing {
 namespace {
 
-// ---- remove
-
-// "everything on the table": what stands on it.
-std::vector<std::string> riders_of(const Editor& editor, const std::vector<std::string>& ids) {
-    std::vector<std::string> out;
-    for (const DocumentThing& t : editor.document().things)
-        if (std::find(ids.begin(), ids.end(), t.on) != ids.end()) out.push_back(t.id);
-    return out;
-}
-
-void remove_all(Talk& talk, const std::vector<std::string>& ids) {
-    if (!ids.empty()) {
-        const Placed& first = talk.editor.placed(ids.front());
-        talk.last_gone = flat(first.position);
-        talk.last_gone_from = first.on < 0 ? ""
-                                           : talk.editor.room().furnished.placed[static_cast<std::size_t>(first.on)].id;
-        if (std::find(ids.begin(), ids.end(), talk.last_gone_from) != ids.end()) talk.last_gone_from.clear();
-    }
-    EditStep step;
-    step.ids = ids;
-    talk.editor.apply(step);
-    std::erase_if(talk.last, [&](const std::string& id) { return std::find(ids.begin(), ids.end(), id) != ids.end(); });
-}
-
-void clear(Talk& talk, const Words& words) {
-    const auto tops = talk.things_of_parts(words);
-    const auto riders = riders_of(talk.editor, tops);
-    if (riders.empty()) throw UsageError("nothing stands on {}", fmt::format("{}", tops.front()));
-    remove_all(talk, riders);
-    talk.last = tops;  // "clear the table and make it white"
-}
-
-// "everything on the table", "everything but the sofa"; nothing: it does not speak of everything.
-bool remove_everything(Talk& talk, const Words& words) {
-    std::size_t next = 1;
-    if (words.size() > 2 && words[0] == "all" && words[1] == "the" && is_one_of(words[2], {"things", "stuff"}))
-        next = 3;
-    else if (words.size() > 1 && is_one_of(words[0], {"all", "the"}) && is_one_of(words[1], {"things", "stuff"}))
-        next = 2;
-    else if (words.size() > 1 && words[0] == "the" &&
-             is_one_of(words[1], {"clutter", "mess", "objects", "items", "decoration", "decorations"}))
-        next = 2;
-    else if (!is_one_of(words.front(), {"everything", "anything", "all"})) return false;
-    if (words.size() > next + 1 && words[next] == "else") ++next;
-    while (words.size() > next + 1 && is_one_of(words[next], {"that", "which", "stands", "stand", "is", "are", "lies"}))
-        ++next;
-    const Words rest = part_of(words, next);
-    if (rest.empty()) {
-        std::vector<std::string> ids;
-        for (const DocumentThing& t : talk.editor.document().things) ids.push_back(t.id);
-        remove_all(talk, ids);
-        return true;
-    }
-    if (is_one_of(rest.front(), {"on", "from", "off"})) return clear(talk, part_of(rest, 1)), true;
-    const std::size_t than = rest.size() > 1 && rest[1] == "than" ? 2 : rest.size() > 1 && rest[1] == "for" ? 2 : 1;
-    if (!is_one_of(rest.front(), {"but", "except", "besides", "excluding", "other", "apart"})) return false;
-    std::vector<std::string> kept = talk.things_of_parts(part_of(rest, than));
-    // What carries it stays as well, and what stands on it.
-    for (std::size_t k = 0; k < kept.size(); ++k)
-        for (const DocumentThing& t : talk.editor.document().things)
-            if (t.id == kept[k] && !t.on.empty()) add_new(kept, {t.on});
-    add_new(kept, riders_of(talk.editor, kept));
-    std::vector<std::string> ids;
-    for (const DocumentThing& t : talk.editor.document().things)
-        if (std::find(kept.begin(), kept.end(), t.id) == kept.end()) ids.push_back(t.id);
-    remove_all(talk, ids);
-    return true;
-}
-
-}  // namespace
-
-// "the rug and the two plants", "the vase off the table"
-void remove(Talk& talk, Words words) {
-    while (!words.empty() && is_one_of(words.back(), {"away", "out", "off"})) words.pop_back();
-    while (!words.empty() && is_one_of(words.front(), {"away", "out", "rid", "of"})) words.erase(words.begin());
-    if (words.empty()) throw UsageError("expected what to remove, found the end of the sentence");
-    if (remove_everything(talk, words)) return;
-    for (std::size_t i = 1; i < words.size(); ++i)
-        if (is_one_of(words[i], {"off", "from"})) words[i] = "on";
-    remove_all(talk, talk.things_of_parts(words));
-}
-
-namespace {
-
 [[noreturn]] void refuse(const Clause& clause) {
     const std::string all = clause.said + (clause.words.empty() ? "" : " " + text_of(clause.words));
     if (is_one_of(clause.said, {"open", "close", "shut"}) &&
@@ -129,14 +45,6 @@ void add_new(std::vector<std::string>& to, const std::vector<std::string>& more)
         if (std::find(to.begin(), to.end(), id) == to.end()) to.push_back(id);
 }
 
-namespace {
-
-bool is_among(const std::string& id, const std::vector<std::string>& ids) {
-    return std::find(ids.begin(), ids.end(), id) != ids.end();
-}
-
-}  // namespace
-
 std::vector<std::string> Talk::things(const Words& said_words) {
     Words words = said_words;
     // "them all", "both of them", "all of those"
@@ -159,13 +67,26 @@ std::vector<std::string> Talk::things(const Words& said_words) {
         if (!ids.empty()) return last = ids;
     }
     // "the first one"
-    if (words.size() > 1 && is_one_of(words.back(), {"one", "ones"}) && !noun.empty()) {
+    const bool but_one = words.size() > 1 && is_one_of(words[words.size() - 2], {"except", "but"});
+    if (words.size() > 1 && is_one_of(words.back(), {"one", "ones"}) && !noun.empty() && !but_one) {
         Words all = words;
         all.back() = noun;
         return things(all);
     }
+    if (says_all_but_some(words)) {
+        Words all{"all"};
+        all.insert(all.end(), words.begin() + 3, words.end());
+        return last = all_but(all, {words[2]});
+    }
     const std::size_t except = find_word(words, {"except", "but", "excluding", "besides"}, 1);
     if (except + 1 < words.size()) return last = all_but(part_of(words, 0, except), part_of(words, except + 1));
+    // "the other lights": all that shine, but those that were spoken of.
+    if (find_word(words, {"other"}) < words.size() && is_one_of(words.back(), {"lights", "lamps"})) {
+        std::vector<std::string> ids;
+        for (const Placed& p : editor.room().furnished.placed)
+            if (has_role(p.piece.kind, Role::light) && can_shine(p) && !is_among(p.id, last)) ids.push_back(p.id);
+        if (!ids.empty()) return last = ids;
+    }
     // "the other armchair": not that one which was spoken of.
     if (const std::size_t other = find_word(words, {"other"}); other < words.size() && !last.empty()) {
         std::vector<std::string> ids;
@@ -184,6 +105,13 @@ std::vector<std::string> Talk::things(const Words& said_words) {
 std::vector<std::string> Talk::all_but(const Words& words, Words others) {
     std::vector<std::string> ids = things(words);
     if (!others.empty() && is_one_of(others.front(), {"for", "not"})) others.erase(others.begin());
+    // "all chairs but one", "… but two of them": "a chair" is the last one, and the first ones stay.
+    if (const auto some = others.empty() ? std::nullopt : number_said(others.front());
+        some && *some >= 1 && (others.size() == 1 || text_of(others, 1) == "of them")) {
+        const auto kept = static_cast<std::size_t>(*some);
+        if (kept >= ids.size()) throw AlreadySo(fmt::format("there are only {} of \"{}\"", ids.size(), text_of(words)));
+        return {ids.begin() + static_cast<std::ptrdiff_t>(kept), ids.end()};
+    }
     // "the largest one", "the one above the bed"
     if (const std::size_t one = find_word(others, {"one", "ones"}, others.size() > 1 ? 1 : 0);
         one < others.size() && !(one + 1 < others.size() && others[one + 1] == "of"))
@@ -193,23 +121,6 @@ std::vector<std::string> Talk::all_but(const Words& words, Words others) {
     if (ids.empty()) throw UsageError("nothing but {} is meant by \"{}\"", kept.front(), text_of(words));
     return ids;
 }
-
-namespace {
-
-// "the table together with its chairs": the table, and its chairs.
-Words with_its(const Words& words) {
-    Words out;
-    for (std::size_t i = 0; i < words.size(); ++i) {
-        const bool joint = words[i] == "with" && i + 1 < words.size() && i > 0;
-        const bool together = i > 0 && is_one_of(words[i - 1], {"together", "along"});
-        if (joint && together) out.back() = ",";
-        else if (joint && is_one_of(words[i + 1], {"its", "their"})) out.push_back(",");
-        else out.push_back(words[i]);
-    }
-    return out;
-}
-
-}  // namespace
 
 std::vector<std::string> Talk::things_of_parts(const Words& words) {
     std::vector<std::string> ids;
@@ -351,14 +262,31 @@ void Talk::act(const Clause& whole) {
     if (clause.verb == Verb::tidy) return tidy(*this, clause);
     if (clause.verb == Verb::remark) return remark(*this, clause.words);
     there = clause.there, said = clause.said;
+    more = find_word(words, {"more", "another", "additional", "extra"}) < words.size();
     if (words.empty())
         throw UsageError("expected what to change after \"{}\", found the end of the sentence", clause.said);
     const std::size_t end = next_place(words), instead = find_word(words, {"instead"}, 1);
     if (instead + 2 < words.size() && words[instead + 1] == "of") {
-        const Words old = instead_of(part_of(words, instead + 2), words), by = part_of(words, 0, instead);
+        // "… instead of the pendant, and two more chairs": those come as well.
+        Words rest = part_of(words, instead + 2);
+        const auto joint = std::find_if(rest.begin(), rest.end(), is_joint);
+        std::size_t more = static_cast<std::size_t>(joint - rest.begin());
+        while (more < rest.size() && is_joint(rest[more])) ++more;
+        if (more < rest.size() && begins_anew(part_of(rest, more))) {
+            Clause first = clause, second = clause;
+            first.words = part_of(
+                words, 0, static_cast<std::size_t>(instead + 2 + static_cast<std::size_t>(joint - rest.begin())));
+            second.verb = Verb::add, second.said = "add", second.words = part_of(rest, more);
+            return do_each(
+                editor, 2, [&](std::size_t k) { act(k == 0 ? first : second); },
+                [&](std::size_t k) { return text_of(k == 0 ? first.words : second.words); });
+        }
+        const Words old = instead_of(rest, words), by = part_of(words, 0, instead);
         if (next_place(by) == by.size()) return replace(*this, old, by);
-        remove(*this, old);
-        return add(*this, by);
+        return editor.together([&] {
+            remove(*this, old);
+            add(*this, by);
+        });
     }
     if (put_where(*this, clause) || done_with(*this, clause)) return;
     switch (clause.verb) {
@@ -374,6 +302,9 @@ void Talk::act(const Clause& whole) {
         case Verb::move:
             if (says_so_that(words)) return turn(*this, words);
             if (to_face(words)) return face(*this, words);
+            // "Move the bicycle out": it goes.
+            if (words.size() > 1 && words.back() == "out" && is_one_of(said, {"move", "carry", "bring"}))
+                return remove(*this, words);
             return move(*this, lowered(clause));
         case Verb::put:
             if (says_so_that(words)) return turn(*this, words);
@@ -408,6 +339,7 @@ void Talk::act(const Clause& whole) {
         case Verb::brighter: return make(*this, with_word(words, "brighter"));
         case Verb::darker: return make(*this, with_word(words, clause.said == "dim" ? "dimmer" : "darker"));
         case Verb::center: {
+            if (editing::center(*this, words)) return;
             Words all = words;
             if (next_place(all) == all.size()) all.insert(all.end(), {"in", "the", "middle"});
             return put(*this, all);
@@ -436,17 +368,25 @@ EditResult edit_by_sentence(const RoomDocument& document, const std::string& sen
     editing::Editor editor(document, std::move(pack), run);
     editing::Talk talk{editor};
     const std::vector<editing::Clause> clauses = editing::clauses_of(sentence);
-    std::vector<editing::AlreadySo> already;
-    std::size_t told = 0;
-    for (std::size_t i = 0; i < clauses.size(); ++i) try {
-            if (i + 1 == clauses.size() || !editing::picked_up(talk, clauses[i], clauses[i + 1])) talk.act(clauses[i]);
-            if (clauses[i].verb == editing::Verb::remark) ++told;
-        } catch (const editing::AlreadySo& e) {
-            already.push_back(e);
-        }
-    if (!already.empty() && editor.result().changes.size() == told) throw already.front();
-    for (const editing::AlreadySo& e : already) editor.note("room", e.what());
+    editing::do_each(
+        editor, clauses.size(),
+        [&](std::size_t i) {
+            if (i + 1 < clauses.size() && editing::picked_up(talk, clauses[i], clauses[i + 1])) return;
+            const std::vector<std::string> spoken = talk.last;
+            try {
+                talk.act(clauses[i]);
+            } catch (const Error&) {
+                // What should have come is not "it", unless it was to come at "it".
+                const bool at_it = editing::find_word(clauses[i].words, {"it", "its", "them", "their"}) <
+                                   clauses[i].words.size();
+                if (editing::begins_anew(clauses[i].words)) talk.last = at_it ? spoken : std::vector<std::string>{};
+                throw;
+            }
+        },
+        [&](std::size_t i) { return clauses[i].said + " " + editing::text_of(clauses[i].words); });
     editing::check_kept(talk, document);
+    for (const EditChange& change : editor.result().changes)
+        if (change.id == kNotDone) run.warn(fmt::format("{}: {}", change.id, change.what));
     return editor.result();
 }
 

@@ -262,11 +262,12 @@ void Editor::reshape_one(int index, const std::string& shape) {
 }
 
 void Editor::reshape(const EditStep& step) {
-    for (const std::string& id : step.ids) {
-        const int index = index_of(id);
-        if (shape_of(placed(index).piece) == step.value) throw Error("{}: it is {} already", id, step.value);
+    do_each(*this, step.ids.size(), [&](std::size_t k) {
+        const int index = index_of(step.ids[k]);
+        if (shape_of(placed(index).piece) == step.value)
+            throw AlreadySo(fmt::format("{}: it is {} already", step.ids[k], step.value));
         reshape_one(index, step.value);
-    }
+    });
 }
 
 }  // namespace fastscene::editing

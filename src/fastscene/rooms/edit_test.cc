@@ -93,6 +93,25 @@ TEST(Edit, DoesSeveralThingsInOneSentence) {
     EXPECT_EQ(by_id(out.document).at("sofa-1")->color, "green");
 }
 
+TEST(Edit, DoesWhatCanBeDoneAndTellsTheRest) {
+    const auto not_done = [](const EditResult& result) {
+        return std::count_if(result.changes.begin(), result.changes.end(),
+                             [](const EditChange& c) { return c.id == kNotDone; });
+    };
+    const EditResult out = edited(kLiving, "make the sofa green, remove the grand piano and add a floor lamp");
+    const Difference d = difference(kept_room(kLiving), out.document);
+    EXPECT_EQ(d.other, std::set<std::string>{"sofa-1"});
+    EXPECT_EQ(d.added.size(), 1u);
+    EXPECT_TRUE(d.gone.empty() && d.moved.empty());
+    EXPECT_EQ(not_done(out), 1);
+    // What can be done is done of one verb as well.
+    const EditResult some = edited(kLiving, "remove the rug and the grand piano");
+    EXPECT_EQ(difference(kept_room(kLiving), some.document).gone, std::set<std::string>{"rug-1"});
+    EXPECT_EQ(not_done(some), 1);
+    EXPECT_THROW(edited(kLiving, "remove the grand piano and the harp"), UsageError);
+    EXPECT_EQ(not_done(edited(kLiving, "make the sofa green and remove the rug")), 0);
+}
+
 TEST(Edit, ItIsWhatWasNamedBefore) {
     const EditResult out = edited(kBedroom, "turn the armchair around and make it blue, make it night");
     EXPECT_EQ(by_id(out.document).at("armchair-1")->color, "blue");
@@ -280,12 +299,13 @@ std::string wrong_with(const std::vector<std::string>& row) {
         return found.find(wanted) == std::string::npos ? found : "";
     }
     const RoomDocument& before = kept_room(room);
-    RoomDocument after;
+    EditResult result;
     try {
-        after = edited(room, row[1]).document;
+        result = edited(room, row[1]);
     } catch (const Error& e) {
         return e.what();
     }
+    const RoomDocument& after = result.document;
     const auto field = [&](std::size_t i) { return i < row.size() ? row[i] : std::string(); };
     const auto words = [&](std::size_t i) {
         std::multiset<std::string> out;
@@ -304,8 +324,13 @@ std::string wrong_with(const std::vector<std::string>& row) {
         const std::string look = look_of(*by_id(before).at(id), *by_id(after).at(id));
         if (look.find(value) == std::string::npos) return id + " is " + look;
     }
-    for (const std::string& place : split(field(6), ';'))
-        if (!stands(after, place)) return "not " + place;
+    std::string told;
+    for (const EditChange& change : result.changes) told += change.id + ": " + change.what + "\n";
+    for (const std::string& place : split(field(6), ';')) {
+        const bool said = place.starts_with("told:");
+        if (said ? told.find(trimmed(place.substr(5))) == std::string::npos : !stands(after, place))
+            return "not " + place + "\n" + told;
+    }
     return {};
 }
 

@@ -76,10 +76,16 @@ std::optional<Vec3f> compared(const Words& words, bool* length = nullptr) {
     const SizeWord* size = nullptr;
     bool more = true;
     float factor = kMore;
+    bool share = false;
     for (std::size_t i = 0; i < words.size(); ++i) {
         const std::string& w = words[i];
         if (const auto n = number_said(w); n && i + 1 < words.size() && words[i + 1] == "percent") {
             factor = 1 + *n / 100, ++i;
+            continue;
+        }
+        // "by a third", "a quarter wider"
+        if (is_one_of(w, {"third", "quarter", "half"})) {
+            factor = w == "third" ? 4.f / 3 : w == "half" ? 1.5f : 1.25f, share = true;
             continue;
         }
         if (is_one_of(w, {"bit", "little", "slightly", "somewhat", "touch"})) {
@@ -99,7 +105,7 @@ std::optional<Vec3f> compared(const Words& words, bool* length = nullptr) {
     if (!size) return {};
     if (length) *length = size->plain == "long";
     // 20 percent smaller is that much less.
-    const bool percent = std::find(words.begin(), words.end(), "percent") != words.end();
+    const bool percent = share || std::find(words.begin(), words.end(), "percent") != words.end();
     const float less = percent ? std::max(0.2f, 2 - factor) : 1 / factor;
     return along(size->axes, more ? factor : less);
 }

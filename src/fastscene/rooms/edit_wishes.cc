@@ -23,8 +23,22 @@ void check_new(const Words& words, const PromptObject& wish) {
     }
 }
 
-// "Some toys for the kids" are some toys.
-Words without_whom(Words words) {
+// "Some toys for the kids" are some toys, "a desk for homework" is a desk.
+Words without_whom(const Editor& editor, Words words) {
+    // What it is for is nothing that there is or could be: no thing, no place.
+    const std::size_t at = find_word(words, {"for"}, 1);
+    std::size_t end = at + 1;
+    while (end < words.size() && !is_joint(words[end]) && words[end] != "with" && words[end] != "next") ++end;
+    const Words what = part_of(words, at + 1, end);
+    const auto is_thing = [](const std::string& w) {
+        const auto known = look_up(w);
+        return known && (known->kind == WordKind::object || known->kind == WordKind::structure);
+    };
+    if (!what.empty() && what.size() < 4 && next_place(what) == what.size() && !number_said(what.front()) &&
+        std::none_of(what.begin(), what.end(), is_thing) && all_named(editor, text_of(what)).empty()) {
+        words.erase(words.begin() + static_cast<std::ptrdiff_t>(at), words.begin() + static_cast<std::ptrdiff_t>(end));
+        return words;
+    }
     for (std::size_t i = 1; i < words.size(); ++i) {
         if (words[i] != "for") continue;
         const std::size_t next = i + 1 < words.size() && is_definite(words[i + 1]) ? i + 2 : i + 1;
@@ -48,7 +62,9 @@ Words hung_up(const Talk& talk, Words words) {
     if (from_ceiling)
         words.erase(words.begin() + static_cast<std::ptrdiff_t>(from),
                     words.begin() + static_cast<std::ptrdiff_t>(from) + 3);
-    else if (!talk.said.starts_with("hang") || find_word(words, {"wall", "walls", "on"}) < words.size()) return words;
+    else if (!talk.said.starts_with("hang") || find_word(words, {"wall", "walls"}) < words.size() ||
+             (find_word(words, {"on"}) < words.size() && find_word(words, {"side", "sides"}) == words.size()))
+        return words;
     const auto hangs = [&](const Words& all) {
         const PromptSpec spec = read_in_room(editor, text_of(all, 0, next_place(all)));
         if (spec.objects.empty()) return true;  // said elsewhere
@@ -59,6 +75,13 @@ Words hung_up(const Talk& talk, Words words) {
     Words hanging = words;
     hanging.insert(hanging.begin() + (number_said(words.front()) ? 1 : 0), "hanging");
     if (hangs(hanging)) return hanging;
+    // "Hang a reading lamp" is a wall lamp.
+    const std::size_t end = next_place(words);
+    Words at_wall = part_of(words, 0, 1);
+    at_wall.insert(at_wall.end(), {"wall", words[end - 1]});
+    at_wall.insert(at_wall.end(), words.begin() + static_cast<std::ptrdiff_t>(end), words.end());
+    const auto known = look_up("wall " + words[end - 1]);
+    if (end > 1 && !from_ceiling && known && known->kind == WordKind::object && hangs(at_wall)) return at_wall;
     throw UsageError("nothing of that kind hangs, found \"{}\"", text_of(words, 0, next_place(words)));
 }
 
@@ -104,6 +127,11 @@ std::vector<PromptObject> wishes_of(const Editor& editor, const Words& words) {
     if (const auto number = number_said(words.front());
         number && *number >= 1 && !is_one_of(words.front(), {"a", "an"}) && !spec.objects.front().counted)
         spec.objects.front().count = static_cast<int>(*number), spec.objects.front().counted = true;
+    // "a bowl of lemons" is a bowl.
+    for (std::size_t i = 1; i + 1 < words.size() && spec.objects.size() > 1; ++i)
+        if (words[i] == "of" && text_of(words, i + 1).starts_with(spec.objects[1].words) &&
+            furnishing::is_small(spec.objects[1].kind))
+            spec.objects.erase(spec.objects.begin() + 1);
     for (std::size_t k = is_definite(words.front()) ? 1 : 0; k < spec.objects.size(); ++k)
         check_new(words, spec.objects[k]);
     for (PromptObject& o : spec.objects) {
@@ -112,13 +140,11 @@ std::vector<PromptObject> wishes_of(const Editor& editor, const Words& words) {
         o.relation = o.relation_to = o.relation_and = "";
         // "Books" are a stack of them.
         if (!o.counted && has_role(o.kind, Role::heap)) o.count = 1;
+        const Thing* thing = find_thing(o.kind);
+        const bool heap = has_role(o.kind, Role::heap) || (thing && has_role(thing->small_form, Role::heap));
+        if (heap && find_word(words, {"stack", "pile"}) < words.size()) o.count = 1;
     }
     PromptObject& first = spec.objects.front();
-    // "a bowl of lemons" is a bowl.
-    for (std::size_t i = 1; i + 1 < words.size() && spec.objects.size() > 1; ++i)
-        if (words[i] == "of" && text_of(words, i + 1).starts_with(spec.objects[1].words) &&
-            furnishing::is_small(spec.objects[1].kind))
-            spec.objects.erase(spec.objects.begin() + 1);
     for (std::size_t k = 1; k < spec.objects.size(); ++k) {
         PromptObject& o = spec.objects[k];
         o.relation_to = first.kind;
@@ -160,9 +186,25 @@ void shape_as_asked(Talk& talk, const std::vector<std::string>& ids, const std::
     }
 }
 
-Addition addition_of(const Talk& talk, const Words& said, const std::vector<std::string>& spoken) {
+namespace {
+
+// "Three more tables" are tables as there are, where those are of one kind.
+void as_those_there(const Editor& editor, const Words& words, PromptObject& wish) {
+    const bool more = find_word(words, {"more", "another", "second", "third", "additional", "extra"}) <
+                      next_place(words);
+    if (wish.words.find(' ') != std::string::npos) return;
+    std::set<std::string> kinds;
+    const std::vector<int> found = all_named(editor, "all " + wish.words);
+    for (const int i : found) kinds.insert(asked_kind(editor.room().furnished.placed[static_cast<std::size_t>(i)]));
+    // Chairs where many stand are of theirs, too.
+    constexpr std::size_t kMany = 4;
+    const bool many = has_role(wish.kind, Role::seat) && found.size() >= kMany;
+    if (kinds.size() == 1 && (more || many)) wish.kind = *kinds.begin();
+}
+
+Addition read_addition(const Talk& talk, const Words& said, const std::vector<std::string>& spoken) {
     const Editor& editor = talk.editor;
-    const Words words = hung_up(talk, counted_anew(without_whom(said)));
+    const Words words = hung_up(talk, counted_anew(without_whom(editor, said)));
     const std::string shape = shape_asked(words);
     for (std::size_t end = next_place(words); end < words.size(); end = next_place(words, end + 1)) {
         const Words there = part_of(words, end);
@@ -181,10 +223,49 @@ Addition addition_of(const Talk& talk, const Words& said, const std::vector<std:
         const auto wishes = wishes_of(editor, part_of(words, 0, end));
         if (auto place = place_of(editor, there, wishes.front().kind, "", spoken)) return {wishes, place, shape};
     }
+    // "An office chair for the desk"
+    if (const std::size_t whose = find_word(words, {"for"}, 1);
+        whose + 1 < words.size() &&
+        (is_definite(words[whose + 1]) || is_one_of(words[whose + 1], {"each", "both", "every", "all"}))) {
+        const auto wishes = wishes_of(editor, part_of(words, 0, whose));
+        if (auto place = place_of(editor, part_of(words, whose), wishes.front().kind, "", spoken))
+            return {wishes, place, shape};
+    }
     const auto wishes = wishes_of(editor, words);
     if (furnishing::is_small(wishes.front().kind))
         if (const auto step = on_support(editor, words)) return {wishes, Place{*step, {}, 0}, shape};
     return {wishes, {}, shape};
+}
+
+}  // namespace
+
+Addition addition_of(const Talk& talk, const Words& said, const std::vector<std::string>& spoken) {
+    Words words = said;
+    const std::size_t with = find_word(words, {"with"}, 1);
+    // "… with two chairs each by the window"
+    const std::size_t every = find_word(words, {"each"}, std::min(words.size(), with + 2));
+    const bool each = every < words.size() && !is_one_of(words[every - 1], {"on", "at", "to"}) &&
+                      !(every + 1 < words.size() && is_one_of(words[every + 1], {"side", "end", "other", "of"}));
+    if (each) words.erase(words.begin() + static_cast<std::ptrdiff_t>(every));
+    // "… with six plants on it"
+    const std::size_t n = words.size();
+    const bool on_it = with + 3 < n && is_one_of(words[n - 1], {"it", "them", "top", "each"}) && words[n - 2] == "on";
+    const std::string text = text_of(words);
+    Addition out = read_addition(talk, words, spoken);
+    for (const char* row : {"in a row", "in a line", "side by side", "next to each other"})
+        out.in_row = out.in_row || text.find(row) != std::string::npos;
+    as_those_there(talk.editor, said, out.wishes.front());
+    // "A lamp above the table" hangs.
+    PromptObject& first = out.wishes.front();
+    if (out.place && out.place->step.wish.relation == "above" && furnishing::is_small(first.kind) &&
+        has_role(first.kind, Role::light) && first.words.find(' ') == std::string::npos)
+        for (const std::string& kind : kinds_with(Role::overhead))
+            if (has_role(kind, Role::hung) && has_role(kind, Role::light)) {
+                first.kind = kind;
+                break;
+            }
+    out.each = each, out.on_it = on_it && out.wishes.size() > 1;
+    return out;
 }
 
 }  // namespace fastscene::editing

@@ -60,6 +60,13 @@ std::vector<int> alike(const RoomDocument& document, const PromptObject& said, b
     const bool by_name = plain_name(said.kind) == plain_name(singular(said.words));
     const bool one_word = said.words.find(' ') == std::string::npos;
     if (!exact.empty() && (!one_word || (by_name && !several))) return exact;
+    // "The rocking chair" is no office chair; a round dining table is a dining table.
+    if (!one_word && by_name)
+        std::erase_if(near, [&](int i) {
+            const std::string& kind = document.things[static_cast<std::size_t>(i)].kind;
+            return kind != last && !is_a(kind, said.kind);
+        });
+    if (!one_word && by_name) return near;
     return near.empty() ? ending : near;
 }
 
@@ -123,6 +130,10 @@ void pick(const std::vector<std::string>& words, const PromptObject& said, const
         float most = 0;
         for (const int i : found) most = std::max(most, volume_of(editor.placed(all(i).id)));
         std::erase_if(found, [&](int i) { return volume_of(editor.placed(all(i).id)) < 0.5f * most; });
+    } else if (said.size == "small" && says_several(words, said) && !has_word(words, {"smallest", "tiniest"})) {
+        float most = 0;
+        for (const int i : found) most = std::max(most, volume_of(editor.placed(all(i).id)));
+        std::erase_if(found, [&](int i) { return volume_of(editor.placed(all(i).id)) > 0.7f * most; });
     } else if (said.size == "large" || said.size == "small")
         extreme([&](int i) { return volume_of(editor.placed(all(i).id)); }, said.size == "large");
 }
@@ -276,11 +287,17 @@ std::vector<int> ending_so(const Editor& editor, const Words& head, const Words&
     constexpr std::size_t kWord = 3;  // letters
     if (one.size() < kWord) return out;
     for (std::size_t i = 0; i < editor.document().things.size(); ++i)
-        if (editor.document().things[i].kind.ends_with("_" + one)) out.push_back(static_cast<int>(i));
+        if (const std::string& kind = editor.document().things[i].kind;
+            kind.ends_with("_" + one) || kind.ends_with("_" + last))
+            out.push_back(static_cast<int>(i));
     if (out.empty()) return out;
     said = {};
     said.words = last, said.kind = editor.document().things[static_cast<std::size_t>(out.front())].kind;
-    if (const auto relation = place.empty() ? std::nullopt : relation_at(place, 0))
+    const auto relation = place.empty() ? std::nullopt : relation_at(place, 0);
+    const auto part = relation ? room_part(place, relation->next) : std::nullopt;
+    if (part && part->noun == "floor")
+        std::erase_if(out, [&](int i) { return !editor.document().things[static_cast<std::size_t>(i)].on.empty(); });
+    else if (relation && !part)
         at_anchors(editor, relation->name, all_named(editor, text_of(place, relation->next)), out);
     return out;
 }
@@ -322,7 +339,11 @@ Meaning meaning_of(const Editor& editor, const std::string& words) {
             if (const Placed& p = editor.room().furnished.placed[i];
                 p.piece.mount == Mount::ceiling && has_role(p.piece.kind, Role::light))
                 out.found.push_back(static_cast<int>(i));
-    if (out.found.empty()) out.found = ending_so(editor, part_of(tokens, 0, place), part_of(tokens, place), out.said);
+    // "The rocking chair", where there is none, is no office chair.
+    const bool known = out.said.words.find(' ') != std::string::npos && !out.said.kind.empty() &&
+                       plain_name(out.said.kind) == plain_name(singular(out.said.words));
+    if (out.found.empty() && !known)
+        out.found = ending_so(editor, part_of(tokens, 0, place), part_of(tokens, place), out.said);
     if (!out.found.empty()) pick(part_of(tokens, 0, place), out.said, editor, out.found);
     return out;
 }

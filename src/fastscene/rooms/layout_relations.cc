@@ -91,7 +91,7 @@ bool holds(const std::string& relation, const Footprint& box, Vec2f front, const
     const float ahead = dot(from, at.front), aside = dot(from, right_of_viewer(at.front)), far = gap(box, at.box);
     const bool opening = at.index < 0;
     if (relation == "on" && piece.sill >= 0) return piece.sill == at.opening;
-    if (relation == "on" && piece.on == at.index) return true;
+    if (relation == "on" && !opening && piece.on == at.index) return true;
     if (relation == "on") {
         // What is smaller than a rug lies with its middle on it; of a sofa the front legs do.
         const bool smaller = std::max(box.half.x, box.half.y) < std::min(at.box.half.x, at.box.half.y);

@@ -9,16 +9,15 @@ namespace fastscene {
 namespace {
 
 constexpr float kCell = 0.1f;
-constexpr float kBodyRadius = 0.27f;  // a walkway of about 0.55 m
-constexpr float kEyeRadius = 0.65f;   // air that the camera wants around it
-constexpr float kEyeBand = 0.7f;      // heights that count for that: as Layout::camera_position has it
-constexpr float kHead = 1.75f;        // of who walks
-constexpr float kStepOver = 1.2f;     // what hangs higher is walked under (or beside: wall lamps, pictures)
+constexpr float kEyeBand = 0.7f;   // heights that count for that: as Layout::camera_position has it
+constexpr float kHead = 1.75f;     // of who walks
+constexpr float kStepOver = 1.2f;  // what hangs higher is walked under (or beside: wall lamps, pictures)
 
 }  // namespace
 
-Ways::Ways(const Plan& plan)
+Ways::Ways(const Plan& plan, const Passage& passage)
     : plan_(&plan),
+      passage_(passage),
       columns_(std::max(1, static_cast<int>(plan.width / kCell))),
       rows_(std::max(1, static_cast<int>(plan.depth / kCell))) {
     for (int j = 0; j < rows_; ++j)
@@ -68,7 +67,7 @@ bool Ways::narrow(std::vector<Clear>& cells, const Placed& placed) const {
     if (!feet && !eyes) return false;
     // Only distances below the radii count: the cells around it.
     const auto axes = axes_of(box);
-    const float reach = (eyes ? kEyeRadius : kBodyRadius) + kCell;
+    const float reach = (eyes ? passage_.eye_radius : passage_.body_radius) + kCell;
     const auto span = [&](float middle, float half, float size, int count) {
         return std::pair{std::clamp(static_cast<int>((middle - half - reach + size / 2) / kCell), 0, count),
                          std::clamp(static_cast<int>((middle + half + reach + size / 2) / kCell) + 1, 0, count)};
@@ -80,8 +79,8 @@ bool Ways::narrow(std::vector<Clear>& cells, const Placed& placed) const {
         for (int i = i0; i < i1; ++i) {
             Clear& cell = cells[static_cast<std::size_t>(j * columns_ + i)];
             const float far = distance_to(box, axes, center(i, j));
-            narrower |= (feet && cell.feet >= kBodyRadius && far < kBodyRadius) ||
-                        (eyes && cell.eyes >= kEyeRadius && far < kEyeRadius);
+            narrower |= (feet && cell.feet >= passage_.body_radius && far < passage_.body_radius) ||
+                        (eyes && cell.eyes >= passage_.eye_radius && far < passage_.eye_radius);
             if (feet) cell.feet = std::min(cell.feet, far);
             if (eyes) cell.eyes = std::min(cell.eyes, far);
         }
@@ -90,7 +89,7 @@ bool Ways::narrow(std::vector<Clear>& cells, const Placed& placed) const {
 
 // The cells that can be walked to from the door.
 std::vector<char> Ways::walked(const std::vector<Clear>& cells) const {
-    const auto free = [&](int k) { return cells[static_cast<std::size_t>(k)].feet >= kBodyRadius; };
+    const auto free = [&](int k) { return cells[static_cast<std::size_t>(k)].feet >= passage_.body_radius; };
     std::vector<char> seen(cells.size(), 0);
     std::vector<int> todo;
     const auto visit = [&](int k) {
@@ -114,7 +113,7 @@ bool Ways::leads_to_a_view(const std::vector<Clear>& cells, const std::vector<ch
     for (const int goal : goals_)
         if (!walked[static_cast<std::size_t>(goal)]) return false;
     for (std::size_t k = 0; k < cells.size(); ++k)
-        if (walked[k] && cells[k].eyes >= kEyeRadius) return true;
+        if (walked[k] && cells[k].eyes >= passage_.eye_radius) return true;
     return false;
 }
 

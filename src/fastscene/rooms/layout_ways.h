@@ -12,9 +12,15 @@ inline constexpr float kEyeHeight = 1.5f;  // of the camera, metres above the fl
 
 struct Placed;
 
+// How much room one needs who walks through, and the camera that looks from there; metres.
+struct Passage {
+    float body_radius = 0.27f;  // a walkway of about 0.55 m
+    float eye_radius = 0.65f;   // air that the camera wants around it
+};
+
 class Ways {
   public:
-    explicit Ways(const Plan& plan);
+    explicit Ways(const Plan& plan, const Passage& passage = {});
 
     void add(const Placed& placed);
     // Whether a way from the door (without a door: any way) leads to a spot for the camera.
@@ -37,6 +43,7 @@ class Ways {
     bool leads_to_a_view(const std::vector<Clear>& cells, const std::vector<char>& walked) const;
 
     const Plan* plan_;
+    Passage passage_;
     int columns_, rows_;
     std::vector<Clear> cells_;
     std::vector<int> starts_;  // cells before the door

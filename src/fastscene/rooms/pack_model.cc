@@ -6,6 +6,7 @@
 #include "fastscene/image/color.h"
 #include "fastscene/io/image_io.h"
 #include "fastscene/io/obj.h"
+#include "fastscene/rooms/catalogue.h"
 #include "fastscene/rooms/model_materials.h"
 #include "fastscene/rooms/pack_parts.h"
 #include "fastscene/rooms/user_model.h"

@@ -17,7 +17,8 @@ constexpr float kEyeAir = 0.45f;  // free ball about the camera
 
 class Checker {
   public:
-    Checker(const Plan& plan, const std::vector<Placed>& placed) : plan_(plan), placed_(placed) {}
+    Checker(const Plan& plan, const std::vector<Placed>& placed, const Passage& passage)
+        : plan_(plan), placed_(placed), passage_(passage) {}
 
     std::vector<Fault> faults(Vec3f camera) {
         for (std::size_t i = 0; i < placed_.size(); ++i) {
@@ -119,7 +120,7 @@ class Checker {
     }
 
     void way(Vec3f camera) {
-        Ways ways(plan_);
+        Ways ways(plan_, passage_);
         for (const Placed& p : placed_) ways.add(p);
         if (!ways.open()) add("way", "no way leads from the door to a place for the camera");
         else if (!ways.reaches(flat(camera))) add("way", "no way leads from the door to the camera");
@@ -142,13 +143,15 @@ class Checker {
 
     const Plan& plan_;
     const std::vector<Placed>& placed_;
+    const Passage& passage_;
     std::vector<Fault> faults_;
 };
 
 }  // namespace
 
-std::vector<Fault> room_faults(const Plan& plan, const std::vector<Placed>& placed, Vec3f camera) {
-    return Checker(plan, placed).faults(camera);
+std::vector<Fault> room_faults(const Plan& plan, const std::vector<Placed>& placed, Vec3f camera,
+                               const Passage& passage) {
+    return Checker(plan, placed, passage).faults(camera);
 }
 
 namespace {

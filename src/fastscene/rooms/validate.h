@@ -15,7 +15,8 @@ struct Fault {
 };
 
 // Boxes may share 1 cm before it counts. `camera` is where panorama 0 stands, in the room frame.
-std::vector<Fault> room_faults(const Plan& plan, const std::vector<Placed>& placed, Vec3f camera);
+std::vector<Fault> room_faults(const Plan& plan, const std::vector<Placed>& placed, Vec3f camera,
+                               const Passage& passage = {});
 
 // One room of a check over many.
 struct CheckedRoom {

@@ -1,0 +1,148 @@
+// "The sofa with two armchairs", "the bench and the pouf": what comes for what was there, and what changes places.
+#include <algorithm>
+
+#include "fastscene/base/error.h"
+#include "fastscene/base/is_one_of.h"
+#include "fastscene/rooms/edit_parts.h"
+
+namespace fastscene::editing {
+
+void copy(Talk& talk, const Words& words) {
+    for (const std::string& id : talk.things_of_parts(words)) {
+        const Placed p = talk.editor.placed(id);
+        EditStep step;
+        step.kind = EditStep::Kind::add;
+        step.wish = p.wish;
+        step.wish.kind = asked_kind(p), step.wish.words = in_words(step.wish.kind);
+        step.wish.count = 1;
+        step.wish.relation = step.wish.relation_to = step.wish.relation_and = "";
+        for (const DocumentThing& t : talk.editor.document().things)
+            if (t.id == id) step.wish.color = t.color, step.wish.material = t.material, step.wish.pattern = t.pattern;
+        step.wish.size_m = p.piece.size_m;
+        talk.editor.apply(step);
+    }
+}
+
+namespace {
+
+// "Replace the coffee table with the ottoman": the ottoman that is there takes its place; false: no such words.
+bool replaced_by_its_like(Talk& talk, const Words& old, const Words& by) {
+    if (by.size() < 2 || !is_definite(by.front()) || is_one_of(by.back(), {"one", "ones"}) ||
+        next_place(by) < by.size() || all_named(talk.editor, text_of(by)).empty())
+        return false;
+    const std::vector<std::string> gone = talk.things_of_parts(old), come = talk.things_of_parts(by);
+    if (gone.size() != 1 || come.size() != 1 || gone == come) return false;
+    talk.editor.together([&] {
+        EditStep step;
+        step.kind = EditStep::Kind::place;
+        step.ids = come, step.position = flat(talk.editor.placed(gone.front()).position);
+        step.yaw = talk.editor.placed(gone.front()).yaw;
+        EditStep take;
+        take.ids = gone;
+        talk.editor.apply(take);
+        talk.editor.apply(step);
+    });
+    talk.last = come;
+    return true;
+}
+
+}  // namespace
+
+void replace(Talk& talk, const Words& old, const Words& by) {
+    if (replaced_by_its_like(talk, old, by)) return;
+    EditStep step;
+    step.kind = EditStep::Kind::replace;
+    step.ids = talk.things_of_parts(old);
+    std::vector<Words> parts = parts_of(by);
+    // "a loveseat facing the sofa"
+    if (const std::size_t facing = find_word(by, {"facing"}, 2); facing + 1 < by.size()) {
+        replace(talk, old, part_of(by, 0, facing));
+        Words all{"them"};
+        all.insert(all.end(), by.begin() + static_cast<std::ptrdiff_t>(facing), by.end());
+        return face(talk, all);
+    }
+    // "with a bigger one", "with a blue one", "with a round one", "with something round"
+    if (by.size() > 1 && by.front() == "something") {
+        Words one{"a"};
+        one.insert(one.end(), by.begin() + 1, by.end());
+        one.push_back("one");
+        return replace(talk, old, one);
+    }
+    // "a leather one in brown"
+    if (const std::size_t one = find_word(by, {"one", "ones"}, 1); one + 2 < by.size() && by[one + 1] == "in") {
+        Words all = part_of(by, 0, one);
+        all.insert(all.end(), by.begin() + static_cast<std::ptrdiff_t>(one) + 2, by.end());
+        all.push_back(by[one]);
+        return replace(talk, old, all);
+    }
+    if (!by.empty() && is_one_of(by.back(), {"one", "ones"})) {
+        Words all{"it"};
+        for (const std::string& w : by)
+            if (!is_one_of(w, {"a", "an", "one", "ones"})) all.push_back(w);
+        if (value_of(part_of(all, 1))) return make(talk, all);
+        parts = {by};
+        parts[0].back() = in_words(asked_kind(talk.editor.placed(step.ids.front())));
+    }
+    if (parts.empty()) throw UsageError("expected what comes in place of \"{}\"", text_of(old));
+    step.wish = wishes_of(talk.editor, parts.front()).front();
+    const bool each = is_one_of(old.front(), {"every", "each"});  // "every chair with a stool"
+    const bool one = is_one_of(parts.front().front(), {"a", "an", "another", "one"}) && !each;
+    if ((!step.wish.counted || each) && !one) step.wish.count = static_cast<int>(step.ids.size());
+    const std::size_t told = talk.editor.result().changes.size();
+    talk.editor.apply(step);
+    talk.last = {};
+    const auto& changes = talk.editor.result().changes;
+    for (std::size_t i = told; i < changes.size(); ++i)
+        if (const EditChange& change = changes[i]; change.what.starts_with("added in place of"))
+            talk.last.push_back(change.id);
+    shape_as_asked(talk, talk.last, shape_asked(parts.front()));
+    tell_unshown(talk, talk.last, step.wish, parts.front());
+    const std::vector<std::string> fresh = talk.last;
+    for (std::size_t k = 1; k < parts.size(); ++k) {
+        talk.last = fresh;
+        if (next_place(parts[k]) < parts[k].size()) {  // "two armchairs and a table between them"
+            add(talk, parts[k]);
+            continue;
+        }
+        PromptObject wish = wishes_of(talk.editor, parts[k]).front();
+        wish.relation = "next to", wish.relation_to = step.wish.kind;
+        add_wish(talk, wish, {});
+    }
+}
+
+void swap(Talk& talk, Words words) {
+    if (swap_colors(talk, words)) return;
+    for (const char* name : {"positions", "position", "places", "place"})
+        if (const std::size_t at = find_word(words, {name}); at + 1 < words.size() && words[at + 1] == "of")
+            words = part_of(words, at + 2);
+    // "the two armchairs' places"
+    while (words.size() > 1 && is_one_of(words.back(), {"places", "positions", "place", "position", "around", "over"}))
+        words.pop_back();
+    for (std::string& w : words)
+        if (const std::size_t mark = w.find('\''); mark != std::string::npos && mark > 1) w.resize(mark);
+    const std::size_t with = find_word(words, {"with", "for", "by", "and"});
+    if (const auto two = with == words.size() ? talk.things(words) : std::vector<std::string>{}; two.size() == 2) {
+        EditStep step;
+        step.kind = EditStep::Kind::swap;
+        step.ids = two;
+        return talk.editor.apply(step);
+    }
+    if (with + 1 >= words.size())
+        throw UsageError("expected \"swap … and …\" or \"swap … for …\", found \"{}\"", text_of(words));
+    const Words one = part_of(words, 0, with), other = part_of(words, with + 1);
+    const bool anew = words[with] == "for" || words[with] == "by" ||
+                      (words[with] == "with" && is_one_of(other.front(), {"a", "an", "some", "another"}));
+    if (anew || (words[with] == "with" && all_named(talk.editor, text_of(other)).empty()))
+        return replace(talk, one, other);
+    EditStep step;
+    step.kind = EditStep::Kind::swap;
+    const auto a = talk.things(one), b = talk.things(other);
+    if (a.size() != b.size())
+        throw UsageError("expected as many things to swap as to swap them with, found {} and {}", a.size(), b.size());
+    for (std::size_t k = 0; k < a.size(); ++k) {
+        step.ids = {a[k], b[k]};
+        talk.editor.apply(step);
+    }
+}
+
+}  // namespace fastscene::editing

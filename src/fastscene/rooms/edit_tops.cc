@@ -1,0 +1,160 @@
+// Tops that are full: what stands on them moves a little, and what comes is small.
+#include <algorithm>
+#include <cmath>
+
+#include "fastscene/rooms/catalogue.h"
+#include "fastscene/rooms/edit_parts.h"
+#include "fastscene/rooms/layout_relations.h"
+#include "fastscene/rooms/validate.h"
+
+namespace fastscene::editing {
+namespace {
+
+// Points of a top at which a thing with this box lies on it altogether, the middle first; at most so many of them.
+std::vector<Vec2f> spots_on(const Placed& top, const Surface& s, const Footprint& box, float step) {
+    constexpr float kMostSpots = 250;
+    const auto axes = axes_of(footprint_of(top));
+    const float wide = s.half.x - extent(box, axes[0]), deep = s.half.y - extent(box, axes[1]);
+    step = std::max(step, std::sqrt(std::max(0.f, 4 * wide * deep) / kMostSpots));
+    std::vector<Vec2f> out;
+    const Vec2f middle = flat(top.position) + axes[0] * s.center.x + axes[1] * s.center.z;
+    for (float z = -deep; z <= deep + 1e-4f; z += step)
+        for (float x = -wide; x <= wide + 1e-4f; x += step) out.push_back(middle + axes[0] * x + axes[1] * z);
+    std::stable_sort(out.begin(), out.end(), [&](Vec2f a, Vec2f b) { return length(a - middle) < length(b - middle); });
+    return out;
+}
+
+Footprint moved_to(Footprint box, Vec2f at) {
+    box.center = at;
+    return box;
+}
+
+// As high as things on this level may be: up to the next one.
+float height_above(const Placed& top, const Surface& s) {
+    constexpr float kThick = 0.03f, kUnlimited = 10;  // metres
+    float out = kUnlimited;
+    for (const Surface& other : top.piece.surfaces)
+        if (other.center.y > s.center.y + kThick) out = std::min(out, other.center.y - s.center.y - kThick);
+    return out;
+}
+
+class Top {
+  public:
+    Top(const std::vector<Placed>& all, int top, const Surface& s) : all_(all), top_(top), s_(s) {
+        const float level = at().position.y + s.center.y;
+        for (int i = 0; i < static_cast<int>(all.size()); ++i) {
+            const Placed& p = all[static_cast<std::size_t>(i)];
+            if (p.flat || i == top) continue;
+            const bool rides = p.on == top && std::abs(p.position.y - level) < 0.01f;
+            const bool carries = std::any_of(all.begin(), all.end(), [&](const Placed& q) { return q.on == i; });
+            (rides && !carries ? riders_ : others_).push_back(i);
+        }
+    }
+
+    // With `p` on it, and what is in its way moved by as little as may be; nothing: it has no room.
+    std::optional<Squeezed> with(Placed p) const {
+        constexpr std::size_t kMostMoved = 3;
+        p.on = top_;
+        p.position.y = at().position.y + s_.center.y;
+        std::optional<Squeezed> best;
+        float least = 1e9f;
+        constexpr int kMostTries = 200;
+        int tries = 0;
+        for (const Vec2f spot : spots_on(at(), s_, footprint_of(p), 0.04f)) {
+            p.position.x = spot.x, p.position.z = spot.y;
+            const Footprint box = footprint_of(p);
+            if (reaches_into(others_, box)) continue;
+            std::vector<int> blocked;
+            for (const int i : riders_)
+                if (overlap(box, footprint_of(thing(i)))) blocked.push_back(i);
+            if (blocked.size() > kMostMoved) continue;
+            Squeezed out{all_, blocked};
+            out.all.push_back(p);
+            float moved = 0;
+            bool fine = true;
+            for (std::size_t k = 0; k < blocked.size() && fine && moved < least; ++k) {
+                if (++tries > kMostTries) return best;
+                const auto by = make_room(out.all, blocked, k);
+                fine = by.has_value();
+                if (by) moved += *by;
+            }
+            if (fine && moved < least) least = moved, best = out;
+            if (least == 0) break;
+        }
+        return best;
+    }
+
+  private:
+    const Placed& at() const { return all_[static_cast<std::size_t>(top_)]; }
+    const Placed& thing(int i) const { return all_[static_cast<std::size_t>(i)]; }
+    bool reaches_into(const std::vector<int>& those, const Footprint& box) const {
+        return std::any_of(those.begin(), those.end(), [&](int i) { return overlap(box, footprint_of(thing(i))); });
+    }
+
+    // To the nearest free spot; by how much.
+    std::optional<float> make_room(std::vector<Placed>& all, const std::vector<int>& blocked, std::size_t k) const {
+        constexpr float kFarthest = 0.6f;  // metres
+        Placed& p = all[static_cast<std::size_t>(blocked[k])];
+        const Vec2f from = footprint_of(p).center;
+        std::vector<Vec2f> spots = spots_on(at(), s_, footprint_of(p), 0.03f);
+        std::stable_sort(spots.begin(), spots.end(),
+                         [&](Vec2f a, Vec2f b) { return length(a - from) < length(b - from); });
+        for (const Vec2f spot : spots) {
+            const float by = length(spot - from);
+            if (by > kFarthest) return {};
+            const Footprint box = moved_to(footprint_of(p), spot);
+            if (reaches_into(others_, box) || overlap(box, footprint_of(all.back()))) continue;
+            const bool free = std::none_of(riders_.begin(), riders_.end(), [&](int i) {
+                // Those that are yet to be moved are in nobody's way.
+                const auto turn = std::find(blocked.begin(), blocked.end(), i);
+                if (turn != blocked.end() && turn - blocked.begin() >= static_cast<std::ptrdiff_t>(k)) return false;
+                return overlap(box, footprint_of(all[static_cast<std::size_t>(i)]));
+            });
+            if (!free) continue;
+            p.position.x += spot.x - from.x, p.position.z += spot.y - from.y;
+            return by;
+        }
+        return {};
+    }
+
+    const std::vector<Placed>& all_;
+    int top_;
+    const Surface& s_;
+    std::vector<int> riders_, others_;
+};
+
+}  // namespace
+
+std::optional<Squeezed> Editor::squeezed_on_top(Layout& layout, const Placed* moving) const {
+    const PromptObject& wish = layout.spec().objects[0];
+    const bool fixed = moving || wish.size_m != Vec3f{};
+    const std::set<std::string> before = fault_texts(layout.placed());
+    for (const float scale : {1.f, 0.8f, 0.65f}) {
+        if (fixed && scale < 1) break;
+        PieceRequest request = layout.request(wish.kind, &wish);
+        if (const Thing* known = find_thing(request.kind); known && !request.model && !known->small_form.empty())
+            request.kind = known->small_form;
+        request.size_factor *= scale;
+        Placed p;
+        p.piece = make_piece(request);
+        p.wish = wish;
+        if (p.piece.mount != Mount::surface) return {};
+        for (int i = 0; i < static_cast<int>(layout.placed().size()); ++i) {
+            const Placed& top = layout.placed()[static_cast<std::size_t>(i)];
+            if (top.piece.kind != wish.relation_to && top.wish.kind != wish.relation_to) continue;
+            for (const Surface& s : top.piece.surfaces) {
+                if (p.piece.size_m.y > height_above(top, s)) continue;
+                for (const float turn : {0.f, kPi / 2}) {
+                    p.yaw = top.yaw + turn;
+                    auto found = Top(layout.placed(), i, s).with(p);
+                    if (!found) continue;
+                    const auto now = fault_texts(found->all);
+                    if (std::includes(before.begin(), before.end(), now.begin(), now.end())) return found;
+                }
+            }
+        }
+    }
+    return {};
+}
+
+}  // namespace fastscene::editing
