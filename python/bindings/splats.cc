@@ -110,7 +110,17 @@ void bind_splat_data(py::module_& m) {
              py::arg("count"), py::arg("sh_degree") = 0)
         .def("__len__", &Splats::size)
         .def_readonly("sh_degree", &Splats::sh_degree)
-        .def_readwrite("antialias", &Splats::antialias)
+        .def_property(
+            "antialias", [](const Splats& s) { return s.filter.antialias; },
+            [](Splats& s, bool on) { s.filter.antialias = on; })
+        .def_property(
+            "low_pass_px2", [](const Splats& s) { return s.filter.low_pass_px2; },
+            [](Splats& s, float px2) {
+                if (!(px2 >= static_cast<float>(kLeastLowPassPx2) && px2 <= 1))
+                    throw UsageError("low_pass_px2: expected {} to 1, found {}", kLeastLowPassPx2, px2);
+                s.filter.low_pass_px2 = px2;
+            },
+            "Variance in square pixels that is added to every footprint.")
         .def_property(
             "mean_m", [](py::object self) { return shown(self.cast<Splats&>().mean_m, self); },
             [](Splats& s, const py::array& a) { assign(s.mean_m, a, "mean_m"); }, "N x 3, world.")

@@ -156,6 +156,7 @@ def project_views(panoramas: Sequence[Panorama], seed: int = 0, **settings: Any)
 
 class Splats:
     antialias: bool
+    low_pass_px2: float
     mean_m: FloatArray
     log_scale: FloatArray
     rotation: FloatArray

@@ -101,6 +101,10 @@ class Arrays(unittest.TestCase):
             splats.mean_m = np.zeros((4, 3))
         with self.assertRaisesRegex(fastscene.UsageError, "expected an array of N x 3, found 5 x 2 of float64"):
             splats.sh0 = np.zeros((5, 2))
+        splats.low_pass_px2 = 0.25
+        with self.assertRaisesRegex(fastscene.UsageError, "low_pass_px2: expected 0.1 to 1, found 0.01"):
+            splats.low_pass_px2 = 0.01
+        self.assertEqual(splats.low_pass_px2, 0.25)
         camera = fastscene.Pinhole.with_fov(8, 8, 90)
         with self.assertRaisesRegex(fastscene.UsageError, "height x width x 3 of uint8, found 8 x 8 x 3 of float64"):
             fastscene.View(camera, None, np.zeros((8, 8, 3)))

@@ -257,7 +257,7 @@ std::vector<Turned> turns(bool far) {
         if (far) out.push_back({off, 0});
     return out;
 }
-constexpr int kWays = 16;
+constexpr int kDirections = 16;
 
 }  // namespace
 
@@ -285,9 +285,9 @@ void Editor::face_one(int i, const EditStep& step) {
         const bool sat_at = sign < 0 && !seats.empty();
         for (const auto& [off, aside] : turns(sat_at)) {
             if (std::abs(aside) > wrong_by / 2) continue;  // it would hardly turn
-            const int ways = off > 0 ? kWays : 1;
+            const int ways = off > 0 ? kDirections : 1;
             for (int way = 0; way < ways && !done; ++way) {
-                const float angle = 2 * kPi * static_cast<float>(way) / kWays;
+                const float angle = 2 * kPi * static_cast<float>(way) / kDirections;
                 const Vec3f to = p.position + Vec3f{std::sin(angle), 0, std::cos(angle)} * off;
                 const Vec2f ahead = (*target - flat(to)) * sign;
                 const float yaw = std::remainder(std::atan2(ahead.x, ahead.y) + aside, 2 * kPi);

@@ -108,17 +108,17 @@ std::vector<std::string> Talk::all_but(const Words& words, Words others) {
     // "all chairs but one", "… but two of them": "a chair" is the last one, and the first ones stay.
     if (const auto some = others.empty() ? std::nullopt : number_said(others.front());
         some && *some >= 1 && (others.size() == 1 || text_of(others, 1) == "of them")) {
-        const auto kept = static_cast<std::size_t>(*some);
-        if (kept >= ids.size()) throw AlreadySo(fmt::format("there are only {} of \"{}\"", ids.size(), text_of(words)));
-        return {ids.begin() + static_cast<std::ptrdiff_t>(kept), ids.end()};
+        const auto left = static_cast<std::size_t>(*some);
+        if (left >= ids.size()) throw AlreadySo(fmt::format("there are only {} of \"{}\"", ids.size(), text_of(words)));
+        return {ids.begin() + static_cast<std::ptrdiff_t>(left), ids.end()};
     }
     // "the largest one", "the one above the bed"
     if (const std::size_t one = find_word(others, {"one", "ones"}, others.size() > 1 ? 1 : 0);
         one < others.size() && !(one + 1 < others.size() && others[one + 1] == "of"))
         others[one] = words.back();
-    const std::vector<std::string> kept = things_of_parts(others);
-    std::erase_if(ids, [&](const std::string& id) { return std::find(kept.begin(), kept.end(), id) != kept.end(); });
-    if (ids.empty()) throw UsageError("nothing but {} is meant by \"{}\"", kept.front(), text_of(words));
+    const std::vector<std::string> left = things_of_parts(others);
+    std::erase_if(ids, [&](const std::string& id) { return std::find(left.begin(), left.end(), id) != left.end(); });
+    if (ids.empty()) throw UsageError("nothing but {} is meant by \"{}\"", left.front(), text_of(words));
     return ids;
 }
 
@@ -270,13 +270,13 @@ void Talk::act(const Clause& whole) {
         // "… instead of the pendant, and two more chairs": those come as well.
         Words rest = part_of(words, instead + 2);
         const auto joint = std::find_if(rest.begin(), rest.end(), is_joint);
-        std::size_t more = static_cast<std::size_t>(joint - rest.begin());
-        while (more < rest.size() && is_joint(rest[more])) ++more;
-        if (more < rest.size() && begins_anew(part_of(rest, more))) {
+        std::size_t next = static_cast<std::size_t>(joint - rest.begin());
+        while (next < rest.size() && is_joint(rest[next])) ++next;
+        if (next < rest.size() && begins_anew(part_of(rest, next))) {
             Clause first = clause, second = clause;
             first.words = part_of(
                 words, 0, static_cast<std::size_t>(instead + 2 + static_cast<std::size_t>(joint - rest.begin())));
-            second.verb = Verb::add, second.said = "add", second.words = part_of(rest, more);
+            second.verb = Verb::add, second.said = "add", second.words = part_of(rest, next);
             return do_each(
                 editor, 2, [&](std::size_t k) { act(k == 0 ? first : second); },
                 [&](std::size_t k) { return text_of(k == 0 ? first.words : second.words); });
