@@ -116,8 +116,9 @@ void bind_splat_data(py::module_& m) {
         .def_property(
             "low_pass_px2", [](const Splats& s) { return s.filter.low_pass_px2; },
             [](Splats& s, float px2) {
-                if (!(px2 >= static_cast<float>(kLeastLowPassPx2) && px2 <= 1))
-                    throw UsageError("low_pass_px2: expected {} to 1, found {}", kLeastLowPassPx2, px2);
+                if (!(px2 >= static_cast<float>(kLeastLowPassPx2) && px2 <= kMostLowPassPx2))
+                    throw UsageError("low_pass_px2: expected {} to {}, found {}", kLeastLowPassPx2, kMostLowPassPx2,
+                                     px2);
                 s.filter.low_pass_px2 = px2;
             },
             "Variance in square pixels that is added to every footprint.")

@@ -83,7 +83,7 @@ Addition at_what_is_meant(const Talk& talk, const Words& words) {
                        std::any_of(talk.last.begin(), talk.last.end(), [&](const std::string& id) {
                            return !talk.editor.placed(id).piece.surfaces.empty();
                        });
-    // On a rug under a table is on the table, and no bowl stands on a stool before an island.
+    // "On it" of a rug or a stool means the table or island there, for what does not stand on floors or seats.
     const bool rug = it && std::all_of(talk.last.begin(), talk.last.end(), [&](const std::string& id) {
                          const Placed& p = talk.editor.placed(id);
                          return p.flat || has_role(p.piece.kind, Role::seat);
@@ -265,7 +265,7 @@ void add(Talk& talk, const Words& words) {
             mount_of(talk.editor, first.kind) == Mount::floor)
             shared->step.wish.relation = has_role(first.kind, Role::seat) ? "around" : "next to";
         // "An armchair, a lamp and a shelf by the window": at one window, side by side.
-        const bool group = shared && !together.empty() && noun_of(shared->step.wish.relation_to) != "" &&
+        const bool group = shared && !together.empty() && !noun_of(shared->step.wish.relation_to).empty() &&
                            shared->step.wish.relation == "next to";
         talk.editor.together([&] {
             if (group && grouped(talk, first, *shared, together)) return;
@@ -290,7 +290,7 @@ void add(Talk& talk, const Words& words) {
         tell_unshown(talk, fresh, first, all[k]->said);
         add_with(talk, fresh, *all[k]);
     };
-    // All of them are read before any of them comes.
+    // Parse all of them before adding the first.
     do_each(
         talk.editor, 2 * parts.size(),
         [&](std::size_t i) {

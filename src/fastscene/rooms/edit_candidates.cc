@@ -1,4 +1,4 @@
-// Places on the floor that are as was asked: a fine grid, backs at walls, sides of what the place is said by.
+// Places on the floor that satisfy a wish: a fine grid, backs at walls, sides of what the place is named by.
 #include <algorithm>
 #include <cmath>
 
@@ -38,7 +38,7 @@ void add_at_walls(const Plan& plan, Vec3f size, std::vector<Candidate>& out) {
     }
 }
 
-// Everywhere on the floor, square to the room; what is as deep as wide needs but one yaw.
+// Everywhere on the floor, square to the room. A square piece needs only one yaw.
 void add_on_floor(const Plan& plan, Vec3f size, std::optional<float> own, std::vector<Candidate>& out) {
     constexpr float kStep = 0.12f;  // metres
     const bool square = std::abs(size.x - size.z) < 0.1f * size.x;
@@ -89,7 +89,7 @@ bool is_beside(const std::vector<Placed>& all, const Placed& piece, const Prompt
         return std::abs(dot(to, right_of(at.yaw))) > kOfHalf * half.x &&
                std::abs(dot(to, front_of(at.yaw))) < half.z + kAhead;
     });
-    return beside || !known;  // of a window it says nothing
+    return beside || !known;  // windows have no such sides
 }
 
 bool is_at_foot(const std::vector<Placed>& all, const PromptObject& wish, const Placed& p) {
@@ -192,7 +192,7 @@ bool is_drawn_up_before(const std::vector<Placed>& all, const PromptObject& wish
 
 }  // namespace
 
-// The places on the floor, the best first, at which it is as was asked; up to so much further off.
+// The places on the floor that satisfy the wish, the best first; `further`: metres that it may be off.
 std::vector<Candidate> Editor::candidates_for(Layout& layout, const EditStep& step, const Piece& piece,
                                               float further) const {
     const PromptObject& wish = layout.spec().objects[0];

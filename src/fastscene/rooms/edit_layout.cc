@@ -371,8 +371,7 @@ std::vector<Placed> Editor::with_added(const EditStep& step, bool& smaller) cons
             EditStep one = step;
             one.wish.count = count;
             if (scale < 1) one.wish.size_m = usual_size(one.wish) * scale;
-            // Nobody sits on a chair for dolls.
-            constexpr float kLeastSeat = 0.8f, kLeastFurniture = 0.8f;
+            constexpr float kLeastFurniture = 0.8f;
             if (scale < kLeastSeat && has_role(step.wish.kind, Role::seat)) break;
             // What stands on the floor stands closer before it is smaller still.
             if (scale < kLeastFurniture && stands) break;

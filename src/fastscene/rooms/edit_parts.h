@@ -43,6 +43,7 @@ struct Squeeze {
     float further = 0;    // metres further off what it was asked at
     bool pushes = false;  // small things move aside
 };
+inline constexpr float kLeastSeat = 0.8f;  // of its usual size: smaller, nobody can sit on it
 inline constexpr Passage kNarrow{.body_radius = 0.225f, .eye_radius = 0.45f};  // a way of 0.45 m
 std::vector<Squeeze> squeezes(bool may_shrink);
 // What stands, what came last, and the room's things that were moved for it.

@@ -43,7 +43,7 @@ bool says_all_but_some(const Words& words) {
 void clear(Talk& talk, const Words& words) {
     const auto tops = talk.things_of_parts(words);
     const auto riders = riders_of(talk.editor, tops);
-    if (riders.empty()) throw UsageError("nothing stands on {}", fmt::format("{}", tops.front()));
+    if (riders.empty()) throw UsageError("nothing stands on {}", tops.front());
     remove_all(talk, riders);
     talk.last = tops;  // "clear the table and make it white"
 }

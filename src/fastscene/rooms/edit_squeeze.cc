@@ -1,5 +1,5 @@
-// Places where the layout's rules of comfort leave none. Who asks for a thing by name wants it there: what would really
-// collide, block a door or stand in the air is refused, and nothing else. Each thing that is given up is told.
+// Places where the layout's rules of comfort leave none. If someone asks for a thing by name, they want it there: only
+// what would overlap something, block a door or hang in the air is refused. Whatever is given up is reported.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -39,7 +39,7 @@ std::optional<std::vector<int>> in_the_way(const Plan& plan, const std::vector<P
     return out;
 }
 
-// Small things that stand free: whoever comes in with a piece of furniture pushes them aside.
+// Small free-standing things, which one would push aside to place a piece of furniture.
 std::vector<int> loose_ones(const std::vector<Placed>& all) {
     constexpr float kSmall = 0.62f;  // metres wide and deep
     std::vector<int> out;
@@ -121,8 +121,6 @@ std::optional<Squeezed> Editor::squeezed_in(const Standing& standing, const Edit
     const bool under_thing = wish.relation == "under" && noun_of(wish.relation_to).empty();
     if (is_one_of(wish.relation, {"on", "above"}) || under_thing || mount_of(*this, wish.kind) == Mount::wall)
         return squeezed_on_wall(layout, step, moving, how, accepts);
-    // Nobody sits on a chair for dolls.
-    constexpr float kLeastSeat = 0.8f;
     if (how.scale < kLeastSeat && (has_role(wish.kind, Role::seat) || has_role(wish.kind, Role::bed))) return {};
     PieceRequest request = layout.request(wish.kind, &wish);
     request.size_factor *= how.scale;

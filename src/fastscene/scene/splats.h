@@ -12,8 +12,9 @@ namespace fastscene {
 // Degree-0 basis function of real spherical harmonics: color = 0.5 + kSh0 * sh0.
 inline constexpr float kSh0 = 0.28209479177387814f;
 
-// Smallest low-pass: the renderer's exponents within a block of pixels stay in the range of single precision.
-inline constexpr double kLeastLowPassPx2 = 0.1;
+// Bounds of the low-pass. With less, the renderer's exponents within a block of pixels would leave the range of single
+// precision.
+inline constexpr double kLeastLowPassPx2 = 0.1, kMostLowPassPx2 = 1;
 
 // How footprints are filtered when splats are drawn: as when they were trained.
 struct FootprintFilter {

@@ -41,7 +41,7 @@ struct Lens {
     // Compensates the opacity for the low-pass dilation (Mip-Splatting's 2D filter, Yu et al. 2024): splats smaller
     // than a pixel do not get brighter with distance.
     bool antialias = false;
-    F low_pass_px2 = F(0.3);  // FootprintFilter::low_pass_px2
+    F low_pass_px2 = F(FootprintFilter{}.low_pass_px2);
 
     bool equirect() const { return model == CameraModel::equirectangular; }
     Vec3<F> camera_center() const { return -(transpose(rotation) * translation); }

@@ -102,7 +102,7 @@ void visit_fields(SplatParams& p, V&& v) {
     v("antialias", p.antialias,
       "Antialiasing: splats smaller than a pixel are dimmed instead of enlarged (Mip-Splatting's 2D filter); recorded "
       "in files.");
-    v("low-pass", p.low_pass_px2, Bounds{kLeastLowPassPx2, 1},
+    v("low-pass", p.low_pass_px2, Bounds{kLeastLowPassPx2, kMostLowPassPx2},
       "Low-pass: variance in square pixels that is added to every splat's footprint. 0.3: as in Kerbl et al.'s program "
       "and in viewers; 0.1: as sharp as a pixel that averages its area; recorded in .ply files.");
     v("random-background", p.random_background,

@@ -28,7 +28,7 @@ Still sphere_of(const SplatRenderer& splats, int width, const Rigid& world_from_
     const EquirectSize size{width, width / 2};
     // 90 degrees plus a margin, so that no bilinear sample falls outside a cube face.
     constexpr float kFovDeg = 94.f;
-    // The low-pass (0.3 px2 of variance) draws every splat at least about a pixel wide. Panoramas are mostly coarser
+    // The low-pass draws every splat at least about a pixel wide. Panoramas are mostly coarser
     // than the training views, so faces at the panorama's resolution would blur: they are rendered twice as fine, then
     // averaged.
     constexpr int kWidestAveraged = 4096;  // above that, six supersampled faces would take gigabytes

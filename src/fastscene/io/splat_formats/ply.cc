@@ -33,7 +33,8 @@ FootprintFilter footprint_filter(const Ply& ply) {
             filter.antialias = true;
         std::istringstream number(c.starts_with(kLowPassComment) ? c.substr(kLowPassComment.size()) : "");
         float low_pass = 0;
-        if (number >> low_pass && low_pass >= kLeastLowPassPx2 && low_pass <= 1) filter.low_pass_px2 = low_pass;
+        if (number >> low_pass && low_pass >= kLeastLowPassPx2 && low_pass <= kMostLowPassPx2)
+            filter.low_pass_px2 = low_pass;
     }
     return filter;
 }
