@@ -154,6 +154,7 @@ class IrradianceCache {
   private:
     int find(std::int32_t x, std::int32_t y, std::int32_t z, int facing) const;
     int nearest(Vec3f position, Vec3f normal) const;
+    int near_plane(Vec3f point, int facing) const;
     const Place& place(std::size_t cell, int i) const;
     std::uint64_t random_key(std::size_t cell, std::uint64_t pass, std::uint64_t seed) const;
     void know_surfaces(const Room& room);
@@ -164,7 +165,7 @@ class IrradianceCache {
     void drop_hidden(const std::vector<std::uint8_t>& sight);
     void find_seen(const SceneBvh& bvh, const std::vector<Vec3f>& viewpoints, Gatherer* gatherer, const Run& run);
     void index();
-    void despeckle(bool indirect);
+    void despeckle(bool indirect, float tolerated);
     std::vector<float> pooled(const std::vector<float>& error) const;
     void smooth(bool indirect, int step, std::vector<float>& error);
     void smooth_directions();

@@ -31,6 +31,8 @@ constexpr int kLeastDirect = 8, kLeastBounced = 2;  // … and at least these
 // Harmonic mean distance to the surroundings, in cells: below the first an entry lies in a corner, above the second in
 // the open.
 constexpr float kNearCells = 4, kOpenCells = 9;
+// Brighter than all neighbours but one by this factor is an unlikely path; once neighbours agree, a speck.
+constexpr float kFirefly = 1.3f, kSpeck = 1.03f;
 
 // Steps of the progress report.
 std::int64_t blocks_of(std::size_t cells) { return static_cast<std::int64_t>(cells) / 1024 + 1; }
@@ -150,9 +152,10 @@ void IrradianceCache::gather_direct(const Room& room, const SceneBvh& bvh, const
             }
             progress.advance();
         });
-    despeckle(false);
+    despeckle(false, kFirefly);
     error = pooled(error);
-    for (const int step : {1, 2}) smooth(false, step, error);
+    for (const int step : {1, 2, 4}) smooth(false, step, error);
+    despeckle(false, kSpeck);
 }
 
 // Accumulators of one pass over all cells.
@@ -252,13 +255,14 @@ void IrradianceCache::gather_indirect(const Room& room, const SceneBvh& bvh, con
                              cell_m_;  // harmonic mean distance, in cells
         cells_[c].trust *= smooth_step(kNearCells, kOpenCells, around);
     }
-    despeckle(true);
+    despeckle(true, kFirefly);
     // Entries are independent estimates; their remaining noise is filtered over neighbours, with a wide kernel since
     // indirect light varies slowly.
     std::vector<float> error(count);
     for (std::size_t c = 0; c < count; ++c) error[c] = std::sqrt(spoiled[c]);
     error = pooled(error);
-    for (const int step : {1, 2, 4, 1}) smooth(true, step, error);
+    for (const int step : {1, 2, 4, 8, 16, 1}) smooth(true, step, error);
+    despeckle(true, kSpeck);
 }
 
 void IrradianceCache::place_cells(const Room& room, const SceneBvh& bvh, const TraceParams& params,
