@@ -6,9 +6,14 @@
 #include <sys/socket.h>
 #include <unistd.h>
 
+#include <atomic>
+#include <csignal>
+#include <filesystem>
 #include <future>
 #include <latch>
+#include <thread>
 
+#include "fastscene/base/leading_number.h"
 #include "fastscene/nn/connections.h"
 
 namespace fastscene::nn {
@@ -18,6 +23,7 @@ namespace {
 struct Three {
     TrainingParams params;
     Three() {
+        std::signal(SIGPIPE, SIG_IGN);  // as the program does: Gloo writes to connections that were lost
         const int s = ::socket(AF_INET, SOCK_STREAM, 0);
         sockaddr_in at{};
         at.sin_family = AF_INET, at.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
@@ -72,6 +78,56 @@ TEST(ProcessGroup, ContinuesWithoutALostProcessAndReadmitsIt) {
     EXPECT_EQ(mean_of(*two, 2), 1);
     zero.get();
     one.get();
+}
+
+// Ends this process's TCP connections but those to or from a port.
+void break_connections_except(std::uint16_t port) {
+    for (const auto& entry : std::filesystem::directory_iterator("/proc/self/fd")) {
+        const auto descriptor = static_cast<int>(number_in(entry.path().filename().string()).value_or(-1));
+        sockaddr_in here{}, there{};
+        socklen_t here_size = sizeof here, there_size = sizeof there;
+        if (::getsockname(descriptor, reinterpret_cast<sockaddr*>(&here), &here_size) != 0 ||
+            ::getpeername(descriptor, reinterpret_cast<sockaddr*>(&there), &there_size) != 0)
+            continue;
+        if (ntohs(here.sin_port) != port && ntohs(there.sin_port) != port) ::shutdown(descriptor, SHUT_RDWR);
+    }
+}
+
+// Gloo itself says nothing to whoever has a message half sent or half received.
+TEST(ProcessGroup, NoticesALossAmidAMessage) {
+    constexpr std::int64_t kLong = 1 << 24;  // a message that takes a while
+    const Three three;
+    const auto port = static_cast<std::uint16_t>(std::stoi(three.params.meet.substr(three.params.meet.find(':') + 1)));
+    std::atomic<int> exchanging = 0;
+    const auto member = [&](int process) {
+        const auto group = three.join(process);
+        const at::Tensor gradients = at::ones({kLong});
+        for (int i = 0; i < 12; ++i) {
+            EXPECT_THROW(
+                for (;;) {
+                    ++exchanging;
+                    group->all_reduce_mean({gradients});
+                    ++exchanging;
+                    group->broadcast({gradients});
+                },
+                ProcessLost);
+            group->rejoin({}, 30);
+            EXPECT_EQ(group->world_size(), 3);
+        }
+    };
+    std::vector<std::future<void>> members;
+    for (int process = 0; process < 3; ++process) members.push_back(std::async(std::launch::async, member, process));
+    const auto done = [&](std::chrono::milliseconds wait) {
+        return members[0].wait_for(wait) == std::future_status::ready;
+    };
+    while (!done(std::chrono::milliseconds(1))) {
+        const int before = exchanging;
+        while (exchanging < before + 6 && !done(std::chrono::milliseconds(1))) {
+        }
+        done(std::chrono::milliseconds(before * 37 % 400));  // amid something else each time
+        break_connections_except(port);
+    }
+    for (auto& one : members) one.get();
 }
 
 TEST(ProcessGroup, EndsWithoutProcessZero) {
