@@ -15,6 +15,7 @@
 
 #include "fastscene/base/leading_number.h"
 #include "fastscene/nn/connections.h"
+#include "fastscene/nn/rendezvous.h"
 
 namespace fastscene::nn {
 namespace {
@@ -33,6 +34,9 @@ struct Three {
         ::close(s);
         params.processes = 3;
         params.meet = fmt::format("localhost:{}", ntohs(at.sin_port));
+    }
+    std::uint16_t port() const {
+        return static_cast<std::uint16_t>(std::stoi(params.meet.substr(params.meet.find(':') + 1)));
     }
     std::unique_ptr<ProcessGroup> join(int process) const {
         TrainingParams mine = params;
@@ -97,7 +101,6 @@ void break_connections_except(std::uint16_t port) {
 TEST(ProcessGroup, NoticesALossAmidAMessage) {
     constexpr std::int64_t kLong = 1 << 24;  // a message that takes a while
     const Three three;
-    const auto port = static_cast<std::uint16_t>(std::stoi(three.params.meet.substr(three.params.meet.find(':') + 1)));
     std::atomic<int> exchanging = 0;
     const auto member = [&](int process) {
         const auto group = three.join(process);
@@ -125,7 +128,7 @@ TEST(ProcessGroup, NoticesALossAmidAMessage) {
         while (exchanging < before + 6 && !done(std::chrono::milliseconds(1))) {
         }
         done(std::chrono::milliseconds(before * 37 % 400));  // amid something else each time
-        break_connections_except(port);
+        break_connections_except(three.port());
     }
     for (auto& one : members) one.get();
 }
@@ -157,6 +160,24 @@ TEST(ProcessGroup, ProcessZeroDoesNotWaitForever) {
         EXPECT_NE(std::string(e.what()).find("expected 3 processes to join"), std::string::npos) << e.what();
         EXPECT_NE(std::string(e.what()).find("found 2"), std::string::npos) << e.what();
     }
+}
+
+TEST(Rendezvous, AdmitsAgainWhoMissedItsRound) {
+    const Three three;
+    const Endpoint endpoint{"localhost", three.port()};
+    Rendezvous first(endpoint, 0, 2, 30);
+    auto second = std::async(std::launch::async, [&] {
+        Rendezvous rendezvous(endpoint, 1, 2, 30);
+        RendezvousRound round;
+        do round = rendezvous.next_round({}, {});
+        while (round.number == 1);  // if it was quick enough
+        return round;
+    });
+    EXPECT_EQ(first.next_round({}, {{0, 1}, 30, true}).members, (std::vector<int>{0, 1}));
+    EXPECT_EQ(first.next_round({}, {{0}, 0, false}).members, std::vector<int>{0});  // before the other looks again
+    EXPECT_EQ(first.next_round({}, {{0, 1}, 30, true}).number, 3);
+    EXPECT_EQ(second.get().number, 3);
+    EXPECT_FALSE(first.has_newcomer());
 }
 
 TEST(Connections, KnowTheirAddresses) {
