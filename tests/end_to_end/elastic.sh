@@ -10,7 +10,7 @@ train() { local k=$1; shift; "$fastscene" depth train "${small[@]}" --process "$
 wait_for() {
   local end=$((SECONDS + $1)); shift
   until "$@"; do
-    [ "$SECONDS" -lt "$end" ] || { tail -n 5 ./*.log >&2; fail "waited in vain: $*"; }
+    [ "$SECONDS" -lt "$end" ] || { tail -n 40 ./*.log ./*/curves.csv >&2; ps -o pid,stat,etime,time,wchan:20,args -p "$(jobs -p | paste -sd,)" >&2; fail "waited in vain: $*"; }
     sleep 0.1
   done
 }

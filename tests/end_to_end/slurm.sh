@@ -28,11 +28,18 @@ clean_up() {
 trap clean_up EXIT
 trap 'exit 1' INT TERM
 
+# What there is to read about a failure: the queue, the daemons, the jobs' processes, and the training.
+evidence() {
+  squeue
+  tail -n 15 "$cluster"/*.log
+  ps -o pid,ppid,stat,etime,time,wchan:20,args -p "$(ours | paste -sd,)"
+  for file in train.out net/curves.csv; do [ ! -f $file ] || tail -v -n 80 $file; done
+}
 # wait_for SECONDS COMMAND…: until it succeeds.
 wait_for() {
   local end=$((SECONDS + $1)); shift
   until "$@"; do
-    [ "$SECONDS" -lt "$end" ] || { squeue >&2; tail -n 15 "$cluster"/*.log >&2; fail "waited in vain: $*"; }
+    [ "$SECONDS" -lt "$end" ] || { evidence >&2; fail "waited in vain: $*"; }
     sleep 0.3
   done
 }

@@ -1,30 +1,18 @@
 #include "fastscene/nn/process_group.h"
 
-#include "fastscene/nn/libtorch.h"
-
-#ifdef FASTSCENE_GLOO
-#include <gloo/context.h>
-
-#include <torch/csrc/distributed/c10d/ProcessGroupGloo.hpp>
-#endif
-
 #include <algorithm>
 #include <chrono>
 #include <numeric>
 #include <tuple>
 
 #include "fastscene/nn/connections.h"
+#include "fastscene/nn/gloo_group.h"
 #include "fastscene/nn/rendezvous.h"
 
 namespace fastscene::nn {
 namespace {
 
 using Clock = std::chrono::steady_clock;
-// Of a collective: long enough for rank 0 to evaluate many held-out pictures while the others wait. A process that is
-// lost is noticed long before, by its connections.
-constexpr std::chrono::hours kCollectiveTimeout{1};
-// For members of a new group to connect; one may be lost in that moment, too.
-constexpr std::chrono::seconds kConnectTimeout{30};
 constexpr int kConnectAttempts = 5;
 
 [[maybe_unused]] Endpoint endpoint_from(const std::string& text) {
@@ -55,31 +43,10 @@ void unflatten(const at::Tensor& all, const std::vector<at::Tensor>& tensors) {
 }  // namespace
 
 #ifdef FASTSCENE_GLOO
-// Gloo's group, with another timeout while it connects than afterwards.
-class Gloo final : public c10d::ProcessGroupGloo {
-  public:
-    static c10::intrusive_ptr<Gloo> open(const RendezvousRound& round, int rank,
-                                         const c10::intrusive_ptr<c10d::Store>& store) {
-        auto options = Options::create(kConnectTimeout);
-        options->devices.push_back(createDeviceForHostname(round.address));
-        auto group = c10::make_intrusive<Gloo>(store, rank, static_cast<int>(round.members.size()), options);
-        options->timeout = kCollectiveTimeout;
-        // What setTimeout() does; that would need Gloo to be linked, and libtorch may have one inside.
-        for (const auto& context : group->contexts_) (*context).*(&OpenContext::timeout_) = kCollectiveTimeout;
-        return group;
-    }
-    using ProcessGroupGloo::ProcessGroupGloo;
-
-  private:
-    struct OpenContext : ::gloo::Context {
-        using ::gloo::Context::timeout_;
-    };
-};
-
 struct ProcessGroup::Connection {
     Rendezvous rendezvous;
     int process;
-    c10::intrusive_ptr<Gloo> gloo;
+    std::unique_ptr<GlooGroup> gloo;
 
     // The members of a new group, and the rank of this process.
     std::pair<std::vector<int>, int> connect(const Run& run, const Expected& expected) {
@@ -88,7 +55,7 @@ struct ProcessGroup::Connection {
                 const RendezvousRound round = rendezvous.next_round(run, expected);
                 const auto me = std::find(round.members.begin(), round.members.end(), process);
                 const int rank = static_cast<int>(me - round.members.begin());
-                gloo = Gloo::open(round, rank, rendezvous.store_of(round));
+                gloo = std::make_unique<GlooGroup>(round, rank, rendezvous.store_of(round));
                 notice_silent_machines(rendezvous.port());
                 return {round.members, rank};
             } catch (const Error&) {
@@ -101,24 +68,24 @@ struct ProcessGroup::Connection {
                                 i, e.what());
             }
     }
-    template <class Work>
-    void wait(const char* what, const Work& work) const {
+    template <class Call>
+    void together(const char* what, const Call& call) const {
         try {
             if (!gloo) throw Error("not connected");
-            work()->wait();
+            call(*gloo);
         } catch (const std::exception& e) {
             throw ProcessLost("training: expected all processes to {}, found one gone or unresponsive: {}", what,
                               e.what());
         }
     }
     void barrier() const {
-        wait("reach a barrier", [&] { return gloo->barrier(); });
+        together("reach a barrier", [](GlooGroup& group) { group.barrier(); });
     }
-    void all_reduce(std::vector<at::Tensor>& one) const {
-        wait("take part in an all-reduce", [&] { return gloo->allreduce(one); });
+    void all_reduce_sum(const at::Tensor& one) const {
+        together("take part in an all-reduce", [&](GlooGroup& group) { group.all_reduce_sum(one); });
     }
-    void broadcast(std::vector<at::Tensor>& one) const {
-        wait("receive a broadcast", [&] { return gloo->broadcast(one); });
+    void broadcast(const at::Tensor& one) const {
+        together("receive a broadcast", [&](GlooGroup& group) { group.broadcast(one); });
     }
 };
 #else
@@ -127,8 +94,8 @@ struct ProcessGroup::Connection {
         bool has_newcomer() { return false; }
     } rendezvous;
     void barrier() const {}
-    void all_reduce(std::vector<at::Tensor>&) const {}
-    void broadcast(std::vector<at::Tensor>&) const {}
+    void all_reduce_sum(const at::Tensor&) const {}
+    void broadcast(const at::Tensor&) const {}
 };
 #endif
 
@@ -171,31 +138,31 @@ bool ProcessGroup::has_newcomer() { return connection_->rendezvous.has_newcomer(
 void ProcessGroup::all_reduce_mean(const std::vector<at::Tensor>& tensors) {
     if (tensors.empty()) return;
     const at::NoGradGuard no_gradients;
-    std::vector<at::Tensor> all{flatten(tensors)};
+    const at::Tensor all = flatten(tensors);
     const Clock::time_point ready = Clock::now();
     connection_->barrier();
     const Clock::time_point begin = Clock::now();
-    connection_->all_reduce(all);
+    connection_->all_reduce_sum(all);
     costs_.waiting_s += std::chrono::duration<double>(begin - ready).count();
     costs_.averaging_s += std::chrono::duration<double>(Clock::now() - begin).count();
-    costs_.bytes += static_cast<std::int64_t>(all[0].nbytes());
-    unflatten(all[0] / world_size(), tensors);
+    costs_.bytes += static_cast<std::int64_t>(all.nbytes());
+    unflatten(all / world_size(), tensors);
 }
 
 void ProcessGroup::broadcast(const std::vector<at::Tensor>& tensors) {
     if (tensors.empty()) return;
     const at::NoGradGuard no_gradients;
-    std::vector<at::Tensor> all{flatten(tensors)};
+    const at::Tensor all = flatten(tensors);
     connection_->broadcast(all);
-    unflatten(all[0], tensors);
+    unflatten(all, tensors);
 }
 
 std::int64_t ProcessGroup::broadcast(std::int64_t number) {
-    std::vector<at::Tensor> one{at::tensor(number, at::kLong)};
+    const at::Tensor one = at::tensor({number}, at::kLong);
     const Clock::time_point begin = Clock::now();
     connection_->broadcast(one);
     costs_.waiting_s += std::chrono::duration<double>(Clock::now() - begin).count();
-    return one[0].item<std::int64_t>();
+    return one.item<std::int64_t>();
 }
 
 }  // namespace fastscene::nn

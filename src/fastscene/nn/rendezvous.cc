@@ -17,8 +17,9 @@ using namespace std::chrono_literals;
 
 constexpr auto kPollInterval = 50ms;
 
-// In the store: who is registered, as {"ticket": of this registration, "first": address of process 0 as seen from
-// there}; the number of the last round; and each round, as {"tickets": {"0": "", "2": …}, "first": address}.
+// In the store: the last registration of each process, as {"ticket": of this registration, "first": address of process
+// 0 as seen from there}; the number of the last round; and each round, as {"tickets": {"0": "", "2": …}, "first":
+// address}. Nothing is ever deleted: a process may register anew just then.
 const std::string kLastRound = "round";
 std::string registration_key(int process) { return fmt::format("registered/{}", process); }
 std::string round_key(int number) { return fmt::format("round/{}", number); }
@@ -70,7 +71,7 @@ RendezvousRound Rendezvous::next_round(const Run& run, const Expected& expected)
 
 RendezvousRound Rendezvous::admit(const Run& run, const Expected& expected) {
     const auto deadline = Clock::now() + std::chrono::duration<double>(expected.timeout_s);
-    const auto is_registered = [&](int process) { return process == 0 || store_->check({registration_key(process)}); };
+    const auto is_registered = [&](int process) { return process == 0 || !registration_of(process).is_null(); };
     for (;;) {
         const auto here = std::count_if(expected.processes.begin(), expected.processes.end(), is_registered);
         if (here == static_cast<std::ptrdiff_t>(expected.processes.size())) break;
@@ -84,11 +85,11 @@ RendezvousRound Rendezvous::admit(const Run& run, const Expected& expected) {
     RendezvousRound round{last_.number + 1, {0}, {}};
     Json tickets{{"0", ""}};
     for (int process = 1; process < processes_; ++process) {
-        const Json one = get(*store_, registration_key(process));
+        const Json one = registration_of(process);
         if (one.is_null()) continue;
-        store_->deleteKey(registration_key(process));
         round.members.push_back(process);
         tickets[std::to_string(process)] = one.at("ticket");
+        admitted_[process] = one.at("ticket");
         // Other machines cannot use the address that this one's own processes reach.
         const std::string first = one.at("first");
         if (round.address.empty() || is_loopback(round.address)) round.address = first;
@@ -102,25 +103,46 @@ RendezvousRound Rendezvous::admit(const Run& run, const Expected& expected) {
 RendezvousRound Rendezvous::wait_to_be_admitted(const Run& run) {
     const std::optional<Route> route = route_to(endpoint_);
     if (!route) throw Error("no address of {}", endpoint_.host);
-    const std::string ticket = new_ticket(), me = std::to_string(process_);
-    set(*store_, registration_key(process_), {{"ticket", ticket}, {"first", route->there}});
-    for (;; std::this_thread::sleep_for(kPollInterval)) {
+    const std::string me = std::to_string(process_);
+    std::string ticket;
+    for (int number = last_round();; std::this_thread::sleep_for(kPollInterval)) {
         run.check_stop();
-        const Json last = get(*store_, kLastRound);
-        if (last.is_null()) continue;
-        const Json found = get(*store_, round_key(last.get<int>()));
-        const Json& tickets = found.at("tickets");
-        if (!tickets.contains(me) || tickets[me] != ticket) continue;
-        RendezvousRound round{last.get<int>(), {}, is_loopback(route->here) ? found.at("first") : Json(route->here)};
-        for (const auto& [process, any] : tickets.items()) round.members.push_back(std::stoi(process));
-        return round;
+        // Where this process was admitted, but too late to join before the others gave it up, it registers anew.
+        if (ticket.empty()) {
+            ticket = new_ticket();
+            set(*store_, registration_key(process_), {{"ticket", ticket}, {"first", route->there}});
+        }
+        for (const int last = last_round(); number < last;) {
+            const Json found = get(*store_, round_key(++number));
+            const Json& tickets = found.at("tickets");
+            if (!tickets.contains(me) || tickets[me] != ticket) continue;
+            if (number < last) {
+                ticket.clear();
+                continue;
+            }
+            RendezvousRound round{number, {}, is_loopback(route->here) ? found.at("first") : Json(route->here)};
+            for (const auto& [process, any] : tickets.items()) round.members.push_back(std::stoi(process));
+            return round;
+        }
     }
+}
+
+int Rendezvous::last_round() const {
+    const Json last = get(*store_, kLastRound);
+    return last.is_null() ? 0 : last.get<int>();
+}
+
+// Null if there is none that was not admitted yet.
+Json Rendezvous::registration_of(int process) const {
+    const Json last = get(*store_, registration_key(process));
+    const auto admitted = admitted_.find(process);
+    return last.is_null() || (admitted != admitted_.end() && last.at("ticket") == admitted->second) ? Json() : last;
 }
 
 bool Rendezvous::has_newcomer() {
     for (int process = 1; process < processes_; ++process) {
         const bool is_member = std::binary_search(last_.members.begin(), last_.members.end(), process);
-        if (!is_member && store_->check({registration_key(process)})) return true;
+        if (!is_member && !registration_of(process).is_null()) return true;
     }
     return false;
 }

@@ -6,10 +6,12 @@
 #include "fastscene/nn/libtorch.h"
 
 #ifdef FASTSCENE_GLOO
+#include <map>
 #include <string>
 #include <torch/csrc/distributed/c10d/TCPStore.hpp>
 #include <vector>
 
+#include "fastscene/base/json.h"
 #include "fastscene/base/run.h"
 #include "fastscene/nn/connections.h"
 
@@ -46,11 +48,14 @@ class Rendezvous {
   private:
     RendezvousRound admit(const Run& run, const Expected& expected);
     RendezvousRound wait_to_be_admitted(const Run& run);
+    int last_round() const;  // 0: none yet
+    Json registration_of(int process) const;
 
     Endpoint endpoint_;
     int process_, processes_;
     c10::intrusive_ptr<c10d::TCPStore> store_;
     RendezvousRound last_;
+    std::map<int, std::string> admitted_;  // process 0: the last ticket of each that was
 };
 
 }  // namespace fastscene::nn
