@@ -101,6 +101,15 @@ bool shifted(Talk& talk, const std::vector<std::string>& ids, const Words& place
 
 bool put_at(Talk& talk, const std::vector<std::string>& ids, const Words& words,
             const std::vector<std::string>& spoken) {
+    // "together in the middle": the first there, the others at it
+    if (ids.size() > 1 && words.size() > 1 && words.front() == "together") {
+        talk.editor.together([&] {
+            if (!put_at(talk, {ids.front()}, part_of(words, 1), spoken))
+                throw UsageError("expected a place in the room, found \"{}\"", text_of(words, 1));
+            for (std::size_t k = 1; k < ids.size(); ++k) put_together(talk, {ids[k - 1], ids[k]});
+        });
+        return true;
+    }
     std::string why_not;
     // "closer to it"
     Words way = words;
@@ -249,6 +258,37 @@ std::vector<std::string> things_at(const Editor& editor, const EditStep& place) 
     return out;
 }
 
+namespace {
+
+void stand_at(Talk& talk, const std::vector<std::string>& ids, Vec2f at) {
+    EditStep step;
+    step.kind = EditStep::Kind::place;
+    step.ids = ids, step.position = at;
+    constexpr float kThere = 0.8f;  // metres from its middle
+    talk.editor.together([&] {
+        talk.editor.apply(step);
+        for (const std::string& id : ids)
+            if (length(flat(talk.editor.placed(id).position) - at) > kThere)
+                throw Error("{}: there is no free place for it there", id);
+    });
+    talk.last = ids;
+}
+
+}  // namespace
+
+std::optional<Vec2f> left_by(const Talk& talk, const std::string& id) {
+    constexpr float kMoved = 0.05f;  // metres
+    const auto in = [&](const RoomDocument& document) {
+        return std::find_if(document.things.begin(), document.things.end(),
+                            [&](const DocumentThing& t) { return t.id == id; });
+    };
+    const auto before = in(talk.was), now = in(talk.editor.document());
+    if (before == talk.was.things.end() || now == talk.editor.document().things.end() ||
+        length(now->position - before->position) < kMoved)
+        return {};
+    return flat(before->position);
+}
+
 // "the armchair and the plant to the window", "the vase to the desk and the lamp to the shelf"
 void move(Talk& talk, const Words& words) {
     std::vector<Words> before, parts;
@@ -283,6 +323,13 @@ void move(Talk& talk, const Words& words) {
     do_each(
         talk.editor, parts.size(), [&](std::size_t k) { move_part(parts[k]); },
         [&](std::size_t k) { return text_of(parts[k]); });
+    // "The desk to the window and the armchair in its place"
+    if (const auto left = !before.empty() && talk.its_place && !talk.last.empty() ? left_by(talk, talk.last.front())
+                                                                                  : std::nullopt) {
+        std::vector<std::string> ids;
+        for (const Words& part : before) add_new(ids, talk.things(part));
+        return stand_at(talk, ids, *left);
+    }
     if (!before.empty() && talk.there && (talk.last_gone || !talk.last_place.wish.relation.empty())) {
         // "remove the shelf and move the plant there"
         EditStep step = talk.last_gone ? EditStep{} : talk.last_place;
@@ -391,6 +438,9 @@ void face(Talk& talk, const Words& words) {
         if (!place) throw UsageError("expected a thing or an opening to face, found \"{}\"", text);
         step.wish.relation_to = place->step.wish.relation_to;
         step.at = things_at(talk.editor, place->step);
+        // "The windows" of one wall are faced as that wall is.
+        const bool openings = noun_of(noun) == place->step.wish.relation_to && noun.ends_with("s");
+        if (const auto wall = openings ? wall_with(talk.editor.plan(), noun_of(noun)) : std::nullopt) step.wall = *wall;
         // "To the wall": that at its back, unless another one was said.
         if (noun_of(noun) == "wall") {
             step.wish.relation_to = "wall", step.wall = place->step.wall;
@@ -452,6 +502,8 @@ void put(Talk& talk, const Words& words) {
     if (const auto laid = laid_with(talk, words)) return add(talk, *laid);
     if (set_for_guests(talk, words) || put_one_by_one(talk, words)) return;
     const std::size_t end = next_place(words);
+    if (is_one_of(text_of(words, end), {"on top of each other", "on each other", "on top of one another"}))
+        throw UsageError("things that stand on the floor stay there: \"{}\" cannot be stacked", text_of(words, 0, end));
     const std::string thing = text_of(words, 0, end);
     const bool id = end > 1 && words[end - 1].find_first_not_of("0123456789") == std::string::npos;
     // "sofa at the window": that which is there.
@@ -470,6 +522,24 @@ Words instead_of(const Words& old, const Words& by) {
     return out;
 }
 
+namespace {
+
+// "The fridge to the counter and the plant where it was": where this sentence took it from; false: it took nothing.
+bool put_where_it_was(Talk& talk, const Words& other, const Words& thing) {
+    std::optional<Vec2f> at;
+    try {
+        at = left_by(talk, talk.things(other).front());
+    } catch (const UsageError&) {  // it is gone
+        at = talk.last_gone;
+    }
+    if (!at) return false;
+    if (!begins_anew(thing)) return stand_at(talk, talk.things_of_parts(thing), *at), true;
+    talk.there = true, talk.last_gone = at, talk.last_gone_from.clear();
+    return add(talk, thing), true;
+}
+
+}  // namespace
+
 // "a plant where the pouf is": in its place; "the lamp to where the plant stands": they change places.
 bool put_where(Talk& talk, const Clause& clause) {
     const Words& words = clause.words;
@@ -478,10 +548,17 @@ bool put_where(Talk& talk, const Clause& clause) {
                                       clause.verb != Verb::want && clause.verb != Verb::move))
         return false;
     Words there = part_of(words, where + 1), thing = part_of(words, 0, where);
-    if (!is_one_of(there.back(), {"is", "are", "stands", "stand", "hangs", "hang", "sits", "lies", "was", "stood"}))
+    if (there.size() > 3 && text_of(there, there.size() - 3, there.size() - 1) == "used to") {
+        there.resize(there.size() - 3);
+        there.push_back("was");
+    }
+    if (!is_one_of(there.back(),
+                   {"is", "are", "stands", "stand", "hangs", "hang", "sits", "lies", "was", "were", "stood"}))
         return false;
+    const bool was = is_one_of(there.back(), {"was", "were", "stood"});
     there.pop_back();
     if (thing.size() > 1 && is_one_of(thing.back(), {"to", "at"})) thing.pop_back();
+    if (was && put_where_it_was(talk, there, thing)) return true;
     if (begins_anew(thing)) return replace(talk, there, thing), true;
     thing.push_back("and");
     thing.insert(thing.end(), there.begin(), there.end());

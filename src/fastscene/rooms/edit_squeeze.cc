@@ -322,7 +322,7 @@ bool Editor::add_squeezed(const EditStep& step) {
         bool smaller = false, found = false;
         if (count > 1) try {
                 const std::vector<Placed> all = with_added(one, smaller);
-                for (const std::string& id : admit(all, without({}), place_in_words(step)))
+                for (const std::string& id : admit(all, without({}), {place_in_words(step)}))
                     if (smaller) tell(id, "smaller than usual: there was no more room");
                 build();
                 found = true;
@@ -337,7 +337,7 @@ bool Editor::add_squeezed(const EditStep& step) {
             all.push_back(squeezed->all.back());
             all.back().wish.relation = step.wish.relation, all.back().wish.relation_to = step.wish.relation_to;
             all.back().wish.relation_and = step.wish.relation_and;
-            const std::string id = admit(all, standing, place_in_words(step)).front();
+            const std::string id = admit(all, standing, {place_in_words(step)}).front();
             make_way(*squeezed, id);
             build();
             tell_squeeze(id, step, *squeezed, how);

@@ -118,9 +118,16 @@ Words counted_anew(Words words) {
 }
 
 std::vector<PromptObject> wishes_of(const Editor& editor, const Words& words) {
-    const std::string text = text_of(counted_anew(words));
+    std::string text = text_of(counted_anew(words));
     PromptSpec spec = read_in_room(editor, text);
-    const auto unknown = spec.words_with(PromptWord::Fate::not_understood);
+    auto unknown = spec.words_with(PromptWord::Fate::not_understood);
+    // "A jug of water" is a jug.
+    if (const std::size_t of = find_word(words, {"of"}, 1);
+        of + 2 == words.size() && !unknown.empty() && unknown.front().words == words.back()) {
+        text = text_of(counted_anew(part_of(words, 0, of)));
+        spec = read_in_room(editor, text);
+        unknown = spec.words_with(PromptWord::Fate::not_understood);
+    }
     if (!unknown.empty()) throw UsageError("expected a thing to add, found \"{}\"", unknown.front().words);
     if (spec.objects.empty()) throw UsageError("expected a thing to add, found \"{}\"", text);
     // "Three simple lamps" are three.
