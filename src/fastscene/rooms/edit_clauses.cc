@@ -187,6 +187,18 @@ bool is_statement(const Words& words, std::size_t at) {
     return false;
 }
 
+// "White walls and a wooden floor", "lights off": what is wanted, and no verb.
+bool says_what(const Words& words, std::size_t at) {
+    if (is_definite(words[at]) && find_word(words, {"is", "are"}, at) < words.size()) return false;
+    constexpr std::size_t kFirst = 3;  // words
+    for (std::size_t i = at; i < std::min(words.size(), at + kFirst) && !is_joint(words[i]); ++i)
+        if (const auto word = look_up(words[i]);
+            word && (word->kind == WordKind::object || word->kind == WordKind::structure ||
+                     word->kind == WordKind::color || word->kind == WordKind::material))
+            return true;
+    return false;
+}
+
 // "the chairs don't match, make them black": a remark, and then what is to be done. Where the remark ends; nothing: it
 // is none, or nothing follows.
 std::optional<std::size_t> remark_ends(const Words& words, std::size_t at) {
@@ -411,7 +423,8 @@ std::vector<Clause> clauses_of(const std::string& sentence) {
             const bool says = from < words.size() && is_statement(words, from);
             const bool asks = out.empty() && from < words.size() &&
                               (number_said(words[from]) || is_one_of(words[from], {"another", "some", "more"}));
-            if (says) out.push_back({Verb::want, "want", {}});
+            if (says || (out.empty() && from < words.size() && says_what(words, from)))
+                out.push_back({Verb::want, "want", {}});
             else if (asks) out.push_back({Verb::add, "add", {}});
             if (from > i && from < words.size() && (says || asks || out.empty())) {
                 i = from;

@@ -259,10 +259,16 @@ std::vector<Placed> Editor::in_place_of(const std::vector<Placed>& all, const St
             (old.on >= 0 || old.sill >= 0) && thing && !request.model && !thing->small_form.empty())
             request.kind = thing->small_form;
         request.size_factor *= scale;
-        const float wide = std::max(make_piece(request).size_m.x + 0.06f,
-                                    old.piece.size_m.x / static_cast<float>(here));
+        Placed place = old;
+        float wide = std::max(make_piece(request).size_m.x + 0.06f, old.piece.size_m.x / static_cast<float>(here));
+        // Several lamps over a table hang along it.
+        if (old.piece.mount == Mount::ceiling && old.with >= 0) {
+            constexpr float kOfTable = 0.75f;
+            place.yaw = placed(old.with).yaw;
+            wide = std::max(wide, kOfTable * placed(old.with).piece.size_m.x / static_cast<float>(here));
+        }
         const float aside = (static_cast<float>(nth) - 0.5f * static_cast<float>(here - 1)) * wide;
-        auto i = take_place(layout, request, wish, old, now(old.on), aside);
+        auto i = take_place(layout, request, wish, place, now(old.on), aside);
         const Piece piece = make_piece(request);
         for (const float reach : {0.8f, 1.6f})
             if (!i && piece.mount == Mount::floor && old.on < 0)

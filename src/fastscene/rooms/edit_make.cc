@@ -1,4 +1,6 @@
 // "the sofa green", "it night", "the walls sage", "the rug larger": how things, surfaces and the room are to be.
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <utility>
@@ -95,7 +97,8 @@ std::size_t like_before(const Words& part) {
 }
 
 // "the chairs white and the table black", "the sofa and the armchair green", "the sofa black and white"
-std::vector<Group> groups_of(const Words& words) {
+// `unshown`: "with brass handles", which no look has.
+std::vector<Group> groups_of(const Words& words, std::vector<Words>& unshown) {
     std::vector<Group> out;
     Group open;
     for (const Words& part : parts_of(words)) {
@@ -106,6 +109,10 @@ std::vector<Group> groups_of(const Words& words) {
             continue;
         }
         cut(part, subject, value, by);
+        if (const std::size_t with = find_word(part, {"with"}, 2); value.empty() && by.empty() && with < part.size()) {
+            cut(part_of(part, 0, with), subject, value, by);
+            if (!value.empty()) unshown.push_back(part_of(part, with));
+        }
         if (subject.empty() && open.subjects.empty()) {
             if (out.empty()) throw UsageError("expected what to make \"{}\"", text_of(value));
             join_value(out.back().values, value);
@@ -457,6 +464,27 @@ void make(Talk& talk, const Words& words) {
         make(talk, part_of(words, 0, with));
         return make(talk, part_of(words, with + 1));
     }
+    // "it darker, with candles on the tables"
+    for (std::size_t with = 2; with + 2 < words.size(); ++with)
+        if (words[with] == "with" && words[with - 1] == "," && begins_anew(part_of(words, with + 1)))
+            return do_each(
+                talk.editor, 2,
+                [&](std::size_t k) {
+                    if (k == 0) make(talk, part_of(words, 0, with - 1));
+                    else add(talk, part_of(words, with + 1));
+                },
+                [&](std::size_t k) { return text_of(k == 0 ? part_of(words, 0, with - 1) : part_of(words, with)); });
+    // "it darker and more romantic"
+    if (const std::vector<Words> parts = parts_of(words);
+        words.front() == "it" && talk.last.empty() && parts.size() > 1 && next_place(words) == words.size())
+        return do_each(
+            talk.editor, parts.size(),
+            [&](std::size_t k) {
+                Words one = parts[k];
+                if (k > 0) one.insert(one.begin(), "it");
+                make(talk, one);
+            },
+            [&](std::size_t k) { return text_of(parts[k]); });
     // "the room brick walls and a concrete floor"
     if (talk.said == "give" && words.size() > 3 && noun_of(words[1]) == "room") return add(talk, part_of(words, 2));
     if (talk.said == "give" && given(talk, words)) return;
@@ -467,9 +495,12 @@ void make(Talk& talk, const Words& words) {
     if (brightness_said(talk, words)) return;
     if (like_another(talk, words)) return;
     if (of_the_room(talk, words)) return;
-    const std::vector<Group> groups = groups_of(as_made(words));
+    std::vector<Words> unshown;
+    const std::vector<Group> groups = groups_of(as_made(words), unshown);
     check_one_look(talk, groups);
     do_each(talk.editor, groups.size(), [&](std::size_t k) { apply(talk, groups[k]); });
+    for (const Words& with : unshown)
+        talk.editor.note(kNotDone, fmt::format("\"{}\": nothing shows that", text_of(with)));
 }
 
 bool swap_colors(Talk& talk, const Words& words) {

@@ -486,13 +486,16 @@ bool says_all_but_some(const Words& words);
 Words with_its(const Words& words);
 // ---- edit_move.cc
 void move(Talk& talk, const Words& words);
-void turn(Talk& talk, const Words& words);
-void face(Talk& talk, const Words& words);  // "the sofa towards the tv", "the chair at the desk"
-void put(Talk& talk, const Words& words);
-bool put_where(Talk& talk, const Clause& clause);  // "a plant where the pouf is"; false: no such words
 // Where it stood before the sentence moved it; nothing: it stands there still.
 std::optional<Vec2f> left_by(const Talk& talk, const std::string& id);
-bool says_so_that(const Words& words);  // "the desk so that it faces the window"
+void stand_at(Talk& talk, const std::vector<std::string>& ids, Vec2f at);
+// ---- edit_turn.cc
+void turn(Talk& talk, const Words& words);
+void face(Talk& talk, const Words& words);  // "the sofa towards the tv", "the chair at the desk"
+// ---- edit_put.cc
+void put(Talk& talk, const Words& words);
+bool put_where(Talk& talk, const Clause& clause);  // "a plant where the pouf is"; false: no such words
+bool says_so_that(const Words& words);             // "the desk so that it faces the window"
 Words instead_of(const Words& old, const Words& by);
 // ---- edit_wishes.cc
 // What words ask for that is new.

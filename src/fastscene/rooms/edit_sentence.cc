@@ -58,6 +58,12 @@ std::vector<std::string> Talk::things(const Words& said_words) {
         if (last.empty()) throw UsageError("what is \"{}\"? nothing was named before", words.front());
         return last;
     }
+    // "the shelf next to it"
+    if (words.size() > 2 && is_one_of(words.back(), {"it", "them"}) && next_place(words) + 1 < words.size() &&
+        last.size() == 1) {
+        words.back() = last.front();
+        return things(words);
+    }
     // "its chairs": those that stand at it or on it.
     if (words.size() > 1 && is_one_of(words.front(), {"its", "their"})) {
         if (last.empty()) throw UsageError("whose is \"{}\"? nothing was named before", text_of(words));

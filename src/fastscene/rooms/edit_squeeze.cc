@@ -216,6 +216,7 @@ std::optional<Squeezed> Editor::squeezed_on_wall(Layout& layout, const EditStep&
     for (const WallFace& face : faces) {
         if (step.wall >= 0 && dot(face.inward, plan().wall(step.wall).inward) < 0.99f) continue;
         if (step.elsewhere && own >= 0 && dot(face.inward, plan().wall(own).inward) > 0.99f) continue;
+        if (step.opposite && own >= 0 && dot(face.inward, plan().wall(own).inward) > -0.99f) continue;
         const float half = p.piece.size_m.x / 2;
         for (float u = half + 0.02f; u < face.length - half; u += kSlotStep)
             for (const float up : {0.f, 0.15f, -0.15f, 0.3f, -0.3f, 0.45f, 0.6f}) {

@@ -157,6 +157,7 @@ bool add_to_those(Talk& talk, const Words& words) {
 void want(Talk& talk, const Words& words) {
     if (words.empty()) throw UsageError("expected what to change, found the end of the sentence");
     if (complained(talk, words)) return;
+    if (!lamps_said(words).empty()) return make(talk, words);
     const bool of_those = is_definite(words.front()) || is_one_of(words.front(), {"all", "both", "every", "each"});
     if (is_one_of(words.front(), {"can", "could", "may"})) return want(talk, part_of(words, 1));
     if (!of_those) return add(talk, words);

@@ -87,6 +87,16 @@ Words hung_up(const Talk& talk, Words words) {
 
 }  // namespace
 
+namespace {
+
+// "Tablecloth": something that things have, and no thing.
+bool is_known_detail(const std::string& word) {
+    const auto known = look_up(word);
+    return known && known->kind == WordKind::detail;
+}
+
+}  // namespace
+
 Words counted_anew(Words words) {
     // "Two pictures side by side" are two pictures.
     for (const char* row : {"side by side", "next to each other", "in a row", "in a line"}) {
@@ -129,6 +139,8 @@ std::vector<PromptObject> wishes_of(const Editor& editor, const Words& words) {
         unknown = spec.words_with(PromptWord::Fate::not_understood);
     }
     if (!unknown.empty()) throw UsageError("expected a thing to add, found \"{}\"", unknown.front().words);
+    if (spec.objects.empty() && std::any_of(words.begin(), words.end(), is_known_detail))
+        throw UsageError("there is no \"{}\" to add: no thing of a room is one", text);
     if (spec.objects.empty()) throw UsageError("expected a thing to add, found \"{}\"", text);
     // "Three simple lamps" are three.
     if (const auto number = number_said(words.front());
@@ -259,6 +271,9 @@ Addition addition_of(const Talk& talk, const Words& said, const std::vector<std:
     const bool on_it = with + 3 < n && is_one_of(words[n - 1], {"it", "them", "top", "each"}) && words[n - 2] == "on";
     const std::string text = text_of(words);
     Addition out = read_addition(talk, words, spoken);
+    // "A ladder to the bookshelves" is one.
+    if (out.place && out.place->if_uncounted && is_one_of(said.front(), {"a", "an", "another"}))
+        out.place->each_at.clear();
     for (const char* row : {"in a row", "in a line", "side by side", "next to each other"})
         out.in_row = out.in_row || text.find(row) != std::string::npos;
     as_those_there(talk.editor, said, out.wishes.front());

@@ -94,6 +94,14 @@ void every_second(const std::vector<std::string>& words, std::vector<int>& found
 // "the second chair", "the last one", "the left nightstand", "the larger plant".
 void pick(const std::vector<std::string>& words, const PromptObject& said, const Editor& editor,
           std::vector<int>& found) {
+    // "The extra chairs" stand at no table.
+    const auto is_apart = [&](int i) {
+        const Placed& p = editor.room().furnished.placed[static_cast<std::size_t>(i)];
+        return p.with < 0 && p.on < 0;
+    };
+    if (find_word(words, {"extra", "spare", "stray", "loose", "leftover"}) < next_place(words) &&
+        std::any_of(found.begin(), found.end(), is_apart))
+        std::erase_if(found, [&](int i) { return !is_apart(i); });
     static constexpr std::array<std::string_view, 5> kOrdinals{"first", "second", "third", "fourth", "fifth"};
     // "the first two chairs", "the last two chairs": the last ones are taken anyhow
     const auto several = static_cast<std::size_t>(said.counted ? std::max(1, said.count) : 1);
