@@ -375,9 +375,9 @@ class Reader {
         // "on the other side of the bed" was read as opposite.
         const bool each = is_one_of(there.front(), {"each", "both", "every", "all"});
         // "Candles to the tables": one for each of them.
+        const std::size_t noun = std::min(next_place(there), find_word(there, {"that", "with", "without"}, 1)) - 1;
         const bool plural = !moving_ && there.front() == "the" &&
-                            is_one_of(name, {"to", "at", "on", "above", "under"}) &&
-                            there[next_place(there) - 1].ends_with("s");
+                            is_one_of(name, {"to", "at", "on", "above", "under"}) && there[noun].ends_with("s");
         const std::string looked = is_one_of(name, {"to", "at", "in"}) ? "" : name;
         const std::vector<int> all = those(there);
         const Anchor anchor = anchor_of(editor_, all, looked);

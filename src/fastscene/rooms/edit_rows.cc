@@ -1,6 +1,5 @@
 // "The last row of desks", "the front two rows of chairs", "the desks in the back row".
 #include <algorithm>
-#include <cmath>
 #include <optional>
 
 #include "fastscene/base/error.h"
@@ -47,14 +46,14 @@ std::optional<RowsSaid> rows_said(const Words& words) {
     return out;
 }
 
-// In rows across the way that they look; what one works at has its front towards who sits there.
+// In rows across the way that all of them look, none if they look several ways; what one works at has its front towards
+// who sits there.
 std::vector<std::vector<int>> rows_of(const Editor& editor, std::vector<int> found) {
     constexpr float kOneWay = 0.94f;  // cosine of 20 degrees
     constexpr float kApart = 0.4f;    // metres between one row and the next
     const auto at = [&](int i) -> const Placed& { return editor.room().furnished.placed[static_cast<std::size_t>(i)]; };
     const Vec3f front = front_of(at(found.front()).yaw);
-    if (std::any_of(found.begin(), found.end(),
-                    [&](int i) { return std::abs(dot(front_of(at(i).yaw), front)) < kOneWay; }))
+    if (std::any_of(found.begin(), found.end(), [&](int i) { return dot(front_of(at(i).yaw), front) < kOneWay; }))
         return {};
     const float sign = has_role(at(found.front()).piece.kind, Role::work_place) ? -1.f : 1.f;
     const auto ahead = [&](int i) { return sign * dot(at(i).position, front); };

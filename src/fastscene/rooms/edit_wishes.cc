@@ -271,8 +271,9 @@ Addition addition_of(const Talk& talk, const Words& said, const std::vector<std:
     const bool on_it = with + 3 < n && is_one_of(words[n - 1], {"it", "them", "top", "each"}) && words[n - 2] == "on";
     const std::string text = text_of(words);
     Addition out = read_addition(talk, words, spoken);
-    // "A ladder to the bookshelves" is one.
-    if (out.place && out.place->if_uncounted && is_one_of(said.front(), {"a", "an", "another"}))
+    // "A ladder to the bookshelves" is one, "a candle to the tables without one" are as many as those.
+    const bool of_some = find_word(said, {"without", "that", "with"}, next_place(said)) < said.size();
+    if (out.place && out.place->if_uncounted && !of_some && is_one_of(said.front(), {"a", "an", "another"}))
         out.place->each_at.clear();
     for (const char* row : {"in a row", "in a line", "side by side", "next to each other"})
         out.in_row = out.in_row || text.find(row) != std::string::npos;
