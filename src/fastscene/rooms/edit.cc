@@ -208,7 +208,7 @@ DocumentSurfaces fresh_surfaces(const DocumentSurfaces& old, const std::string& 
 void Editor::restyle(const std::string& name) {
     const Style& style = style_named(name);
     RoomDocument& document = result_.document;
-    if (document.style == style.name) return;
+    if (document.style == style.name) throw AlreadySo(fmt::format("the room is {} already", in_words(style.name)));
     document.surfaces = fresh_surfaces(document.surfaces, document.type, style);
     if (document.next_room)
         document.next_room->surfaces = fresh_surfaces(document.next_room->surfaces, document.next_room->type, style);

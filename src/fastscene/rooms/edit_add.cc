@@ -21,7 +21,17 @@ Words with_noun(const Talk& talk, const Words& words) {
         all.push_back("one");
         return with_noun(talk, all);
     }
-    const std::size_t one = find_word(words, {"one"}, 2);
+    // "Candles to the tables that don't have one": a candle
+    const bool had = is_one_of(words.back(), {"one", "any"}) && words.size() > 2 &&
+                     is_one_of(words[words.size() - 2], {"have", "has", "without", "no"});
+    const std::size_t one = had ? words.size() - 1 : find_word(words, {"one"}, 2);
+    if (had) {
+        const PromptSpec spec = read_in_room(talk.editor, text_of(counted_anew(part_of(words, 0, place))));
+        if (spec.objects.empty()) return words;
+        Words out = words;
+        out[one] = spec.objects.front().words;
+        return out;
+    }
     if (one >= words.size() || one < place || !is_one_of(words[one - 1], {"first", "other", "old", "existing"}))
         return words;
     const PromptSpec spec = read_in_room(talk.editor, text_of(counted_anew(part_of(words, 0, place))));
@@ -29,6 +39,26 @@ Words with_noun(const Talk& talk, const Words& words) {
     Words out = words;
     out[one] = spec.objects.front().words;
     if (!is_one_of(out[one - 1], {"first"})) out.erase(out.begin() + static_cast<std::ptrdiff_t>(one) - 1);
+    return out;
+}
+
+// "A fourth mirror station" is one more salon station, where no other word calls it so.
+Words by_kind_there(const Editor& editor, const Words& said) {
+    if (find_word(said, {"more", "another", "second", "third", "fourth", "fifth", "extra"}) >= next_place(said))
+        return said;
+    const std::size_t end = next_place(said);
+    const std::string& last = said[end - 1];
+    const std::string noun = last.ends_with("s") ? last.substr(0, last.size() - 1) : last;
+    const auto word = look_up(last);
+    if (end < 2 || (word && word->kind == WordKind::object)) return said;
+    std::set<std::string> kinds;
+    for (const DocumentThing& t : editor.document().things)
+        if (t.kind.ends_with("_" + noun)) kinds.insert(t.kind);
+    if (kinds.size() != 1) return said;
+    Words out{said.front()};
+    const Words name = tokens_of(in_words(*kinds.begin()));
+    out.insert(out.end(), name.begin(), name.end());
+    out.insert(out.end(), said.begin() + static_cast<std::ptrdiff_t>(end), said.end());
     return out;
 }
 
@@ -71,7 +101,10 @@ std::optional<Addition> at_the_other(const Talk& talk, const Words& words, const
 }
 
 // A lamp at each end of "it" stands by the sideboard, not by the mirror above that.
-Addition at_what_is_meant(const Talk& talk, const Words& words) {
+Addition at_what_is_meant(Talk& talk, const Words& words) {
+    // "Three stools before the counter, and a lamp over it": over the counter, the stools are "them".
+    if (words.back() == "it" && talk.last.size() > 1)
+        if (const auto other = things_at(talk.editor, talk.last_place); other.size() == 1) talk.last = other;
     const bool it = is_one_of(words.back(), {"it", "them"}) && !talk.last.empty();
     const auto hangs = [](Mount mount) { return mount == Mount::wall || mount == Mount::ceiling; };
     const bool hung = it && std::all_of(talk.last.begin(), talk.last.end(), [&](const std::string& id) {
@@ -302,7 +335,7 @@ void add(Talk& talk, const Words& words) {
                 if (i >= parts.size()) move(talk, parts[k]);
             } else if (i < parts.size()) {
                 const std::vector<std::string> none = std::exchange(talk.last, spoken_before);
-                const Words& part = parts[k];
+                const Words part = by_kind_there(talk.editor, parts[k]);
                 try {
                     all[k] = at_what_is_meant(talk, with_noun(talk, part));
                 } catch (const Error&) {

@@ -136,11 +136,12 @@ void add_wish(Talk& talk, const PromptObject& wish, const std::optional<Place>& 
         step.wish.relation_and = where.relation_and;
     if (place && place->count > step.wish.count) step.wish.count = place->count, step.wish.counted = true;
     if (step.each) step.wish.count = std::max(4, wish.count), step.wish.counted = false;
+    if (place && place->if_uncounted && !wish.counted && !place->each_at.empty()) step.wish.count = 1;
     fill_up(talk, step);
     if (!place && talk.there) stand_there(talk, step);
     if (!place && (drawn_up(talk, step) || with_its_like(talk, step) || by_the_same(talk, step))) {
         // with its like, at their table
-    } else if (place && !place->each_at.empty())
+    } else if (place && !place->each_at.empty() && !(place->if_uncounted && wish.counted))
         do_each(talk.editor, place->each_at.size(),
                 [&](std::size_t k) { step.at = place->each_at[k], talk.editor.apply(step); });
     else talk.editor.apply(step);

@@ -140,7 +140,9 @@ std::size_t past_polite(const Words& words, std::size_t at) {
         std::size_t longest = 0;
         for (const std::string_view phrase : kPolite)
             if (stands_at(words, at, phrase)) longest = std::max(longest, count_of(phrase));
-        if (longest > 0) at += longest, again = true;
+        if (longest == 0) continue;
+        at += longest, again = true;
+        while (at < words.size() && words[at] == ",") ++at;  // "now, remove it"
     }
     return at;
 }
@@ -175,11 +177,24 @@ bool is_statement(const Words& words, std::size_t at) {
     if (!is_definite(words[at]) && !is_one_of(words[at], {"all", "both", "every", "each"})) return false;
     for (std::size_t i = at + 1; i + 1 < words.size() && words[i] != ","; ++i)
         if (is_one_of(words[i], {"should", "must", "shall", "needs", "need", "has", "have", "ought"}) &&
-            is_one_of(words[i + 1], {"be", "go", "stand", "face", "to", "hang", "move", "look", "become"}))
+            is_one_of(words[i + 1], {"be", "go", "stand", "face", "to", "hang", "move", "look", "become", "have", "get",
+                                     "a", "an", "another", "more", "some", "two", "three"}))
             return true;
         // "it is too dark", "the sofa looks too big"
         else if (is_one_of(words[i], {"is", "are", "looks", "look", "feels", "seems", "stands", "stand", "hangs"}) &&
                  is_one_of(words[i + 1], {"too", "not"}))
+            return true;
+    return false;
+}
+
+// "White walls and a wooden floor", "lights off": what is wanted, and no verb.
+bool says_what(const Words& words, std::size_t at) {
+    if (is_definite(words[at]) && find_word(words, {"is", "are"}, at) < words.size()) return false;
+    constexpr std::size_t kFirst = 3;  // words
+    for (std::size_t i = at; i < std::min(words.size(), at + kFirst) && !is_joint(words[i]); ++i)
+        if (const auto word = look_up(words[i]);
+            word && (word->kind == WordKind::object || word->kind == WordKind::structure ||
+                     word->kind == WordKind::color || word->kind == WordKind::material))
             return true;
     return false;
 }
@@ -321,19 +336,70 @@ std::vector<Words> parts_of(const Words& words) {
     return parts;
 }
 
+namespace {
+
+// Where words take back what was said before, past them; 0: none do.
+std::size_t taken_back_at(const Words& words, std::size_t at) {
+    if (at == 0 || is_joint(words[at])) return 0;
+    std::size_t next = at + correction_at(words, at, false);
+    if (next == at) next = at + correction_at(words, at, true);
+    if (next == at) return 0;
+    next = past_polite(words, next);
+    const bool begins = next < words.size() && beginning_at(words, next);
+    return correction_at(words, at, begins);
+}
+
+// "I don't like the rug, make it blue": it stays, and is blue.
+void disliked(Clause& clause, const Clause& next) {
+    const bool dislikes = clause.verb == Verb::remove && clause.said.starts_with("i d") &&
+                          clause.said.ends_with("like");
+    if (!dislikes || find_word(next.words, {"it", "them", "they", "one", "ones"}) == next.words.size()) return;
+    clause.words.insert(clause.words.begin(), {"i", "dislike"});
+    clause.verb = Verb::remark;
+}
+
+// "Two chairs, no, three": one clause.
+void amend(std::vector<Clause>& clauses) {
+    for (std::size_t i = 1; i < clauses.size();)
+        if (clauses[i].amends) {
+            clauses[i - 1] = amended(clauses[i - 1], clauses[i]);
+            clauses.erase(clauses.begin() + static_cast<std::ptrdiff_t>(i));
+        } else ++i;
+}
+
+}  // namespace
+
 std::vector<Clause> clauses_of(const std::string& sentence) {
     static const Words kRooms = [] {
         Words out;
         for (const std::string& type : room_types()) out.push_back(type);
         return out;
     }();
-    const Words words = tokens_of(with_percent(sentence));
+    Words words = tokens_of(with_percent(sentence));
+    std::erase_if(words, [](const std::string& w) {
+        return is_one_of(w, {"maybe", "perhaps", "preferably", "ideally", "possibly"});
+    });
     std::vector<Clause> out;
     bool begins = true;
     for (std::size_t i = 0; i < words.size();) {
         // "everything but the sofa" goes on.
         const bool except = words[i] == "but" && !out.empty() && i + 1 < words.size() && says_all(out.back().words) &&
                             !beginning_at(words, i + 1);
+        if (const std::size_t next = taken_back_at(words, i); next > 0 && !out.empty()) {
+            while (!out.back().words.empty() && is_joint(out.back().words.back())) out.back().words.pop_back();
+            i += next;
+            begins = true;
+            const std::size_t from = past_polite(words, i);
+            if (from < words.size() && beginning_at(words, from)) {
+                out.back().taken_back = true;
+            } else {
+                Clause anew = out.back();
+                anew.words.clear(), anew.amends = true;
+                out.push_back(anew);
+                begins = false;
+            }
+            continue;
+        }
         if (is_joint(words[i]) && !except) {
             begins = true;
             if (!out.empty()) out.back().words.push_back(words[i]);
@@ -357,7 +423,8 @@ std::vector<Clause> clauses_of(const std::string& sentence) {
             const bool says = from < words.size() && is_statement(words, from);
             const bool asks = out.empty() && from < words.size() &&
                               (number_said(words[from]) || is_one_of(words[from], {"another", "some", "more"}));
-            if (says) out.push_back({Verb::want, "want", {}});
+            if (says || (out.empty() && from < words.size() && says_what(words, from)))
+                out.push_back({Verb::want, "want", {}});
             else if (asks) out.push_back({Verb::add, "add", {}});
             if (from > i && from < words.size() && (says || asks || out.empty())) {
                 i = from;
@@ -379,10 +446,13 @@ std::vector<Clause> clauses_of(const std::string& sentence) {
         clause.there = n > 1 && (clause.words.back() == "there" ||
                                  (n > 3 && (stands_at(clause.words, n - 3, "in its place") ||
                                             stands_at(clause.words, n - 3, "in their place"))));
-        if (clause.there && clause.words.back() == "place") clause.words.resize(n - 3);
+        clause.its_place = clause.there && clause.words.back() == "place";
+        if (clause.its_place) clause.words.resize(n - 3);
         trim(clause.words, kRooms);
     }
     if (out.empty()) throw UsageError("expected what to change, found an empty sentence");
+    for (std::size_t i = 0; i + 1 < out.size(); ++i) disliked(out[i], out[i + 1]);
+    amend(out);
     return out;
 }
 

@@ -206,13 +206,17 @@ void Editor::replace(const EditStep& step) {
     for (int n = 0; n < count; ++n) {
         const int k = n % places, here = (count - k + places - 1) / places, nth = n / places;
         const auto more = in_place_of(all, standing, step, olds[static_cast<std::size_t>(k)], nth, here);
+        if (more.size() == all.size() && count == 1)
+            throw Error("{}: there is no place for it where {} stood", step.wish.words, olds.front().id);
         if (more.size() == all.size())
             throw Error("{}: there is a place for {} of {} where {} stood", step.wish.words, n, count,
                         olds[static_cast<std::size_t>(k)].id);
         all = more;
         place_of_new.push_back(k);
     }
-    const std::vector<std::string> fresh = admit(all, standing, " in place of " + step.ids.front());
+    std::vector<std::string> stood;
+    for (const int k : place_of_new) stood.push_back(" in place of " + olds[static_cast<std::size_t>(k)].id);
+    const std::vector<std::string> fresh = admit(all, standing, stood);
     for (std::size_t n = 0; n < fresh.size(); ++n)
         if (const Placed& p = all[standing.placed.size() + n];
             step.wish.size == "large" && p.on >= 0 && p.piece.kind != step.wish.kind)
@@ -255,10 +259,16 @@ std::vector<Placed> Editor::in_place_of(const std::vector<Placed>& all, const St
             (old.on >= 0 || old.sill >= 0) && thing && !request.model && !thing->small_form.empty())
             request.kind = thing->small_form;
         request.size_factor *= scale;
-        const float wide = std::max(make_piece(request).size_m.x + 0.06f,
-                                    old.piece.size_m.x / static_cast<float>(here));
+        Placed place = old;
+        float wide = std::max(make_piece(request).size_m.x + 0.06f, old.piece.size_m.x / static_cast<float>(here));
+        // Several lamps over a table hang along it.
+        if (old.piece.mount == Mount::ceiling && old.with >= 0) {
+            constexpr float kOfTable = 0.75f;
+            place.yaw = placed(old.with).yaw;
+            wide = std::max(wide, kOfTable * placed(old.with).piece.size_m.x / static_cast<float>(here));
+        }
         const float aside = (static_cast<float>(nth) - 0.5f * static_cast<float>(here - 1)) * wide;
-        auto i = take_place(layout, request, wish, old, now(old.on), aside);
+        auto i = take_place(layout, request, wish, place, now(old.on), aside);
         const Piece piece = make_piece(request);
         for (const float reach : {0.8f, 1.6f})
             if (!i && piece.mount == Mount::floor && old.on < 0)
@@ -275,7 +285,7 @@ std::vector<Placed> Editor::in_place_of(const std::vector<Placed>& all, const St
     among.placed = all;
     among.was.resize(all.size(), 0);
     const std::vector<Placed> out = laid_out(among, anywhere, nullptr);
-    constexpr float kStillThere = 3;  // metres: further off, it is in nobody's place
+    constexpr float kStillThere = 1.5f;  // metres: further off, it is in nobody's place
     const bool far = !out.empty() && length(flat(out.back().position) - flat(old.position)) > kStillThere;
     return out.empty() || far ? all : out;
 }

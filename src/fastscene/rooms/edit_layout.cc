@@ -62,6 +62,18 @@ bool is_where_asked(const Plan& plan, const std::vector<Placed>& all, const Plac
     if (piece.on >= 0 && piece.position.y > kHigh &&
         is_one_of(wish.relation, {"next to", "around", "in front of", "between"}))
         return false;
+    // Under a window is at its wall, and not a step before that.
+    if (wish.relation == "under" && !noun_of(wish.relation_to).empty() && piece.piece.mount == Mount::floor) {
+        constexpr float kAtWindow = 0.5f;  // metres
+        const std::vector<Footprint> windows = anchors_of(plan, all, wish.relation_to);
+        const Footprint box = footprint_of(piece);
+        const auto is_at = [&](const Footprint& window) {
+            const Vec2f to = window.center - box.center;
+            const Vec2f way = to * (1 / std::max(0.01f, length(to)));
+            return distance_to(window, box.center) - extent(box, way) < kAtWindow;
+        };
+        if (std::none_of(windows.begin(), windows.end(), is_at)) return false;
+    }
     return stands_as_asked(plan, all, piece, wish).value_or(wish.relation.empty());
 }
 
@@ -179,7 +191,7 @@ bool Editor::at_a_wall(Layout& layout, const EditStep& step, const Placed* movin
     if (step.opposite && own >= 0 && !corner) walls.resize(1);
     for (const int wall : walls) {
         if (mount == Mount::surface) {
-            if (!corner && on_top_at_wall(layout, wall)) return true;
+            if (!corner && wish.relation_to != "wall" && on_top_at_wall(layout, wall)) return true;
             continue;
         }
         Layout::WallWish there{.wall = wall, .center_pull = 0.4f, .corner = corner};
@@ -298,6 +310,7 @@ void Editor::place_with_seats(int index, const EditStep& step) {
         } catch (const Error&) {  // there is no room for them: it goes alone
         }
     place_one(index, {}, step);
+    if (!seats.empty()) tell(thing(index).id, "what stands at it stays where it was: there is no room for it there");
 }
 
 void Editor::place_one(int index, const std::vector<int>& along, EditStep step) {
@@ -409,14 +422,14 @@ std::string Editor::why_none_added(EditStep step) const {
 
 // What came to what stood, as things of the document; their ids.
 std::vector<std::string> Editor::admit(const std::vector<Placed>& all, const Standing& standing,
-                                       const std::string& how) {
+                                       const std::vector<std::string>& how) {
     std::vector<std::string> ids, out;
     for (const int was : standing.was) ids.push_back(thing(was).id);
     for (std::size_t i = standing.placed.size(); i < all.size(); ++i) {
         const std::string id = new_id(all[i].wish.kind.empty() ? all[i].piece.kind : all[i].wish.kind);
         ids.push_back(id), out.push_back(id);
         DocumentThing t = thing_of(all[i], ids, i);
-        const std::string place = t.on.empty() ? how : " on " + t.on;
+        const std::string place = t.on.empty() ? how[std::min(out.size(), how.size()) - 1] : " on " + t.on;
         tell(t.id, fmt::format("added{} at x {:.2f}, z {:.2f}", place, t.position.x, t.position.z));
         result_.document.things.push_back(std::move(t));
     }
@@ -451,7 +464,7 @@ void Editor::add(const EditStep& step) {
     }
     std::vector<std::string> fresh;
     together([&] {
-        fresh = admit(all, without({}), place_in_words(step));
+        fresh = admit(all, without({}), {place_in_words(step)});
         for (const std::string& id : fresh)
             if (smaller) tell(id, "smaller than usual: there was no more room");
         try {

@@ -1,4 +1,6 @@
 // "the sofa green", "it night", "the walls sage", "the rug larger": how things, surfaces and the room are to be.
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <utility>
@@ -8,6 +10,7 @@
 #include "fastscene/rooms/catalogue.h"
 #include "fastscene/rooms/edit_parts.h"
 #include "fastscene/rooms/lexicon.h"
+#include "fastscene/rooms/prompt_text.h"
 
 namespace fastscene::editing {
 namespace {
@@ -84,13 +87,32 @@ void join_value(std::vector<Words>& values, const Words& more) {
     else values.push_back(more);
 }
 
+// "The wardrobe to match", "the desk as well": where that begins; the number of words: nowhere.
+std::size_t like_before(const Words& part) {
+    for (const char* phrase : {"to match", "to match it", "as well", "the same", "likewise", "the same color"}) {
+        const std::size_t count = tokens_of(phrase).size();
+        if (part.size() > count && text_of(part, part.size() - count) == phrase) return part.size() - count;
+    }
+    return part.size();
+}
+
 // "the chairs white and the table black", "the sofa and the armchair green", "the sofa black and white"
-std::vector<Group> groups_of(const Words& words) {
+// `unshown`: "with brass handles", which no look has.
+std::vector<Group> groups_of(const Words& words, std::vector<Words>& unshown) {
     std::vector<Group> out;
     Group open;
     for (const Words& part : parts_of(words)) {
         Words subject, value, by;
+        // "The bed yellow and the wardrobe to match"
+        if (const std::size_t end = like_before(part); !out.empty() && end < part.size()) {
+            out.push_back({{bare_subject(part_of(part, 0, end))}, out.back().values, {}});
+            continue;
+        }
         cut(part, subject, value, by);
+        if (const std::size_t with = find_word(part, {"with"}, 2); value.empty() && by.empty() && with < part.size()) {
+            cut(part_of(part, 0, with), subject, value, by);
+            if (!value.empty()) unshown.push_back(part_of(part, with));
+        }
         if (subject.empty() && open.subjects.empty()) {
             if (out.empty()) throw UsageError("expected what to make \"{}\"", text_of(value));
             join_value(out.back().values, value);
@@ -171,6 +193,17 @@ void along_its_length(const Talk& talk, EditStep& step) {
             throw Error("{}: it reaches the floor already", id);
 }
 
+// Of dark wood the wood first, and then darker.
+void apply_shaded(Talk& talk, EditStep step) {
+    if (step.brighter != 1 && !step.wish.material.empty()) {
+        EditStep first = step;
+        first.brighter = 1;
+        talk.editor.apply(first);
+        step.wish = {};
+    }
+    talk.editor.apply(step);
+}
+
 // The things that it is of; none: a surface.
 std::vector<std::string> make_one(Talk& talk, const Words& subject, const Value& value) {
     EditStep step;
@@ -199,13 +232,7 @@ std::vector<std::string> make_one(Talk& talk, const Words& subject, const Value&
     suit_cloth(talk, step);
     if (says_any(subject, {"worktop", "worktops", "countertop", "countertops"})) of_the_top(step.wish);
     if (value.by == Vec3f{}) {
-        if (step.brighter != 1 && !step.wish.material.empty()) {  // dark wood: wood first
-            EditStep first = step;
-            first.brighter = 1;
-            talk.editor.apply(first);
-            step.wish = {};
-        }
-        talk.editor.apply(step);
+        apply_shaded(talk, step);
         return step.ids;
     }
     for (const std::string& id : step.ids) {
@@ -300,8 +327,17 @@ bool of_the_room(Talk& talk, const Words& words) {
     throw UsageError("expected a style, an hour or a weather for the room, found \"{}\"", text_of(words));
 }
 
+// "the walls from green to cream" -> "the walls to cream"
+Words without_source(Words words) {
+    const std::size_t from = find_word(words, {"from"}, 1), to = find_word(words, {"to", "into"}, from);
+    if (to + 1 < words.size() && value_of(part_of(words, from + 1, to)))
+        words.erase(words.begin() + static_cast<std::ptrdiff_t>(from), words.begin() + static_cast<std::ptrdiff_t>(to));
+    return words;
+}
+
 // "the sofa a green cover" -> "the sofa green"
 Words as_made(Words words) {
+    words = without_source(std::move(words));
     if (words.size() > 3 && is_one_of(words.back(), {"color", "look", "finish", "cover", "coat", "paint", "tone"}))
         words.pop_back();
     return words;
@@ -350,6 +386,32 @@ bool make_by_turns(Talk& talk, const Words& words) {
     return true;
 }
 
+// "each wall a different color", "the chairs in various colors": one after the other; false: no such words.
+bool make_various(Talk& talk, const Words& words) {
+    // Muted ones that go together.
+    static constexpr std::array<const char*, 6> kColors{"sage green", "dusty blue", "terracotta",
+                                                        "mustard",    "dusty pink", "cream"};
+    const std::size_t at = find_word(words, {"different", "another", "various", "own", "other", "mixed"}, 1);
+    if (at + 2 != words.size() || !is_one_of(words.back(), {"color", "colors", "shade", "shades"})) return false;
+    Words subject = part_of(words, 0, at);
+    while (subject.size() > 1 && is_one_of(subject.back(), {"a", "an", "in", "its", "their", "to", "all"}))
+        subject.pop_back();
+    const bool each = is_one_of(subject.front(), {"each", "every", "all", "both"});
+    const bool walls = noun_of(subject.back()) == "wall";
+    // "The sofa another color": which one?
+    if (!each && !subject.back().ends_with("s")) return false;
+    EditStep step;
+    step.kind = EditStep::Kind::recolor;
+    const std::vector<std::string> ids = walls ? std::vector<std::string>(4) : talk.things(subject);
+    for (std::size_t k = 0; k < ids.size(); ++k) {
+        if (walls) step.surface = "accent_wall", step.wall = static_cast<int>(k);
+        else step.ids = {ids[k]};
+        step.wish.color = kColors[k % kColors.size()];
+        talk.editor.apply(step);
+    }
+    return true;
+}
+
 bool says_on_or_off(const Words& words) {
     return is_one_of(words.front(), {"on", "off"}) || is_one_of(words.back(), {"on", "off"});
 }
@@ -378,6 +440,13 @@ bool given(Talk& talk, const Words& words) {
 
 }  // namespace
 
+void recolor(Talk& talk, const std::string& surface, const Value& value) {
+    EditStep step;
+    step.kind = EditStep::Kind::recolor;
+    step.surface = surface, step.wish = value.looks, step.brighter = value.brighter;
+    apply_shaded(talk, step);
+}
+
 bool each_on_or_off(const Words& words) {
     const std::vector<Words> parts = parts_of(words);
     return parts.size() > 1 && std::all_of(parts.begin(), parts.end(), says_on_or_off);
@@ -395,19 +464,43 @@ void make(Talk& talk, const Words& words) {
         make(talk, part_of(words, 0, with));
         return make(talk, part_of(words, with + 1));
     }
+    // "it darker, with candles on the tables"
+    for (std::size_t with = 2; with + 2 < words.size(); ++with)
+        if (words[with] == "with" && words[with - 1] == "," && begins_anew(part_of(words, with + 1)))
+            return do_each(
+                talk.editor, 2,
+                [&](std::size_t k) {
+                    if (k == 0) make(talk, part_of(words, 0, with - 1));
+                    else add(talk, part_of(words, with + 1));
+                },
+                [&](std::size_t k) { return text_of(k == 0 ? part_of(words, 0, with - 1) : part_of(words, with)); });
+    // "it darker and more romantic"
+    if (const std::vector<Words> parts = parts_of(words);
+        words.front() == "it" && talk.last.empty() && parts.size() > 1 && next_place(words) == words.size())
+        return do_each(
+            talk.editor, parts.size(),
+            [&](std::size_t k) {
+                Words one = parts[k];
+                if (k > 0) one.insert(one.begin(), "it");
+                make(talk, one);
+            },
+            [&](std::size_t k) { return text_of(parts[k]); });
     // "the room brick walls and a concrete floor"
     if (talk.said == "give" && words.size() > 3 && noun_of(words[1]) == "room") return add(talk, part_of(words, 2));
     if (talk.said == "give" && given(talk, words)) return;
-    if (make_by_turns(talk, words)) return;
+    if (make_by_turns(talk, words) || make_various(talk, words)) return;
     if (const std::string lamps = lamps_said(words); !lamps.empty()) return light(talk, lamps);
     if (shine_said(talk, words)) return;
     if (says_any(words, {"face", "facing"})) return face(talk, words);
     if (brightness_said(talk, words)) return;
     if (like_another(talk, words)) return;
     if (of_the_room(talk, words)) return;
-    const std::vector<Group> groups = groups_of(as_made(words));
+    std::vector<Words> unshown;
+    const std::vector<Group> groups = groups_of(as_made(words), unshown);
     check_one_look(talk, groups);
     do_each(talk.editor, groups.size(), [&](std::size_t k) { apply(talk, groups[k]); });
+    for (const Words& with : unshown)
+        talk.editor.note(kNotDone, fmt::format("\"{}\": nothing shows that", text_of(with)));
 }
 
 bool swap_colors(Talk& talk, const Words& words) {

@@ -101,6 +101,15 @@ bool shifted(Talk& talk, const std::vector<std::string>& ids, const Words& place
 
 bool put_at(Talk& talk, const std::vector<std::string>& ids, const Words& words,
             const std::vector<std::string>& spoken) {
+    // "together in the middle": the first there, the others at it
+    if (ids.size() > 1 && words.size() > 1 && words.front() == "together") {
+        talk.editor.together([&] {
+            if (!put_at(talk, {ids.front()}, part_of(words, 1), spoken))
+                throw UsageError("expected a place in the room, found \"{}\"", text_of(words, 1));
+            for (std::size_t k = 1; k < ids.size(); ++k) put_together(talk, {ids[k - 1], ids[k]});
+        });
+        return true;
+    }
     std::string why_not;
     // "closer to it"
     Words way = words;
@@ -205,39 +214,6 @@ void move_one(Talk& talk, const std::vector<Words>& before, const Words& words) 
     throw UsageError("{}", wrong);
 }
 
-// "left", "by 45 degrees", "a bit", "around": radians; nothing: none of those. `end`: where the words of that begin.
-std::optional<float> angle_said(const Words& words, std::size_t& end) {
-    constexpr float kDegree = kPi / 180, kABit = 20;
-    std::optional<float> degrees;
-    float sign = 1;
-    end = words.size();
-    for (std::size_t i = 1; i < words.size(); ++i) {
-        const std::string& w = words[i];
-        // "to the right a little", but "the right chair"
-        const bool ends = i + 1 == words.size() || number_said(words[i + 1]) ||
-                          is_one_of(words[i + 1], {"by", "slightly", "little"});
-        const bool side = is_one_of(w, {"left", "right"}) && (ends || !is_definite(words[i - 1]));
-        const auto number = number_said(w);
-        if (is_one_of(w, {"around", "round", "backwards", "about"})) degrees = 180.f;
-        else if (is_one_of(w, {"slightly", "bit", "little"})) degrees = kABit;
-        else if (is_one_of(w, {"quarter"})) degrees = 90.f;
-        else if (w == "half" && i + 1 < words.size() && words[i + 1] == "turn") degrees = 180.f;
-        else if (is_one_of(w, {"clockwise", "right"}) && (side || w == "clockwise")) sign = -1;
-        else if (is_one_of(w, {"counterclockwise", "anticlockwise"}) || side) sign = 1;
-        else if (number && w != "a" && w != "an" && i + 1 < words.size() &&
-                 is_one_of(words[i + 1], {"degrees", "degree", "deg"}))
-            degrees = *number;
-        else if (is_one_of(w, {"by", "to", "a"}) && i + 1 < words.size()) {
-            // "by 45 degrees", "to the left", "a bit"
-            if (!(w == "by" || is_one_of(words.back(), {"left", "right", "bit", "little", "turn"}))) continue;
-        } else continue;
-        end = std::min(end, i);
-        if (!degrees && (side || w.ends_with("clockwise"))) degrees = 90.f;
-    }
-    if (!degrees) return {};
-    return *degrees * sign * kDegree;
-}
-
 }  // namespace
 
 std::vector<std::string> things_at(const Editor& editor, const EditStep& place) {
@@ -247,6 +223,33 @@ std::vector<std::string> things_at(const Editor& editor, const EditStep& place) 
         if (t.kind == place.wish.relation_to || (t.asked && t.asked->kind == place.wish.relation_to))
             out.push_back(t.id);
     return out;
+}
+
+void stand_at(Talk& talk, const std::vector<std::string>& ids, Vec2f at) {
+    EditStep step;
+    step.kind = EditStep::Kind::place;
+    step.ids = ids, step.position = at;
+    constexpr float kThere = 0.8f;  // metres from its middle
+    talk.editor.together([&] {
+        talk.editor.apply(step);
+        for (const std::string& id : ids)
+            if (length(flat(talk.editor.placed(id).position) - at) > kThere)
+                throw Error("{}: there is no free place for it there", id);
+    });
+    talk.last = ids;
+}
+
+std::optional<Vec2f> left_by(const Talk& talk, const std::string& id) {
+    constexpr float kMoved = 0.05f;  // metres
+    const auto in = [&](const RoomDocument& document) {
+        return std::find_if(document.things.begin(), document.things.end(),
+                            [&](const DocumentThing& t) { return t.id == id; });
+    };
+    const auto before = in(talk.was), now = in(talk.editor.document());
+    if (before == talk.was.things.end() || now == talk.editor.document().things.end() ||
+        length(now->position - before->position) < kMoved)
+        return {};
+    return flat(before->position);
 }
 
 // "the armchair and the plant to the window", "the vase to the desk and the lamp to the shelf"
@@ -283,6 +286,13 @@ void move(Talk& talk, const Words& words) {
     do_each(
         talk.editor, parts.size(), [&](std::size_t k) { move_part(parts[k]); },
         [&](std::size_t k) { return text_of(parts[k]); });
+    // "The desk to the window and the armchair in its place"
+    if (const auto left = !before.empty() && talk.its_place && !talk.last.empty() ? left_by(talk, talk.last.front())
+                                                                                  : std::nullopt) {
+        std::vector<std::string> ids;
+        for (const Words& part : before) add_new(ids, talk.things(part));
+        return stand_at(talk, ids, *left);
+    }
     if (!before.empty() && talk.there && (talk.last_gone || !talk.last_place.wish.relation.empty())) {
         // "remove the shelf and move the plant there"
         EditStep step = talk.last_gone ? EditStep{} : talk.last_place;
@@ -296,203 +306,6 @@ void move(Talk& talk, const Words& words) {
     }
     if (!before.empty())
         throw UsageError("expected where to move \"{}\", for example \"to the window\"", text_of(before.front()));
-}
-
-// "the armchair around", "the sofa towards the tv", "the walls green", "the armchair into a sofa"
-void turn(Talk& talk, const Words& words) {
-    // "so that it stands against the wall"
-    if (const std::size_t so = find_word(words, {"so"}, 1), stands = find_word(words, {"stands", "is", "hangs"}, so);
-        stands + 1 < words.size()) {
-        Words all = part_of(words, 0, so);
-        const Words to = part_of(words, stands + 1);
-        all.insert(all.end(), to.begin(), to.end());
-        return move(talk, all);
-    }
-    // "so that it faces the door"
-    const std::size_t purpose = find_word(words, {"so"}, 1);
-    if (const std::size_t so = std::min(find_word(words, {"faces", "looks"}, 1),
-                                        find_word(words, {"face", "look", "point"}, purpose));
-        so < words.size()) {
-        Words all = part_of(words, 0, so);
-        // "so that the chair faces the door" is no turn of the desk.
-        if (const std::size_t that = find_word(words, {"so"}, 1);
-            that < so && so - that > 2 && !is_one_of(words[so - 1], {"it", "they", "that"}))
-            throw UsageError("expected what is turned to face something itself, found \"{}\"", text_of(words));
-        while (all.size() > 1 && is_one_of(all.back(), {"so", "that", "it", "they", "and"})) all.pop_back();
-        all.push_back("facing");
-        const Words to = part_of(words, so + 1);
-        all.insert(all.end(), to.begin(), to.end());
-        return face(talk, all);
-    }
-    const std::size_t towards = find_word(words, {"towards", "toward", "facing", "face"}, 1);
-    std::size_t end = words.size();
-    const auto angle = angle_said(words, end);
-    if (towards < words.size()) return face(talk, words);
-    if (find_word(words, {"upside", "over"}) < words.size())
-        throw UsageError("things are turned about the vertical only, found \"{}\"", text_of(words));
-    if (shine_said(talk, words)) return;
-    EditStep step;
-    step.kind = EditStep::Kind::turn;
-    if (!angle) {
-        for (std::size_t i = 1; i < words.size(); ++i)
-            if (value_of(part_of(words, i))) return make(talk, words);
-        if (find_word(words, {"into"}, 1) < words.size()) return make(talk, words);
-        if (find_word(words, {"to"}, 1) < words.size()) return face(talk, words);
-    }
-    step.yaw = angle.value_or(kPi / 2);
-    step.ids = talk.things_of_parts(part_of(words, 0, end));
-    talk.editor.apply(step);
-}
-
-void face(Talk& talk, const Words& words) {
-    std::size_t end = find_word(words, {"towards", "toward", "facing", "face"}, 1);
-    if (end == words.size()) end = find_word(words, {"to", "at", "into"}, 1);
-    std::size_t next = end;
-    while (next < words.size() && is_one_of(words[next], {"towards", "toward", "facing", "face", "to", "at", "into"}))
-        ++next;
-    Words thing = part_of(words, 0, end);
-    while (thing.size() > 1 && is_one_of(thing.back(), {"to", "so", "it", "around", "that", "should"}))
-        thing.pop_back();
-    Words target = part_of(words, next);
-    if (target.empty())
-        throw UsageError("expected what \"{}\" is to face, for example \"to the window\"", text_of(words));
-    EditStep step;
-    step.kind = EditStep::Kind::face;
-    const std::vector<std::string> spoken = talk.last;
-    step.ids = talk.things_of_parts(thing);
-    // "The second desk to face the first"
-    if (is_one_of(target.back(), {"first", "second", "third", "last"}) && !talk.noun.empty())
-        target.push_back(talk.noun);
-    const std::string text = text_of(target);
-    if (text == "each other" || text == "one another") {
-        if (step.ids.size() != 2)
-            throw UsageError("expected two things that face each other, found {}", step.ids.size());
-        for (const std::size_t k : {0u, 1u}) {
-            EditStep one = step;
-            one.ids = {step.ids[k]}, one.at = {step.ids[1 - k]};
-            one.wish.relation_to = talk.editor.placed(step.ids[1 - k]).piece.kind;
-            talk.editor.apply(one);
-        }
-        return;
-    }
-    const std::string noun = target.back();
-    // "move it before the fire, facing it"; "move the tv to the window and turn the sofa towards it"
-    const bool placed_there = spoken.empty() || spoken == step.ids;
-    if (noun == "it" && placed_there && !talk.last_place.wish.relation_to.empty()) {
-        step.wish.relation_to = talk.last_place.wish.relation_to;
-        step.at = things_at(talk.editor, talk.last_place);
-    } else if (is_one_of(noun, {"me", "us", "camera", "viewer"})) step.wish.relation_to = "viewer";
-    else if (is_one_of(noun, {"room", "middle", "center", "centre", "inside"})) step.wish.relation_to = "room";
-    else {
-        Words at{"opposite"};
-        at.insert(at.end(), target.begin(), target.end());
-        const auto place = place_of(talk.editor, at, asked_kind(talk.editor.placed(step.ids.front())), step.ids.front(),
-                                    spoken);
-        if (!place) throw UsageError("expected a thing or an opening to face, found \"{}\"", text);
-        step.wish.relation_to = place->step.wish.relation_to;
-        step.at = things_at(talk.editor, place->step);
-        // "To the wall": that at its back, unless another one was said.
-        if (noun_of(noun) == "wall") {
-            step.wish.relation_to = "wall", step.wall = place->step.wall;
-            if (step.wall < 0) step.wall = wall_behind(talk.editor.plan(), talk.editor.placed(step.ids.front()));
-            if (step.wall < 0) throw UsageError("which wall? found \"{}\"", text);
-        }
-    }
-    talk.editor.apply(step);
-}
-
-namespace {
-
-// "Set the table for six": as many places as are missing; false: no such words.
-bool set_for_guests(Talk& talk, const Words& words) {
-    const std::size_t at = find_word(words, {"for"}, 1);
-    if (talk.said != "set" || at + 1 >= words.size() || !is_definite(words.front())) return false;
-    const auto guests = number_said(words[at + 1]);
-    if (!guests || *guests < 1) return false;
-    const std::string table = talk.things(part_of(words, 0, at)).front();
-    int missing = static_cast<int>(*guests);
-    for (const DocumentThing& t : talk.editor.document().things)
-        if (t.on == table && in_words(t.kind) == "place setting") --missing;
-    if (missing < 1) throw Error("{}: it is set for as many already", table);
-    add(talk, {std::to_string(missing), "place", missing > 1 ? "settings" : "setting", "on", table});
-    return true;
-}
-
-// "the armchair by the window and a side table beside it": one stands there, the other comes new. False: all of them
-// stand there, or all come new.
-bool put_one_by_one(Talk& talk, const Words& words) {
-    std::vector<Words> each;  // with all before it that have no place of their own
-    bool open = false;
-    for (const Words& part : parts_of(words)) {
-        if (part.front() == "facing") return false;
-        if (!open) each.emplace_back();
-        else each.back().push_back("and");
-        each.back().insert(each.back().end(), part.begin(), part.end());
-        open = next_place(part) == part.size();
-    }
-    if (open && each.size() > 1) return false;
-    if (std::none_of(each.begin(), each.end(), [&](const Words& w) { return begins_anew(w) != begins_anew(each[0]); }))
-        return false;
-    do_each(
-        talk.editor, each.size(), [&](std::size_t k) { put(talk, each[k]); },
-        [&](std::size_t k) { return text_of(each[k]); });
-    return true;
-}
-
-}  // namespace
-
-void put(Talk& talk, const Words& words) {
-    if (const std::string lamps = lamps_said(words); !lamps.empty()) return make(talk, words);
-    if (is_one_of(words.front(), {"the", "a"}) && words.size() > 1 &&
-        is_one_of(words[1], {"time", "style", "weather", "hour", "light", "lighting", "color"}))
-        return make(talk, words);
-    // "the walls to white"
-    const std::size_t to = find_word(words, {"to"}, 1);
-    if (to < words.size() && value_of(part_of(words, to + 1))) return make(talk, words);
-    if (const auto laid = laid_with(talk, words)) return add(talk, *laid);
-    if (set_for_guests(talk, words) || put_one_by_one(talk, words)) return;
-    const std::size_t end = next_place(words);
-    const std::string thing = text_of(words, 0, end);
-    const bool id = end > 1 && words[end - 1].find_first_not_of("0123456789") == std::string::npos;
-    // "sofa at the window": that which is there.
-    const bool bare = begins_anew(words) && !number_said(words.front()) && !thing.ends_with("s") && end < words.size();
-    if (!begins_anew(words) || id || (bare && all_named(talk.editor, thing).size() == 1)) return move(talk, words);
-    add(talk, words);
-}
-
-// "three lamps over the table instead of the one": of those.
-Words instead_of(const Words& old, const Words& by) {
-    if (!is_one_of(old.back(), {"one", "ones", "it"}) || old.size() > 3) return old;
-    Words out{"the"};
-    for (std::size_t i = 0; i < next_place(by) && by[i] != "instead"; ++i)
-        if (!number_said(by[i]) && !is_definite(by[i])) out.push_back(by[i]);
-    if (old.back() != "ones" && out.back().size() > 2 && out.back().ends_with("s")) out.back().pop_back();
-    return out;
-}
-
-// "a plant where the pouf is": in its place; "the lamp to where the plant stands": they change places.
-bool put_where(Talk& talk, const Clause& clause) {
-    const Words& words = clause.words;
-    const std::size_t where = find_word(words, {"where"}, 1);
-    if (where + 2 >= words.size() || (clause.verb != Verb::put && clause.verb != Verb::add &&
-                                      clause.verb != Verb::want && clause.verb != Verb::move))
-        return false;
-    Words there = part_of(words, where + 1), thing = part_of(words, 0, where);
-    if (!is_one_of(there.back(), {"is", "are", "stands", "stand", "hangs", "hang", "sits", "lies", "was", "stood"}))
-        return false;
-    there.pop_back();
-    if (thing.size() > 1 && is_one_of(thing.back(), {"to", "at"})) thing.pop_back();
-    if (begins_anew(thing)) return replace(talk, there, thing), true;
-    thing.push_back("and");
-    thing.insert(thing.end(), there.begin(), there.end());
-    return swap(talk, thing), true;
-}
-
-// "the desk so that it faces the window": a turn, where no place was said.
-bool says_so_that(const Words& words) {
-    const std::size_t so = find_word(words, {"so"}, 1);
-    return so < words.size() && find_word(words, {"faces", "looks", "face", "look", "point"}, so) < words.size() &&
-           next_place(part_of(words, 0, so)) == so;
 }
 
 }  // namespace fastscene::editing

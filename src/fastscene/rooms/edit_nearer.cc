@@ -185,7 +185,7 @@ bool Editor::add_into_row(const EditStep& step) {
     const Standing rest = without({});
     std::vector<Placed> now = rest.placed;
     now.insert(now.end(), all.begin() + static_cast<std::ptrdiff_t>(standing.placed.size()), all.end());
-    admit(now, rest, place_in_words(step));
+    admit(now, rest, {place_in_words(step)});
     build();
     return true;
 }

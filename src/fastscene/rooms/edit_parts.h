@@ -138,7 +138,9 @@ class Editor {
     std::vector<Placed> with_added(const EditStep& step, bool& smaller) const;
     void add(const EditStep& step);
     void tell_aside(const std::string& id, const EditStep& step);
-    std::vector<std::string> admit(const std::vector<Placed>& all, const Standing& standing, const std::string& how);
+    // `how` it came, each its own way or all alike.
+    std::vector<std::string> admit(const std::vector<Placed>& all, const Standing& standing,
+                                   const std::vector<std::string>& how);
 
     // ---- edit_search.cc
     std::vector<Candidate> candidates_for(Layout& layout, const EditStep& step, const Piece& piece,
@@ -259,7 +261,10 @@ struct Clause {
     Verb verb = Verb::none;
     std::string said;  // the verb's word
     Words words;
-    bool there = false;  // it ended with "there", "in its place"
+    bool there = false;       // it ended with "there", "in its place"
+    bool its_place = false;   // it ended with "in its place"
+    bool taken_back = false;  // what follows is said in place of it
+    bool amends = false;      // "no, blue": the clause before it, with these words
 };
 std::vector<Clause> clauses_of(const std::string& sentence);
 
@@ -271,6 +276,16 @@ bool begins_anew(const Words& words);       // "a plant", "two chairs", "another
 // What stands between joints. "Between the bed and the window" is one.
 std::vector<Words> parts_of(const Words& words);
 std::optional<float> number_said(const std::string& word);  // "3", "two", "half"
+
+// ---- edit_corrections.cc
+
+// How many words at `at` say that what was said before is taken back, with the marks behind them; 0: none do.
+// `begins_clause`: what follows them has a verb of its own.
+std::size_t correction_at(const Words& words, std::size_t at, bool begins_clause);
+// "Two chairs" and "three" are three chairs.
+Clause amended(const Clause& before, const Clause& anew);
+// Nothing of it is done; what it named is "it".
+void take_back(Talk& talk, const Clause& clause);
 
 // ---- edit_words.cc: which things of the room words mean
 
@@ -288,6 +303,19 @@ void nearest_to(const Editor& editor, const std::string& kind, std::vector<int>&
 
 // "The table closest to the door", "the two chairs farthest from the window"; nothing: no such words.
 std::optional<std::vector<int>> by_distance(const Editor& editor, const Words& words);
+
+// ---- edit_rows.cc
+
+// "The last row of desks", "the chairs in the front two rows"; nothing: no such words. Throws UsageError where nobody
+// could tell which row.
+std::optional<std::vector<int>> in_rows(const Editor& editor, const Words& words);
+
+// ---- edit_carried.cc
+
+// "The tables that don't have a candle", "the shelf with books": by what stands on them; nothing: no such words.
+std::optional<std::vector<int>> by_what_they_carry(const Editor& editor, const Words& words);
+
+// ---- edit_which.cc
 
 // "which chair? chair-1 by desk-1, chair-2 at the door"
 [[noreturn]] void refuse_many(const std::string& words, const Editor& editor, const std::vector<int>& found);
@@ -332,6 +360,8 @@ void line_up(Talk& talk, const Words& words);
 bool is_one_wall(const Words& words);
 // Its number; throws UsageError where nobody could tell which.
 int wall_meant(const Editor& editor, const Words& words, const std::vector<std::string>& spoken);
+// That of the openings of this kind; several walls: nobody could tell.
+std::optional<int> wall_with(const Plan& plan, const std::string& kind);
 bool is_tiled(const Material& m);
 // "the tiles": floor, wall; throws UsageError where both are tiled, or none.
 std::string tiled_surface(const Editor& editor);
@@ -367,7 +397,8 @@ std::size_t next_place(const Words& words, std::size_t from = 1);
 struct Place {
     EditStep step;
     std::vector<std::vector<std::string>> each_at;  // "on both nightstands": one at each
-    int count = 0;                                  // "at each end": two; 0: as many as were said
+    bool if_uncounted = false;  // … unless it was said how many: "candles to the tables", but "two candles"
+    int count = 0;              // "at each end": two; 0: as many as were said
 };
 // `mover`: the id of what is to move there; empty: it comes new. `spoken`: what "it" and "them" are.
 std::optional<Place> place_of(const Editor& editor, const Words& words, const std::string& kind,
@@ -421,15 +452,18 @@ std::string shape_of(const Piece& piece);
 // A sentence while it is acted on.
 struct Talk {
     Editor& editor;
-    std::vector<std::string> last{};   // the things last spoken of: "it"
-    std::string noun{};                // what they are called: "one"
-    EditStep last_place{};             // where they were put
-    std::string said{};                // the clause's verb
-    bool there = false;                // the clause ends with "there"
-    bool more = false;                 // it says "more", "another": beside those that are there
-    std::optional<Vec2f> last_gone{};  // where what was removed last stood: "there"
-    std::string last_gone_from{};      // … and what carried it; "clear the table and put a bowl there"
-    std::vector<std::string> kept{};   // "leave the rug as it is"
+    const RoomDocument was = editor.document();  // before the sentence
+    std::vector<std::string> last{};             // the things last spoken of: "it"
+    std::string noun{};                          // what they are called: "one"
+    EditStep last_place{};                       // where they were put
+    std::string said{};                          // the clause's verb
+    bool there = false;                          // the clause ends with "there"
+    bool its_place = false;                      // the clause ends with "in its place"
+    bool more = false;                           // it says "more", "another": beside those that are there
+    std::optional<Vec2f> last_gone{};            // where what was removed last stood: "there"
+    std::string last_gone_from{};                // … and what carried it; "clear the table and put a bowl there"
+    std::vector<std::string> kept{};             // "leave the rug as it is"
+    std::string unclear{};                       // why nobody knows what was last spoken of
 
     std::vector<std::string> things(const Words& words);
     std::vector<std::string> things_of_parts(const Words& words);
@@ -452,8 +486,13 @@ bool says_all_but_some(const Words& words);
 Words with_its(const Words& words);
 // ---- edit_move.cc
 void move(Talk& talk, const Words& words);
+// Where it stood before the sentence moved it; nothing: it stands there still.
+std::optional<Vec2f> left_by(const Talk& talk, const std::string& id);
+void stand_at(Talk& talk, const std::vector<std::string>& ids, Vec2f at);
+// ---- edit_turn.cc
 void turn(Talk& talk, const Words& words);
 void face(Talk& talk, const Words& words);  // "the sofa towards the tv", "the chair at the desk"
+// ---- edit_put.cc
 void put(Talk& talk, const Words& words);
 bool put_where(Talk& talk, const Clause& clause);  // "a plant where the pouf is"; false: no such words
 bool says_so_that(const Words& words);             // "the desk so that it faces the window"
@@ -503,6 +542,7 @@ bool center(Talk& talk, const Words& words);
 // "the sofa green", "it night", "the walls sage", "the rug larger", "the style to japandi"
 void make(Talk& talk, const Words& words);
 bool each_on_or_off(const Words& words);
+void recolor(Talk& talk, const std::string& surface, const Value& value);  // wall, floor, ceiling, trim
 bool swap_colors(Talk& talk, const Words& words);  // "the colors of the sofa and the rug"; false: no such words
 // ---- edit_want.cc: "I want a plant", "the sofa should be green", "it is too dark"
 void want(Talk& talk, const Words& words);

@@ -262,11 +262,13 @@ class Reader {
         // "The far corner" is the freer of two.
         if (near && rest.empty() && part.says({"left", "right"}) != part.says({"far", "back", "near", "front"}))
             near = freer_corner(*near);
-        if (rest.size() > 2 && is_one_of(rest.front(), {"furthest", "farthest", "closest", "nearest"})) {
+        const bool off = is_one_of(rest.empty() ? "" : rest.front(), {"furthest", "farthest", "away", "far"});
+        if (rest.size() > 2 && (off || is_one_of(rest.front(), {"closest", "nearest"}))) {
             Words at = rest;
+            if (at[1] == "away") at.erase(at.begin());  // "farthest away from"
             at[0] = "next", at[1] = "to";
             near = point_of(at);
-            if (near && rest.front().starts_with("f")) near = *near * -1.f;
+            if (near && off) near = *near * -1.f;
         } else if (!rest.empty() && rest.front() != "of") near = point_of(rest);
         if (near && !rest.empty() && rest.front() == "opposite") near = *near * -1.f;
         if (!rest.empty() && rest.front() != "of" && !near) return {};
@@ -311,13 +313,15 @@ class Reader {
         return flat(editor_.room().furnished.placed[static_cast<std::size_t>(found.front())].position);
     }
 
+    bool hangs() const { return mount_of(editor_, kind_) == Mount::wall || kind_ == "tv"; }
+
     // "the wall opposite the bed", "the wall behind the sofa"; otherwise as without the wall.
     std::optional<Place> at_wall_of(const Words& rest) {
         auto out = Reader(editor_, rest, kind_, mover_, spoken_).read();
-        if (!out || !is_one_of(out->step.wish.relation, {"opposite", "behind"})) return out;
+        if (!out || !is_one_of(out->step.wish.relation, {"opposite", "behind", "facing", "in front of"})) return out;
         Words wall{"the", "wall"};
         wall.insert(wall.end(), rest.begin(), rest.end());
-        out = place("against");
+        out = hangs() ? place("on", "wall") : place("against");
         out->step.wall = wall_meant(editor_, wall, spoken_);
         return out;
     }
@@ -325,8 +329,7 @@ class Reader {
     std::optional<Place> at_wall(const Part& part, const Words& rest, const std::string& relation = {}) {
         // "on the wall above the bed"
         if (!rest.empty() && rest.front() != "of") return at_wall_of(rest);
-        const bool hangs = mount_of(editor_, kind_) == Mount::wall || kind_ == "tv";
-        Place out = hangs && (relation == "on" || relation == "to") ? place("on", "wall") : place("against");
+        Place out = hangs() && (relation == "on" || relation == "to") ? place("on", "wall") : place("against");
         if (const auto direction = direction_said(editor_, part))
             out.step.wall = wall_towards(editor_.plan(), *direction);
         for (const Opening& o : editor_.plan().openings)
@@ -371,6 +374,10 @@ class Reader {
         }
         // "on the other side of the bed" was read as opposite.
         const bool each = is_one_of(there.front(), {"each", "both", "every", "all"});
+        // "Candles to the tables": one for each of them.
+        const std::size_t noun = std::min(next_place(there), find_word(there, {"that", "with", "without"}, 1)) - 1;
+        const bool plural = !moving_ && there.front() == "the" &&
+                            is_one_of(name, {"to", "at", "on", "above", "under"}) && there[noun].ends_with("s");
         const std::string looked = is_one_of(name, {"to", "at", "in"}) ? "" : name;
         const std::vector<int> all = those(there);
         const Anchor anchor = anchor_of(editor_, all, looked);
@@ -390,9 +397,15 @@ class Reader {
                          !has_role(first.piece.kind, Role::seat) && !has_role(first.piece.kind, Role::bed);
         if (name == "on both sides of") out.count = 2;
         if (name == "on both sides of" && top) out.step.wish.relation = kAtTheEnds;
-        if (each)
-            for (const int i : found)
-                out.each_at.push_back({editor_.document().things[static_cast<std::size_t>(i)].id});
+        // "Each desk": of whatever kind.
+        const auto suits = [&](int i) {
+            return fits(out.step.wish.relation, editor_.room().furnished.placed[static_cast<std::size_t>(i)]);
+        };
+        out.if_uncounted = plural && !each;
+        if (each || (plural && all.size() > 1))
+            for (const int i : all)
+                if (suits(i) || std::none_of(all.begin(), all.end(), suits))
+                    out.each_at.push_back({editor_.document().things[static_cast<std::size_t>(i)].id});
         return out;
     }
 

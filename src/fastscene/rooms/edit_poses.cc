@@ -92,10 +92,11 @@ std::string Editor::new_fault(const std::vector<Placed>& all) const {
 
 void Editor::together(const std::function<void()>& change) {
     const EditResult kept = result_;
+    const std::size_t notes = notes_;
     try {
         change();
     } catch (const Error&) {
-        result_ = kept;
+        result_ = kept, notes_ = notes;
         build();
         throw;
     }
@@ -234,8 +235,13 @@ std::optional<Vec2f> Editor::target_of(const EditStep& step, int from) const {
     }
     if (step.wish.relation_to == "viewer") return flat(room_.furnished.camera);
     for (const std::string& id : step.at) take(footprint_of(placed(id)).center);
-    for (const Opening& o : plan().openings)
-        if (is_opening_of(o, step.wish.relation_to)) take(flat(plan().wall(o.wall).point((o.u0 + o.u1) / 2, 0)));
+    // Straight ahead, where the opening is as wide as that.
+    for (const Opening& o : plan().openings) {
+        if (!is_opening_of(o, step.wish.relation_to)) continue;
+        const WallFace face = plan().wall(o.wall);
+        const float across = dot(here - flat(face.origin), flat(face.along));
+        take(flat(face.point(across > o.u0 && across < o.u1 ? across : (o.u0 + o.u1) / 2, 0)));
+    }
     return best;
 }
 
@@ -277,11 +283,11 @@ void Editor::face_one(int i, const EditStep& step) {
         const Placed& p = placed(i);
         std::string fault;
         bool done = false;
+        const std::vector<int> seats = seats_at(i);
         // Who sits at a desk has it before him.
-        const float sign = has_role(p.piece.kind, Role::work_place) ? -1.f : 1.f;
+        const float sign = has_role(p.piece.kind, Role::work_place) && !seats.empty() ? -1.f : 1.f;
         const Vec2f ahead_now = (*target - flat(p.position)) * sign;
         const float wrong_by = std::abs(std::remainder(std::atan2(ahead_now.x, ahead_now.y) - p.yaw, 2 * kPi));
-        const std::vector<int> seats = seats_at(i);
         const bool sat_at = sign < 0 && !seats.empty();
         for (const auto& [off, aside] : turns(sat_at)) {
             if (std::abs(aside) > wrong_by / 2) continue;  // it would hardly turn
@@ -306,8 +312,10 @@ void Editor::face_one(int i, const EditStep& step) {
                     const std::string wrong = new_fault(with_pose(i, {to, yaw}, along));
                     if (off == 0 && aside == 0) fault = wrong;
                     done = wrong.empty();
-                    if (done) checked([&] { set_pose(i, {to, yaw}, along); });
-                    if (done) break;
+                    if (!done) continue;
+                    checked([&] { set_pose(i, {to, yaw}, along); });
+                    if (std::abs(aside) > kFaces) tell(id, "not quite turned to that: there is no more room");
+                    break;
                 }
             }
             if (done) break;

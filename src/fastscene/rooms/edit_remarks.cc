@@ -30,12 +30,14 @@ void remark(Talk& talk, const Words& words) {
                 "feel", "feels", "seem", "seems", "blocks", "clash", "clashes"});
     if (end > 0 && end < words.size() && is_definite(words.front())) try {
             talk.things_of_parts(part_of(words, 0, end));
-        } catch (const UsageError&) {  // a remark about nothing that stands there
+        } catch (const UsageError& e) {  // a remark about nothing that stands there
+            talk.last.clear(), talk.unclear = e.what();
         }
     // "I hate that bookshelf"
     if (const std::size_t felt = find_word(words, {"hate", "love", "dislike"}); felt + 1 < words.size()) try {
             talk.things_of_parts(part_of(words, felt + 1));
-        } catch (const UsageError&) {
+        } catch (const UsageError& e) {
+            talk.last.clear(), talk.unclear = e.what();
         }
     talk.editor.note("room", fmt::format("\"{}\" is taken as a remark: it changes nothing", text_of(words)));
 }
@@ -171,6 +173,8 @@ void line_up(Talk& talk, const Words& words) {
                          });
         if (!any) step.wall = wall_meant(talk.editor, part_of(there, at), spoken);
     }
+    // One alone stands at that wall.
+    if (step.ids.size() == 1 && !there.empty()) step.kind = EditStep::Kind::place, step.wish.relation = "against";
     talk.editor.apply(step);
 }
 

@@ -136,7 +136,10 @@ void remove(Talk& talk, Words words) {
     const std::vector<Words> parts = parts_of(with_its(words));
     std::vector<std::string> ids;
     do_each(talk.editor, parts.size() + 1, [&](std::size_t k) {
-        if (k < parts.size()) return add_new(ids, talk.things(parts[k]));
+        if (k < parts.size()) {
+            if (k > 0) talk.last = ids;  // "its chairs" are those of what goes
+            return add_new(ids, talk.things(parts[k]));
+        }
         talk.last = ids;
         if (!ids.empty()) remove_all(talk, ids);
     });

@@ -120,7 +120,9 @@ void swap(Talk& talk, Words words) {
         words.pop_back();
     for (std::string& w : words)
         if (const std::size_t mark = w.find('\''); mark != std::string::npos && mark > 1) w.resize(mark);
-    const std::size_t with = find_word(words, {"with", "for", "by", "and"});
+    // "The sofa by the window with the armchair" is no "by".
+    std::size_t with = find_word(words, {"with", "for", "and"});
+    if (with == words.size()) with = find_word(words, {"by"});
     if (const auto two = with == words.size() ? talk.things(words) : std::vector<std::string>{}; two.size() == 2) {
         EditStep step;
         step.kind = EditStep::Kind::swap;

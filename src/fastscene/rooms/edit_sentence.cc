@@ -54,17 +54,26 @@ std::vector<std::string> Talk::things(const Words& said_words) {
         }))
         words = {"them"};
     if (words.size() == 1 && is_one_of(words.front(), {"it", "them", "they", "that", "those", "these"})) {
+        if (last.empty() && !unclear.empty()) throw UsageError("{}", unclear);
         if (last.empty()) throw UsageError("what is \"{}\"? nothing was named before", words.front());
         return last;
     }
+    // "the shelf next to it"
+    if (words.size() > 2 && is_one_of(words.back(), {"it", "them"}) && next_place(words) + 1 < words.size() &&
+        last.size() == 1) {
+        words.back() = last.front();
+        return things(words);
+    }
     // "its chairs": those that stand at it or on it.
-    if (words.size() > 1 && is_one_of(words.front(), {"its", "their"}) && !last.empty()) {
+    if (words.size() > 1 && is_one_of(words.front(), {"its", "their"})) {
+        if (last.empty()) throw UsageError("whose is \"{}\"? nothing was named before", text_of(words));
         std::vector<std::string> ids;
         for (const int i : all_named(editor, "all " + text_of(words, 1))) {
             const DocumentThing& t = editor.document().things[static_cast<std::size_t>(i)];
             if (is_among(t.on, last) || is_among(t.with, last)) ids.push_back(t.id);
         }
-        if (!ids.empty()) return last = ids;
+        if (ids.empty()) throw UsageError("nothing at {} is \"{}\"", last.front(), text_of(words, 1));
+        return last = ids;
     }
     // "the first one"
     const bool but_one = words.size() > 1 && is_one_of(words[words.size() - 2], {"except", "but"});
@@ -142,16 +151,21 @@ Words lowered(const Clause& clause) {
     return out;
 }
 
-// What lies about on the floor; a sentence does not guess what else is too much.
+// What lies about on the floor, or of what is named that which does; a sentence does not guess what else is too much.
 void tidy(Talk& talk, const Clause& clause) {
     Words bare = clause.words;
     std::erase_if(bare, [](const std::string& w) {
         return is_definite(w) || is_one_of(w, {"up", "a", "bit", "room"});
     });
+    const bool named_some = !bare.empty() && bare != Words{"floor"};
     std::vector<std::string> litter;
+    for (const int i : named_some ? all_named(talk.editor, "all " + text_of(bare)) : std::vector<int>{}) {
+        const Placed& p = talk.editor.room().furnished.placed[static_cast<std::size_t>(i)];
+        if (p.on < 0 && p.sill < 0 && furnishing::is_small(p.piece.kind)) litter.push_back(p.id);
+    }
     for (const DocumentThing& t : talk.editor.document().things)
-        if (has_role(t.kind, Role::litter) && t.on.empty()) litter.push_back(t.id);
-    if (litter.empty() || !(bare.empty() || bare == Words{"floor"}))
+        if (!named_some && has_role(t.kind, Role::litter) && t.on.empty()) litter.push_back(t.id);
+    if (litter.empty())
         throw UsageError(
             "\"{}\" takes away what lies about on the floor{}; \"clear the desk\" takes away what stands "
             "on it, \"remove the books\" what it names",
@@ -261,7 +275,7 @@ void Talk::act(const Clause& whole) {
     if (clause.verb == Verb::refuse) refuse(clause);
     if (clause.verb == Verb::tidy) return tidy(*this, clause);
     if (clause.verb == Verb::remark) return remark(*this, clause.words);
-    there = clause.there, said = clause.said;
+    there = clause.there, its_place = clause.its_place, said = clause.said;
     more = find_word(words, {"more", "another", "additional", "extra"}) < words.size();
     if (words.empty())
         throw UsageError("expected what to change after \"{}\", found the end of the sentence", clause.said);
@@ -330,7 +344,8 @@ void Talk::act(const Clause& whole) {
         case Verb::face: return face(*this, words);
         case Verb::make:
             // "switch the sofa and the armchair"
-            if (clause.said == "switch" && parts_of(words).size() == 2 && !says_value(words) && !each_on_or_off(words))
+            if (clause.said == "switch" && !says_value(words) && !each_on_or_off(words) &&
+                (parts_of(words).size() == 2 || find_word(words, {"with"}, 1) < words.size()))
                 return swap(*this, words);
             return make(*this, words);
         case Verb::color: return make(*this, covered(clause));
@@ -372,6 +387,7 @@ EditResult edit_by_sentence(const RoomDocument& document, const std::string& sen
         editor, clauses.size(),
         [&](std::size_t i) {
             if (i + 1 < clauses.size() && editing::picked_up(talk, clauses[i], clauses[i + 1])) return;
+            if (clauses[i].taken_back) return editing::take_back(talk, clauses[i]);
             const std::vector<std::string> spoken = talk.last;
             try {
                 talk.act(clauses[i]);

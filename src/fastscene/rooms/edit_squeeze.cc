@@ -216,6 +216,7 @@ std::optional<Squeezed> Editor::squeezed_on_wall(Layout& layout, const EditStep&
     for (const WallFace& face : faces) {
         if (step.wall >= 0 && dot(face.inward, plan().wall(step.wall).inward) < 0.99f) continue;
         if (step.elsewhere && own >= 0 && dot(face.inward, plan().wall(own).inward) > 0.99f) continue;
+        if (step.opposite && own >= 0 && dot(face.inward, plan().wall(own).inward) > -0.99f) continue;
         const float half = p.piece.size_m.x / 2;
         for (float u = half + 0.02f; u < face.length - half; u += kSlotStep)
             for (const float up : {0.f, 0.15f, -0.15f, 0.3f, -0.3f, 0.45f, 0.6f}) {
@@ -322,7 +323,7 @@ bool Editor::add_squeezed(const EditStep& step) {
         bool smaller = false, found = false;
         if (count > 1) try {
                 const std::vector<Placed> all = with_added(one, smaller);
-                for (const std::string& id : admit(all, without({}), place_in_words(step)))
+                for (const std::string& id : admit(all, without({}), {place_in_words(step)}))
                     if (smaller) tell(id, "smaller than usual: there was no more room");
                 build();
                 found = true;
@@ -337,7 +338,7 @@ bool Editor::add_squeezed(const EditStep& step) {
             all.push_back(squeezed->all.back());
             all.back().wish.relation = step.wish.relation, all.back().wish.relation_to = step.wish.relation_to;
             all.back().wish.relation_and = step.wish.relation_and;
-            const std::string id = admit(all, standing, place_in_words(step)).front();
+            const std::string id = admit(all, standing, {place_in_words(step)}).front();
             make_way(*squeezed, id);
             build();
             tell_squeeze(id, step, *squeezed, how);

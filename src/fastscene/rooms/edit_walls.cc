@@ -23,7 +23,13 @@ int wall_nearest_to(const Plan& plan, const Placed& p) {
     return best;
 }
 
-// The wall of the openings of this kind; several walls: nobody could tell.
+int wall_at_back(const Plan& plan, const Placed& p) {
+    const int behind = wall_behind(plan, p);
+    return behind >= 0 ? behind : wall_nearest_to(plan, p);
+}
+
+}  // namespace
+
 std::optional<int> wall_with(const Plan& plan, const std::string& kind) {
     std::optional<int> out;
     for (const Opening& o : plan.openings) {
@@ -33,8 +39,6 @@ std::optional<int> wall_with(const Plan& plan, const std::string& kind) {
     }
     return out;
 }
-
-}  // namespace
 
 bool is_tiled(const Material& m) {
     return m.pattern == Pattern::tile || m.pattern == Pattern::subway || m.pattern == Pattern::checker;
@@ -58,6 +62,10 @@ int wall_meant(const Editor& editor, const Words& words, const std::vector<std::
     };
     const Plan& plan = editor.plan();
     const auto part = room_part(words, 0);
+    // "The shower wall" is that behind the shower.
+    if (!part && words.size() > 1 && noun_of(words.back()) == "wall")
+        if (const std::vector<int> at = all_named(editor, text_of(words, 0, words.size() - 1)); at.size() == 1)
+            return wall_at_back(plan, editor.room().furnished.placed[static_cast<std::size_t>(at.front())]);
     if (!part) return unclear();
     if (is_one_of(part->noun, {"window", "door"}) || part->says({"window", "door"})) {
         const auto wall = wall_with(plan, part->says({"window"}) ? "window"
@@ -88,7 +96,7 @@ int wall_meant(const Editor& editor, const Words& words, const std::vector<std::
     const std::vector<std::string> ids = it ? spoken : named(editor, text_of(there));
     if (ids.empty()) return unclear();
     const Placed& at = editor.placed(ids.front());
-    const int own = wall_behind(plan, at) >= 0 ? wall_behind(plan, at) : wall_nearest_to(plan, at);
+    const int own = wall_at_back(plan, at);
     if (relation->name != "opposite" && relation->name != "in front of") return own;
     // Opposite is where its front looks.
     int best = 0;

@@ -81,9 +81,16 @@ bool complained(Talk& talk, const Words& words) {
 
 namespace {
 
+Words without_articles(Words words) {
+    std::erase_if(words, [](const std::string& w) {
+        return is_definite(w) || is_one_of(w, {"a", "an", "new", "some", "down"});
+    });
+    return words;
+}
+
 // "Lay tiles", "carpet on the floor", "marble tiles on the walls": what is covered so; empty: the words are no such
 // thing. "Lay a rug" is one.
-std::string covered_so(const Talk& talk, const Words& words, PromptObject& looks) {
+std::string covered_so(const Talk& talk, const Words& words, Value& value) {
     const auto is_surface = [](const std::string& noun) { return is_one_of(noun, {"wall", "floor", "ceiling"}); };
     std::string surface;
     Words bare = words;
@@ -96,26 +103,23 @@ std::string covered_so(const Talk& talk, const Words& words, PromptObject& looks
     for (const std::string& w : bare)
         if (is_surface(noun_of(w))) surface = noun_of(w);
     if (surface.empty() && !anew && is_one_of(talk.said, {"lay", "put down", "lay down"})) surface = "floor";
-    std::erase_if(bare, [&](const std::string& w) {
-        return is_surface(noun_of(w)) || is_definite(w) || is_one_of(w, {"a", "an", "new", "some", "down"});
-    });
-    const auto said = surface.empty() ? std::nullopt : looks_of(text_of(bare));
-    if (!said || said->material.empty()) return {};
-    looks = *said;
+    bare = without_articles(bare);
+    std::erase_if(bare, [&](const std::string& w) { return is_surface(noun_of(w)); });
+    const auto said = surface.empty() ? std::nullopt : value_of(bare);
+    if (!said || said->looks.material.empty()) return {};
+    value = *said;
     return surface;
 }
 
 }  // namespace
 
 bool paint_wanted(Talk& talk, const Words& words) {
-    EditStep covering;
-    covering.kind = EditStep::Kind::recolor;
-    covering.surface = covered_so(talk, words, covering.wish);
-    if (!covering.surface.empty()) return talk.editor.apply(covering), true;
+    Value value;
+    if (const std::string surface = covered_so(talk, words, value); !surface.empty())
+        return recolor(talk, surface, value), true;
     if (is_one_of(words.back(), {"worktop", "worktops", "countertop", "countertops"}) && words.size() > 1) {
         Words top{"the", words.back()};
-        Words look = part_of(words, 0, words.size() - 1);
-        std::erase_if(look, [](const std::string& w) { return is_one_of(w, {"a", "an", "new"}); });
+        const Words look = without_articles(part_of(words, 0, words.size() - 1));
         if (!look.empty() && value_of(look)) {
             top.insert(top.end(), look.begin(), look.end());
             return make(talk, top), true;
@@ -123,22 +127,42 @@ bool paint_wanted(Talk& talk, const Words& words) {
     }
     const PromptSpec spec = read_in_room(talk.editor, text_of(words));
     if (spec.objects.empty() || !is_one_of(spec.objects.front().kind, {"wall", "floor", "ceiling"})) return false;
-    EditStep step;
-    step.kind = EditStep::Kind::recolor;
-    step.wish = spec.objects.front();
-    step.surface = step.wish.kind;
-    if (step.wish.color.empty() && step.wish.material.empty() && step.wish.pattern.empty()) return false;
-    talk.editor.apply(step);
-    return true;
+    value.looks = spec.objects.front();
+    if (value.looks.color.empty() && value.looks.material.empty() && value.looks.pattern.empty()) return false;
+    // "A dark carpet"
+    if (const auto said = value_of(without_articles(words))) value.brighter = said->brighter;
+    return recolor(talk, spec.objects.front().kind, value), true;
 }
+
+namespace {
+
+// "Each desk should have a book on it", "the sofa needs two cushions": what comes to those; false: no such words.
+bool add_to_those(Talk& talk, const Words& words) {
+    const std::size_t needs = find_word(words, {"needs", "need", "have", "get", "has"}, 1);
+    if (needs + 1 >= words.size()) return false;
+    Words thing = part_of(words, 0, needs), what = part_of(words, needs + 1);
+    while (thing.size() > 1 && is_one_of(thing.back(), {"should", "must", "shall", "to", "could", "ought"}))
+        thing.pop_back();
+    if (!begins_anew(what) || is_one_of(what.front(), {"to", "be"}) || value_of(what)) return false;
+    const std::size_t place = next_place(what);
+    if (place == what.size()) what.push_back("at");
+    else if (is_one_of(what.back(), {"it", "them", "top"}) && place + 2 >= what.size()) what.resize(place + 1);
+    else return false;
+    what.insert(what.end(), thing.begin(), thing.end());
+    return add(talk, what), true;
+}
+
+}  // namespace
 
 void want(Talk& talk, const Words& words) {
     if (words.empty()) throw UsageError("expected what to change, found the end of the sentence");
     if (complained(talk, words)) return;
+    if (!lamps_said(words).empty()) return make(talk, words);
     const bool of_those = is_definite(words.front()) || is_one_of(words.front(), {"all", "both", "every", "each"});
     if (is_one_of(words.front(), {"can", "could", "may"})) return want(talk, part_of(words, 1));
     if (!of_those) return add(talk, words);
     if (find_word(words, {"style", "room", "time", "weather"}) < words.size()) return make(talk, words);
+    if (add_to_those(talk, words)) return;
     std::size_t mark = find_word(words, {"should", "must", "shall", "needs", "need", "has", "have", "ought", "be"}, 1);
     if (mark == words.size()) mark = std::min(find_word(words, {"to"}, 1), mark);
     std::size_t next = mark;

@@ -10,6 +10,7 @@
 #include "fastscene/rooms/catalogue.h"
 #include "fastscene/rooms/edit_parts.h"
 #include "fastscene/rooms/layout_relations.h"
+#include "fastscene/rooms/prompt_text.h"
 
 namespace fastscene::editing {
 namespace {
@@ -120,6 +121,10 @@ void refuse_many(const std::string& words, const Editor& editor, const std::vect
 }
 
 void refuse_none(const std::string& words, const Editor& editor, const std::string& kind) {
+    if (find_word(tokens_of(words), {"camera", "viewpoint", "viewer"}) < tokens_of(words).size())
+        throw UsageError(
+            "the camera stays where it is; \"camera\" in the document says where it stands and looks "
+            "(docs/room-document.md)");
     const std::vector<DocumentThing>& things = editor.document().things;
     std::vector<int> order(things.size());
     std::iota(order.begin(), order.end(), 0);

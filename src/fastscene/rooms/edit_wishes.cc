@@ -87,6 +87,16 @@ Words hung_up(const Talk& talk, Words words) {
 
 }  // namespace
 
+namespace {
+
+// "Tablecloth": something that things have, and no thing.
+bool is_known_detail(const std::string& word) {
+    const auto known = look_up(word);
+    return known && known->kind == WordKind::detail;
+}
+
+}  // namespace
+
 Words counted_anew(Words words) {
     // "Two pictures side by side" are two pictures.
     for (const char* row : {"side by side", "next to each other", "in a row", "in a line"}) {
@@ -118,10 +128,19 @@ Words counted_anew(Words words) {
 }
 
 std::vector<PromptObject> wishes_of(const Editor& editor, const Words& words) {
-    const std::string text = text_of(counted_anew(words));
+    std::string text = text_of(counted_anew(words));
     PromptSpec spec = read_in_room(editor, text);
-    const auto unknown = spec.words_with(PromptWord::Fate::not_understood);
+    auto unknown = spec.words_with(PromptWord::Fate::not_understood);
+    // "A jug of water" is a jug.
+    if (const std::size_t of = find_word(words, {"of"}, 1);
+        of + 2 == words.size() && !unknown.empty() && unknown.front().words == words.back()) {
+        text = text_of(counted_anew(part_of(words, 0, of)));
+        spec = read_in_room(editor, text);
+        unknown = spec.words_with(PromptWord::Fate::not_understood);
+    }
     if (!unknown.empty()) throw UsageError("expected a thing to add, found \"{}\"", unknown.front().words);
+    if (spec.objects.empty() && std::any_of(words.begin(), words.end(), is_known_detail))
+        throw UsageError("there is no \"{}\" to add: no thing of a room is one", text);
     if (spec.objects.empty()) throw UsageError("expected a thing to add, found \"{}\"", text);
     // "Three simple lamps" are three.
     if (const auto number = number_said(words.front());
@@ -252,6 +271,10 @@ Addition addition_of(const Talk& talk, const Words& said, const std::vector<std:
     const bool on_it = with + 3 < n && is_one_of(words[n - 1], {"it", "them", "top", "each"}) && words[n - 2] == "on";
     const std::string text = text_of(words);
     Addition out = read_addition(talk, words, spoken);
+    // "A ladder to the bookshelves" is one, "a candle to the tables without one" are as many as those.
+    const bool of_some = find_word(said, {"without", "that", "with"}, next_place(said)) < said.size();
+    if (out.place && out.place->if_uncounted && !of_some && is_one_of(said.front(), {"a", "an", "another"}))
+        out.place->each_at.clear();
     for (const char* row : {"in a row", "in a line", "side by side", "next to each other"})
         out.in_row = out.in_row || text.find(row) != std::string::npos;
     as_those_there(talk.editor, said, out.wishes.front());

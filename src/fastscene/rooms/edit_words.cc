@@ -94,6 +94,14 @@ void every_second(const std::vector<std::string>& words, std::vector<int>& found
 // "the second chair", "the last one", "the left nightstand", "the larger plant".
 void pick(const std::vector<std::string>& words, const PromptObject& said, const Editor& editor,
           std::vector<int>& found) {
+    // "The extra chairs" stand at no table.
+    const auto is_apart = [&](int i) {
+        const Placed& p = editor.room().furnished.placed[static_cast<std::size_t>(i)];
+        return p.with < 0 && p.on < 0;
+    };
+    if (find_word(words, {"extra", "spare", "stray", "loose", "leftover"}) < next_place(words) &&
+        std::any_of(found.begin(), found.end(), is_apart))
+        std::erase_if(found, [&](int i) { return !is_apart(i); });
     static constexpr std::array<std::string_view, 5> kOrdinals{"first", "second", "third", "fourth", "fifth"};
     // "the first two chairs", "the last two chairs": the last ones are taken anyhow
     const auto several = static_cast<std::size_t>(said.counted ? std::max(1, said.count) : 1);
@@ -385,6 +393,8 @@ PromptSpec read_in_room(const Editor& editor, const std::string& words) {
 std::vector<int> all_named(const Editor& editor, const std::string& words) {
     if (const auto id = id_said(editor.document(), words)) return {*id};
     if (const auto near = by_distance(editor, tokens_of(words))) return *near;
+    if (const auto rows = in_rows(editor, tokens_of(words))) return *rows;
+    if (const auto those = by_what_they_carry(editor, tokens_of(words))) return *those;
     return meaning_of(editor, words).found;
 }
 
@@ -392,7 +402,13 @@ std::vector<std::string> named(const Editor& editor, const std::string& words) {
     if (const auto id = id_said(editor.document(), words))
         return {editor.document().things[static_cast<std::size_t>(*id)].id};
     const std::vector<std::string> tokens = tokens_of(words);
-    const auto near = by_distance(editor, tokens);
+    auto near = by_distance(editor, tokens);
+    if (!near) near = in_rows(editor, tokens);
+    if (const auto those = near ? std::nullopt : by_what_they_carry(editor, tokens)) {
+        const bool one = !tokens[next_place(tokens) - 1].ends_with("s") && !has_word(tokens, {"all", "every", "each"});
+        if (one && those->size() > 1) refuse_many(words, editor, *those);
+        near = those;
+    }
     Meaning meant = near ? Meaning{{}, *near} : meaning_of(editor, words);
     std::vector<int>& found = meant.found;
     const PromptObject& said = meant.said;
@@ -412,8 +428,14 @@ std::vector<std::string> named(const Editor& editor, const std::string& words) {
                                                                            : 0;
     if (tokens.front() == "half" && found.size() % 2 != 0)
         throw UsageError("half of {} things is no number of them, in \"{}\"", found.size(), words);
-    if (has_word(tokens, {"row", "rows"}) && has_word(tokens, {"of"}))
-        throw UsageError("nobody could tell which row; name them by number or place, found \"{}\"", words);
+    // "The two plants", where there are two, and trees: those.
+    if (count > 1 && count < found.size() && tokens.front() == "the" && !has_word(tokens, {"first", "last"})) {
+        std::vector<int> exact = found;
+        std::erase_if(exact,
+                      [&](int i) { return editor.document().things[static_cast<std::size_t>(i)].kind != said.kind; });
+        if (exact.size() != count) refuse_many(said.words, editor, found);
+        found = exact;
+    }
     if (count > found.size())
         throw UsageError("there {} only {} of \"{}\" in the room", found.size() == 1 ? "is" : "are", found.size(),
                          words);

@@ -1,0 +1,64 @@
+// "The tables that don't have a candle", "the shelf with books": things by what stands on them or at them.
+#include <algorithm>
+#include <array>
+
+#include "fastscene/base/is_one_of.h"
+#include "fastscene/rooms/edit_parts.h"
+#include "fastscene/rooms/prompt_text.h"
+
+namespace fastscene::editing {
+namespace {
+
+struct Carrying {
+    std::string_view words;
+    bool has;
+};
+// The longer ones first.
+constexpr std::array<Carrying, 14> kCarrying{{{"that does not have", false},
+                                              {"that do not have", false},
+                                              {"that doesn't have", false},
+                                              {"that doesnt have", false},
+                                              {"that don't have", false},
+                                              {"that dont have", false},
+                                              {"that have no", false},
+                                              {"that has no", false},
+                                              {"with no", false},
+                                              {"that lack", false},
+                                              {"without", false},
+                                              {"that have", true},
+                                              {"that has", true},
+                                              {"with", true}}};
+
+}  // namespace
+
+std::optional<std::vector<int>> by_what_they_carry(const Editor& editor, const Words& words) {
+    for (const auto& [phrase, has] : kCarrying) {
+        const Words said = tokens_of(phrase);
+        for (std::size_t at = 1; at + said.size() < words.size(); ++at) {
+            if (part_of(words, at, at + said.size()) != said) continue;
+            Words what = part_of(words, at + said.size());
+            if (is_one_of(what.back(), {"it", "them"}) && what.size() > 2) what.resize(what.size() - 2);  // "on them"
+            std::erase_if(what, [](const std::string& w) {
+                return is_definite(w) || is_one_of(w, {"a", "an", "any", "some"});
+            });
+            const Words head = part_of(words, 0, at);
+            if (what.empty() || is_definite(what.back()) || next_place(head) < head.size()) return {};
+            const std::vector<int> carried = all_named(editor, "all " + text_of(what));
+            std::vector<int> found = all_named(editor, "all " + text_of(head, is_definite(head.front()) ? 1 : 0));
+            const auto& placed = editor.room().furnished.placed;
+            const auto carries = [&](int i) {
+                return std::any_of(carried.begin(), carried.end(), [&](int k) {
+                    const Placed& p = placed[static_cast<std::size_t>(k)];
+                    return k != i && (p.on == i || p.with == i);
+                });
+            };
+            // "The cabinet with glass doors" is no cabinet with doors on it.
+            if (has && std::none_of(found.begin(), found.end(), carries)) return {};
+            std::erase_if(found, [&](int i) { return carries(i) != has; });
+            return found.empty() ? std::nullopt : std::optional(found);
+        }
+    }
+    return {};
+}
+
+}  // namespace fastscene::editing

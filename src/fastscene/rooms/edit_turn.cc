@@ -1,0 +1,152 @@
+// "the armchair around", "the sofa towards the tv": things turned where they stand.
+#include <algorithm>
+
+#include "fastscene/base/error.h"
+#include "fastscene/base/is_one_of.h"
+#include "fastscene/rooms/edit_parts.h"
+
+namespace fastscene::editing {
+namespace {
+
+// "left", "by 45 degrees", "a bit", "around": radians; nothing: none of those. `end`: where the words of that begin.
+std::optional<float> angle_said(const Words& words, std::size_t& end) {
+    constexpr float kDegree = kPi / 180, kSlightly = 20;
+    std::optional<float> degrees;
+    float sign = 1;
+    end = words.size();
+    for (std::size_t i = 1; i < words.size(); ++i) {
+        const std::string& w = words[i];
+        // "to the right a little", but "the right chair"
+        const bool ends = i + 1 == words.size() || number_said(words[i + 1]) ||
+                          is_one_of(words[i + 1], {"by", "slightly", "little"});
+        const bool side = is_one_of(w, {"left", "right"}) && (ends || !is_definite(words[i - 1]));
+        const auto number = number_said(w);
+        if (is_one_of(w, {"around", "round", "backwards", "about"})) degrees = 180.f;
+        else if (is_one_of(w, {"slightly", "bit", "little"})) degrees = kSlightly;
+        else if (is_one_of(w, {"quarter"})) degrees = 90.f;
+        else if (w == "half" && i + 1 < words.size() && words[i + 1] == "turn") degrees = 180.f;
+        else if (is_one_of(w, {"clockwise", "right"}) && (side || w == "clockwise")) sign = -1;
+        else if (is_one_of(w, {"counterclockwise", "anticlockwise"}) || side) sign = 1;
+        else if (number && w != "a" && w != "an" && i + 1 < words.size() &&
+                 is_one_of(words[i + 1], {"degrees", "degree", "deg"}))
+            degrees = *number;
+        else if (is_one_of(w, {"by", "to", "a"}) && i + 1 < words.size()) {
+            // "by 45 degrees", "to the left", "a bit"
+            if (!(w == "by" || is_one_of(words.back(), {"left", "right", "bit", "little", "turn"}))) continue;
+        } else continue;
+        end = std::min(end, i);
+        if (!degrees && (side || w.ends_with("clockwise"))) degrees = 90.f;
+    }
+    if (!degrees) return {};
+    return *degrees * sign * kDegree;
+}
+
+}  // namespace
+
+// "the armchair around", "the sofa towards the tv", "the walls green", "the armchair into a sofa"
+void turn(Talk& talk, const Words& words) {
+    // "so that it stands against the wall"
+    if (const std::size_t so = find_word(words, {"so"}, 1), stands = find_word(words, {"stands", "is", "hangs"}, so);
+        stands + 1 < words.size()) {
+        Words all = part_of(words, 0, so);
+        const Words to = part_of(words, stands + 1);
+        all.insert(all.end(), to.begin(), to.end());
+        return move(talk, all);
+    }
+    // "so that it faces the door"
+    const std::size_t purpose = find_word(words, {"so"}, 1);
+    if (const std::size_t so = std::min(find_word(words, {"faces", "looks"}, 1),
+                                        find_word(words, {"face", "look", "point"}, purpose));
+        so < words.size()) {
+        Words all = part_of(words, 0, so);
+        // "so that the chair faces the door" is no turn of the desk.
+        if (const std::size_t that = find_word(words, {"so"}, 1);
+            that < so && so - that > 2 && !is_one_of(words[so - 1], {"it", "they", "that"}))
+            throw UsageError("expected what is turned to face something itself, found \"{}\"", text_of(words));
+        while (all.size() > 1 && is_one_of(all.back(), {"so", "that", "it", "they", "and"})) all.pop_back();
+        all.push_back("facing");
+        const Words to = part_of(words, so + 1);
+        all.insert(all.end(), to.begin(), to.end());
+        return face(talk, all);
+    }
+    const std::size_t towards = find_word(words, {"towards", "toward", "facing", "face"}, 1);
+    std::size_t end = words.size();
+    const auto angle = angle_said(words, end);
+    if (towards < words.size()) return face(talk, words);
+    if (find_word(words, {"upside", "over"}) < words.size())
+        throw UsageError("things are turned about the vertical only, found \"{}\"", text_of(words));
+    if (shine_said(talk, words)) return;
+    EditStep step;
+    step.kind = EditStep::Kind::turn;
+    if (!angle) {
+        for (std::size_t i = 1; i < words.size(); ++i)
+            if (value_of(part_of(words, i))) return make(talk, words);
+        if (find_word(words, {"into"}, 1) < words.size()) return make(talk, words);
+        if (find_word(words, {"to"}, 1) < words.size()) return face(talk, words);
+    }
+    step.yaw = angle.value_or(kPi / 2);
+    step.ids = talk.things_of_parts(part_of(words, 0, end));
+    talk.editor.apply(step);
+}
+
+void face(Talk& talk, const Words& words) {
+    std::size_t end = find_word(words, {"towards", "toward", "facing", "face"}, 1);
+    if (end == words.size()) end = find_word(words, {"to", "at", "into"}, 1);
+    std::size_t next = end;
+    while (next < words.size() && is_one_of(words[next], {"towards", "toward", "facing", "face", "to", "at", "into"}))
+        ++next;
+    Words thing = part_of(words, 0, end);
+    while (thing.size() > 1 && is_one_of(thing.back(), {"to", "so", "it", "around", "that", "should"}))
+        thing.pop_back();
+    Words target = part_of(words, next);
+    if (target.empty())
+        throw UsageError("expected what \"{}\" is to face, for example \"to the window\"", text_of(words));
+    EditStep step;
+    step.kind = EditStep::Kind::face;
+    const std::vector<std::string> spoken = talk.last;
+    step.ids = talk.things_of_parts(thing);
+    // "The second desk to face the first"
+    if (is_one_of(target.back(), {"first", "second", "third", "last"}) && !talk.noun.empty())
+        target.push_back(talk.noun);
+    const std::string text = text_of(target);
+    if (text == "each other" || text == "one another") {
+        if (step.ids.size() != 2)
+            throw UsageError("expected two things that face each other, found {}", step.ids.size());
+        for (const std::size_t k : {0u, 1u}) {
+            EditStep one = step;
+            one.ids = {step.ids[k]}, one.at = {step.ids[1 - k]};
+            one.wish.relation_to = talk.editor.placed(step.ids[1 - k]).piece.kind;
+            talk.editor.apply(one);
+        }
+        return;
+    }
+    const std::string noun = target.back();
+    // "move it before the fire, facing it"; "move the tv to the window and turn the sofa towards it"
+    const bool placed_there = spoken.empty() || spoken == step.ids;
+    if (noun == "it" && placed_there && !talk.last_place.wish.relation_to.empty()) {
+        step.wish.relation_to = talk.last_place.wish.relation_to;
+        step.at = things_at(talk.editor, talk.last_place);
+    } else if (is_one_of(noun, {"me", "us", "camera", "viewer"})) step.wish.relation_to = "viewer";
+    else if (is_one_of(noun, {"room", "middle", "center", "centre", "inside"})) step.wish.relation_to = "room";
+    else {
+        Words at{"opposite"};
+        at.insert(at.end(), target.begin(), target.end());
+        const auto place = place_of(talk.editor, at, asked_kind(talk.editor.placed(step.ids.front())), step.ids.front(),
+                                    spoken);
+        if (!place) throw UsageError("expected a thing or an opening to face, found \"{}\"", text);
+        step.wish.relation_to = place->step.wish.relation_to;
+        step.at = things_at(talk.editor, place->step);
+        // "The windows" of one wall are faced as that wall is.
+        const bool openings = noun_of(noun) == place->step.wish.relation_to && noun.ends_with("s");
+        if (const auto wall = openings ? wall_with(talk.editor.plan(), noun_of(noun)) : std::nullopt) step.wall = *wall;
+        // "To the wall": that at its back, unless another one was said.
+        if (noun_of(noun) == "wall") {
+            step.wish.relation_to = "wall", step.wall = place->step.wall;
+            if (step.wall < 0) step.wall = wall_behind(talk.editor.plan(), talk.editor.placed(step.ids.front()));
+            if (step.wall < 0) throw UsageError("which wall? found \"{}\"", text);
+        }
+    }
+    talk.editor.apply(step);
+}
+
+}  // namespace fastscene::editing
