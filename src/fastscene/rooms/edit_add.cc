@@ -210,6 +210,11 @@ void add(Talk& talk, const Words& words) {
         all.insert(all.end(), {"on", "it"});
         return add(talk, all);
     }
+    if (words.size() > 2 && words.back() == "one" && talk.last.empty() && !talk.noun.empty()) {
+        Words all = words;
+        all.back() = talk.noun;
+        return add(talk, all);
+    }
     // "The tv is too small, get a bigger one": in place of that.
     if (words.size() > 2 && words.back() == "one" && !talk.last.empty() &&
         value_of(part_of(words, 1, words.size() - 1)))

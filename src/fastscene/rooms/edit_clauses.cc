@@ -315,6 +315,11 @@ Words part_of(const Words& words, std::size_t from, std::size_t to) {
                      : Words{};
 }
 
+Words joined_words(Words first, const Words& second) {
+    first.insert(first.end(), second.begin(), second.end());
+    return first;
+}
+
 std::vector<Words> parts_of(const Words& words) {
     std::vector<Words> parts{{}};
     bool between = false;
@@ -379,6 +384,12 @@ std::vector<Clause> clauses_of(const std::string& sentence) {
     std::erase_if(words, [](const std::string& w) {
         return is_one_of(w, {"maybe", "perhaps", "preferably", "ideally", "possibly"});
     });
+    // "A bathtub in place of the shower"
+    for (std::size_t i = 1; i + 2 < words.size(); ++i)
+        if (words[i] == "in" && words[i + 1] == "place" && words[i + 2] == "of") {
+            words[i] = "instead";
+            words.erase(words.begin() + static_cast<std::ptrdiff_t>(i) + 1);
+        }
     std::vector<Clause> out;
     bool begins = true;
     for (std::size_t i = 0; i < words.size();) {

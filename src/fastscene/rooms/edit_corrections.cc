@@ -25,11 +25,6 @@ std::size_t value_at(const Words& words) {
     return words.size();
 }
 
-Words joined_words_of(Words first, const Words& second) {
-    first.insert(first.end(), second.begin(), second.end());
-    return first;
-}
-
 bool is_number(const std::string& word) { return number_said(word) && !is_one_of(word, {"a", "an"}); }
 
 // Thrown to undo what was tried.
@@ -70,10 +65,9 @@ Clause amended(const Clause& before, const Clause& anew) {
     Words rest = anew.words;
     const std::size_t value = value_at(before.words), place = next_place(before.words);
     if (rest.empty()) return before;
-    if (value_of(rest) && value < before.words.size())
-        out.words = joined_words_of(part_of(before.words, 0, value), rest);
+    if (value_of(rest) && value < before.words.size()) out.words = joined_words(part_of(before.words, 0, value), rest);
     else if (relation_at(rest, 0) && !is_definite(rest.front()))
-        out.words = joined_words_of(part_of(before.words, 0, place), rest);
+        out.words = joined_words(part_of(before.words, 0, place), rest);
     else if (rest.size() == 1 && is_number(rest.front())) {
         const auto number = std::find_if(out.words.begin(), out.words.end(), is_number);
         if (number == out.words.end() && !out.words.empty() && is_one_of(out.words.front(), {"a", "an"}))
@@ -84,7 +78,7 @@ Clause amended(const Clause& before, const Clause& anew) {
         const std::size_t end = std::min(value, place);
         if (is_one_of(rest.back(), {"one", "ones"}) && end > 0) rest.back() = before.words[end - 1];
         const bool complete = next_place(rest) < rest.size() || value_at(rest) < rest.size();
-        out.words = complete ? rest : joined_words_of(rest, part_of(before.words, end));
+        out.words = complete ? rest : joined_words(rest, part_of(before.words, end));
     }
     out.there = anew.there;
     return out;

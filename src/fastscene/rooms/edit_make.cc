@@ -335,9 +335,22 @@ Words without_source(Words words) {
     return words;
 }
 
+// "all chairs blue except the last one" -> "all chairs except the last one blue"
+Words with_exception_first(const Words& words) {
+    const std::size_t except = find_word(words, {"except"}, 2);
+    std::size_t value = 1;
+    while (value < except && !value_of(part_of(words, value, except))) ++value;
+    if (except + 1 >= words.size() || value >= except) return words;
+    Words out = part_of(words, 0, value);
+    const Words rest = part_of(words, except), look = part_of(words, value, except);
+    out.insert(out.end(), rest.begin(), rest.end());
+    out.insert(out.end(), look.begin(), look.end());
+    return out;
+}
+
 // "the sofa a green cover" -> "the sofa green"
 Words as_made(Words words) {
-    words = without_source(std::move(words));
+    words = with_exception_first(without_source(std::move(words)));
     if (words.size() > 3 && is_one_of(words.back(), {"color", "look", "finish", "cover", "coat", "paint", "tone"}))
         words.pop_back();
     return words;

@@ -270,6 +270,7 @@ std::vector<Clause> clauses_of(const std::string& sentence);
 
 std::string text_of(const Words& words, std::size_t from = 0, std::size_t to = std::string::npos);
 Words part_of(const Words& words, std::size_t from, std::size_t to = std::string::npos);
+Words joined_words(Words first, const Words& second);
 bool is_joint(const std::string& word);     // a comma, "and" …
 bool is_definite(const std::string& word);  // "the", "my" …
 bool begins_anew(const Words& words);       // "a plant", "two chairs", "another lamp", "books": none of those there
@@ -289,6 +290,7 @@ void take_back(Talk& talk, const Clause& clause);
 
 // ---- edit_words.cc: which things of the room words mean
 
+std::string singular(const std::string& word);  // "chair" of "chairs"
 // The words as a prompt about such a room.
 PromptSpec read_in_room(const Editor& editor, const std::string& words);
 // All that they may mean; none if nothing is like it.
@@ -319,6 +321,7 @@ std::optional<std::vector<int>> by_what_they_carry(const Editor& editor, const W
 
 // "which chair? chair-1 by desk-1, chair-2 at the door"
 [[noreturn]] void refuse_many(const std::string& words, const Editor& editor, const std::vector<int>& found);
+bool is_viewpoint(const std::string& word);  // where the room is seen from, which is no thing
 // With the few that are most like it: of its class, or the largest.
 [[noreturn]] void refuse_none(const std::string& words, const Editor& editor, const std::string& kind);
 

@@ -25,6 +25,9 @@ std::optional<Word> stand_in_word(const PromptObject& wish) {
 
 // What a remark speaks of is "them" in the clauses that follow.
 void remark(Talk& talk, const Words& words) {
+    // "The rug is missing, add a red one": a red rug.
+    if (words.size() > 3 && words.front() == "the" && words.back() == "missing")
+        talk.last.clear(), talk.noun = words[1];
     const std::size_t end = find_word(
         words, {"is", "isn't", "isnt", "are", "aren't", "arent", "don't", "dont", "doesn't", "doesnt", "look", "looks",
                 "feel", "feels", "seem", "seems", "blocks", "clash", "clashes"});

@@ -124,7 +124,7 @@ std::vector<std::string> Talk::all_but(const Words& words, Words others) {
     // "the largest one", "the one above the bed"
     if (const std::size_t one = find_word(others, {"one", "ones"}, others.size() > 1 ? 1 : 0);
         one < others.size() && !(one + 1 < others.size() && others[one + 1] == "of"))
-        others[one] = words.back();
+        others[one] = others[one] == "one" ? singular(words.back()) : words.back();
     const std::vector<std::string> left = things_of_parts(others);
     std::erase_if(ids, [&](const std::string& id) { return std::find(left.begin(), left.end(), id) != left.end(); });
     if (ids.empty()) throw UsageError("nothing but {} is meant by \"{}\"", left.front(), text_of(words));

@@ -126,7 +126,7 @@ void face(Talk& talk, const Words& words) {
     if (noun == "it" && placed_there && !talk.last_place.wish.relation_to.empty()) {
         step.wish.relation_to = talk.last_place.wish.relation_to;
         step.at = things_at(talk.editor, talk.last_place);
-    } else if (is_one_of(noun, {"me", "us", "camera", "viewer"})) step.wish.relation_to = "viewer";
+    } else if (is_one_of(noun, {"me", "us"}) || is_viewpoint(noun)) step.wish.relation_to = "viewer";
     else if (is_one_of(noun, {"room", "middle", "center", "centre", "inside"})) step.wish.relation_to = "room";
     else {
         Words at{"opposite"};

@@ -24,11 +24,6 @@ constexpr std::array<Complaint, 22> kComplaints{{
     {"gloomy", "brighter", "darker"},
 }};
 
-Words joined_words(Words a, const Words& b) {
-    a.insert(a.end(), b.begin(), b.end());
-    return a;
-}
-
 bool hangs(Talk& talk, const Words& subject) {
     for (const std::string& id : talk.things(subject))
         if (talk.editor.placed(id).piece.mount != Mount::wall && talk.editor.placed(id).piece.mount != Mount::ceiling)
@@ -145,7 +140,7 @@ bool add_to_those(Talk& talk, const Words& words) {
         thing.pop_back();
     if (!begins_anew(what) || is_one_of(what.front(), {"to", "be"}) || value_of(what)) return false;
     const std::size_t place = next_place(what);
-    if (place == what.size()) what.push_back("at");
+    if (place == what.size()) what.push_back("to");
     else if (is_one_of(what.back(), {"it", "them", "top"}) && place + 2 >= what.size()) what.resize(place + 1);
     else return false;
     what.insert(what.end(), thing.begin(), thing.end());

@@ -120,8 +120,11 @@ void refuse_many(const std::string& words, const Editor& editor, const std::vect
                      found.size() > kMost ? fmt::format(" and {} more", found.size() - kMost) : "");
 }
 
+bool is_viewpoint(const std::string& word) { return is_one_of(word, {"camera", "viewpoint", "viewer"}); }
+
 void refuse_none(const std::string& words, const Editor& editor, const std::string& kind) {
-    if (find_word(tokens_of(words), {"camera", "viewpoint", "viewer"}) < tokens_of(words).size())
+    const Words tokens = tokens_of(words);
+    if (std::any_of(tokens.begin(), tokens.end(), is_viewpoint))
         throw UsageError(
             "the camera stays where it is; \"camera\" in the document says where it stands and looks "
             "(docs/room-document.md)");

@@ -33,12 +33,6 @@ bool is_a(const std::string& kind, const std::string& word) {
                                                                                    "single", "tall", "low", "corner"});
 }
 
-std::string singular(const std::string& word) {
-    for (const std::string& form : base_forms(word))
-        if (form != word && look_up(form)) return form;
-    return word;
-}
-
 bool says_several(const std::vector<std::string>& words, const PromptObject& said) {
     return has_word(words, {"all", "both", "every", "each"}) || said.count > 1 || said.words.ends_with("s");
 }
@@ -382,6 +376,12 @@ std::optional<int> id_said(const RoomDocument& document, const std::string& word
 }
 
 }  // namespace
+
+std::string singular(const std::string& word) {
+    for (const std::string& form : base_forms(word))
+        if (form != word && look_up(form)) return form;
+    return word;
+}
 
 PromptSpec read_in_room(const Editor& editor, const std::string& words) {
     PromptSpec spec = understand_prompt("a " + room_title(editor.document().type) + " with " + words, false,
