@@ -54,6 +54,12 @@ void warn_of_losses(const std::string& to, const Splats& splats, const Run& run)
     if (splats.filter.antialias && !format.antialias)
         run.warn(fmt::format("{}: {} cannot store that these splats are antialiased: small ones will look too bright",
                              to, format.ending));
+    const float usual = FootprintFilter{}.low_pass_px2;
+    if (splats.filter.low_pass_px2 != usual && !format.low_pass)
+        run.warn(fmt::format(
+            "{}: {} cannot store the low-pass of {} square pixels that these splats were trained with: render and "
+            "metrics will draw them with {}, blurred",
+            to, format.ending, splats.filter.low_pass_px2, usual));
 }
 
 // What georeferenced splats lie around, if the file can hold it.

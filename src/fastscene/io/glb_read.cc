@@ -70,8 +70,12 @@ class Glb : private GltfJson {
         for (const Splats& piece : pieces) append(all, piece);
         // A file has a single rendering mode: that of its first primitive.
         const Json& first = *parts.front().primitive;
-        all.filter.antialias |= first.contains("extras") && first.at("extras").is_object() &&
-                                first.at("extras").value("antialiased", Json()) == Json(true);
+        if (first.contains("extras") && first.at("extras").is_object()) {
+            const Json& extras = first.at("extras");
+            all.filter.antialias |= extras.value("antialiased", Json()) == Json(true);
+            if (const Json low_pass = extras.value(kLowPassKey, Json()); low_pass.is_number())
+                all.filter.low_pass_px2 = low_pass_px2_from(low_pass.get<double>());
+        }
         ReadSplats read(std::move(all));
         read.warnings = std::move(warnings_);
         read.offset_m = offset_;

@@ -100,7 +100,10 @@ std::string splat_glb_bytes(const Splats& world, Vec3d offset_m) {
                          {"projection", "perspective"}};
     Json primitive{
         {"attributes", attributes.names}, {"mode", kPoints}, {"extensions", {{"KHR_gaussian_splatting", extension}}}};
-    if (splats.filter.antialias) primitive["extras"]["antialiased"] = true;  // the extension has no such property
+    // The extension has no such properties.
+    if (splats.filter.antialias) primitive["extras"]["antialiased"] = true;
+    if (splats.filter.low_pass_px2 != FootprintFilter{}.low_pass_px2)
+        primitive["extras"][kLowPassKey] = splats.filter.low_pass_px2;
     Json node{{"mesh", 0}};
     if (const Vec3d move = kGltfFromWorld * offset_m; move != Vec3d{}) node["translation"] = {move.x, move.y, move.z};
     const Json json{{"asset", {{"version", "2.0"}, {"generator", "fastscene"}}},

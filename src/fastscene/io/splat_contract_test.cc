@@ -107,6 +107,15 @@ TEST_P(EverySplatFormat, KeepsAntialiasing) {
     }
 }
 
+TEST_P(EverySplatFormat, KeepsTheLowPass) {
+    const float usual = FootprintFilter{}.low_pass_px2;
+    for (const float low_pass : {usual, 0.125f}) {
+        Splats splats = some_splats(20, 0);
+        splats.filter.low_pass_px2 = low_pass;
+        EXPECT_EQ(saved_and_loaded(splats).splats.filter.low_pass_px2, format().low_pass ? low_pass : usual);
+    }
+}
+
 TEST_P(EverySplatFormat, WritesTheSameBytesTwice) {
     save_splats(file("once"), some_splats(300, 2));
     save_splats(file("twice"), some_splats(300, 2));

@@ -52,7 +52,8 @@ struct SplatFormat {
     std::string about = {};    // what it is, in half a sentence
     std::string readers = {};  // other programs that read it
     int sh_degree = 3;         // the highest degree that it keeps
-    bool antialias = true;     // keeps Splats::antialias
+    bool antialias = true;     // keeps FootprintFilter::antialias
+    bool low_pass = true;      // keeps FootprintFilter::low_pass_px2
     bool keeps_order = true;   // splats come back in the order that they were written in
     bool empty = true;         // can hold no splats at all
     bool offset = false;       // keeps SplatWriting::offset_m
@@ -66,6 +67,10 @@ struct SplatFormat {
     std::string (*write)(const Splats& splats, const SplatWriting& writing) = nullptr;
 };
 
+// How formats with names for values call the low-pass, in square pixels. Our own; they say nothing of the usual one.
+inline constexpr const char* kLowPassKey = "lowPass";
+// The low-pass that a file records, or the usual one if no renderer could draw with it.
+float low_pass_px2_from(double recorded);
 // By the name's ending, upper or lower case; null if it has none of a format.
 const SplatFormat* splat_format_of_name(const std::filesystem::path& path);
 // ".compressed.ply, .glb, .ply, .sog, .splat or .spz"

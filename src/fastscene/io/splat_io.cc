@@ -10,6 +10,11 @@
 namespace fastscene {
 namespace fs = std::filesystem;
 
+float low_pass_px2_from(double recorded) {
+    const bool sensible = recorded >= kLeastLowPassPx2 && recorded <= kMostLowPassPx2;
+    return sensible ? static_cast<float>(recorded) : FootprintFilter{}.low_pass_px2;
+}
+
 const SplatFormat* splat_format_of_name(const fs::path& path) {
     std::string name = path.filename().string();
     for (char& c : name) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;

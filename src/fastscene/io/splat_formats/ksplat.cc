@@ -203,6 +203,7 @@ SplatFormat ksplat() {
             .readers = "GaussianSplats3D, Spark",
             .sh_degree = kHighestSh,
             .antialias = false,
+            .low_pass = false,
             .precision = {.opacity_logit = 0.05f, .sh0 = 0.0071f},
             .read = read_ksplat,
             .write = write_ksplat};

@@ -32,9 +32,7 @@ FootprintFilter footprint_filter(const Ply& ply) {
         if (c == "SplatRenderMode: mip" || (c.starts_with("antialiased ") && c != "antialiased 0"))
             filter.antialias = true;
         std::istringstream number(c.starts_with(kLowPassComment) ? c.substr(kLowPassComment.size()) : "");
-        float low_pass = 0;
-        if (number >> low_pass && low_pass >= kLeastLowPassPx2 && low_pass <= kMostLowPassPx2)
-            filter.low_pass_px2 = low_pass;
+        if (float low_pass = 0; number >> low_pass) filter.low_pass_px2 = low_pass_px2_from(low_pass);
     }
     return filter;
 }

@@ -150,6 +150,7 @@ std::string write_sog(const Splats& splats, const SplatWriting&) {
     Files files(1);
     Json meta{{"version", 2}, {"asset", {{"generator", "fastscene"}}}, {"count", s.size()}};
     meta["antialias"] = s.filter.antialias;
+    if (s.filter.low_pass_px2 != FootprintFilter{}.low_pass_px2) meta[kLowPassKey] = s.filter.low_pass_px2;
     meta["means"] = add_means(s, files);
     meta["scales"] = add_codes(s.log_scale, "scales.webp", files, [](std::size_t) { return 255; });
     meta["quats"] = add_rotations(s, files);
@@ -266,6 +267,8 @@ class Bundle {
         picture(meta_.at("quats").at("files"), 0, count_);
         Splats s;
         s.filter.antialias = meta_.value("antialias", false);
+        if (const Json low_pass = meta_.value(kLowPassKey, Json()); low_pass.is_number())
+            s.filter.low_pass_px2 = low_pass_px2_from(low_pass.get<double>());
         if (meta_.contains("shN")) s.sh_degree = meta_.at("shN").at("bands").get<int>();
         if (s.sh_degree < 0 || s.sh_degree > 3)
             throw Error("{}: expected harmonics of degree 0 to 3, found {}", name_, s.sh_degree);

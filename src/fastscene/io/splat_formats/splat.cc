@@ -59,6 +59,7 @@ SplatFormat splat() {
             .readers = "antimatter15/splat, SuperSplat, gsplat.js",
             .sh_degree = 0,
             .antialias = false,
+            .low_pass = false,
             .precision = {.rotation = 0.02f, .opacity_logit = 0.05f, .sh0 = 0.0071f},
             .read = read_splat,
             .write = write_splat};

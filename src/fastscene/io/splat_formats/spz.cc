@@ -11,6 +11,7 @@ SplatFormat spz() {
             .ending = ".spz",
             .about = "Niantic's SPZ; version 3 (gzip) by default, `--spz-version 2` or `4` (zstd)",
             .readers = "Scaniverse, Babylon, Cesium, three.js",
+            .low_pass = false,
             .precision = {.mean_m = 1.3e-4f,
                           .log_scale = 0.0313f,
                           .rotation = 0.006f,

@@ -134,6 +134,7 @@ ReadSplats read_usda(const std::filesystem::path& file, std::string_view bytes) 
     if (!harmonics) splats.sh_degree = 0;
     splats.resize(count);
     splats.filter.antialias = text.says("bool antialias = 1");
+    if (const auto low_pass = text.number(kLowPassKey, 0)) splats.filter.low_pass_px2 = low_pass_px2_from(*low_pass);
     for (std::size_t i = 0; i < count; ++i) {
         const auto three = [i](const std::vector<float>& v) { return Vec3f{v[3 * i], v[3 * i + 1], v[3 * i + 2]}; };
         splats.mean_m[i] = three(*positions);
@@ -187,9 +188,13 @@ std::string write_usda(const Splats& in_world, const SplatWriting&) {
     Splats splats = in_world;
     transform(splats, {kGltfFromWorld, 1, {}});
     const std::size_t count = splats.size(), rest = static_cast<std::size_t>(splats.rest_coefficients());
+    std::vector<std::string> metadata{"customData = {",
+                                      fmt::format("    bool antialias = {}", splats.filter.antialias ? 1 : 0)};
+    if (splats.filter.low_pass_px2 != FootprintFilter{}.low_pass_px2)
+        metadata.push_back(fmt::format("    float {} = {}", kLowPassKey, splats.filter.low_pass_px2));
+    metadata.push_back("}");
     UsdaWriter out("Splats", "Gaussian splats by fastscene. Colors are sRGB-encoded; x left, y up, z forward.");
-    out.begin(fmt::format("def {}", kType), "Splats",
-              {"customData = {", fmt::format("    bool antialias = {}", splats.filter.antialias ? 1 : 0), "}"});
+    out.begin(fmt::format("def {}", kType), "Splats", metadata);
     out.array("float3[] extent", extent_of(splats));
     out.array("point3f[] positions", listed(count, 3, [&](std::size_t i, const auto& put) {
                   for (std::size_t a = 0; a < 3; ++a) put(splats.mean_m[i][a]);
