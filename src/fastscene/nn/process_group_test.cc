@@ -162,6 +162,7 @@ TEST(ProcessGroup, ProcessZeroDoesNotWaitForever) {
     }
 }
 
+#ifdef FASTSCENE_GLOO
 TEST(Rendezvous, AdmitsAgainWhoMissedItsRound) {
     const Three three;
     const Endpoint endpoint{"localhost", three.port()};
@@ -179,6 +180,7 @@ TEST(Rendezvous, AdmitsAgainWhoMissedItsRound) {
     EXPECT_EQ(second.get().number, 3);
     EXPECT_FALSE(first.has_newcomer());
 }
+#endif
 
 TEST(Connections, KnowTheirAddresses) {
     const std::optional<Route> route = route_to({"localhost", 20000});
