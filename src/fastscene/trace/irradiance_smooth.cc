@@ -121,7 +121,7 @@ int IrradianceCache::near_plane(Vec3f point, int facing) const {
 // wall is no edge. Steps of 1, 2, 4 … give a wide filter at few taps.
 void IrradianceCache::smooth(bool indirect, int step, std::vector<float>& error) {
     constexpr float kSameSurface = 0.5f;
-    constexpr float kBeside = 0.577f;  // weight of a neighbour; of a diagonal one, its square
+    constexpr float kBeside = 0.577f;  // a Gaussian of 0.95 steps, one step away; for diagonals, its square
     std::vector<Vec3f> out(cells_.size());
     std::vector<float> left(cells_.size());
     parallel_for(static_cast<std::int64_t>(cells_.size()), 1024, [&](std::int64_t begin, std::int64_t end) {

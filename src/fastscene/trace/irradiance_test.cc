@@ -36,7 +36,8 @@ Partition partitioned_room() {
     return out;
 }
 
-// Two seeds differ by noise alone; on a wall it is seen as blotches. So few paths would leave 10 % of it unfiltered.
+// Two seeds differ by noise alone; on a wall it is seen as blotches. 0.016 was measured, and 0.020 with a filter that
+// follows the axes instead of the wall.
 TEST(Irradiance, WallsHaveNoBlotches) {
     const Partition at = partitioned_room();
     const SceneBvh bvh(at.room);
