@@ -261,7 +261,7 @@ std::string Layout::accent_of(const std::string& kind) const {
     return {};
 }
 
-PieceRequest Layout::request(std::string kind, const PromptObject* wish) {
+PieceRequest Layout::request(std::string kind, const PromptObject* wish, const std::string& pattern) {
     if (sample_ && wish && (wish->kind == kind || sample_->kind == kind)) {
         PieceRequest again = *sample_;
         if (!again.style) again.style = &plan_.style;
@@ -314,6 +314,7 @@ PieceRequest Layout::request(std::string kind, const PromptObject* wish) {
             if (o.kind == "kitchen_counter" && !o.forbidden)
                 r.holder_material = o.holder_material, r.holder_color = o.holder_color;
     if (r.material.empty() && !r.model) r.material = accent_of(r.kind);
+    if (r.pattern.empty()) r.pattern = pattern;
     vary(r);
     return r;
 }

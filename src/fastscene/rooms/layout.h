@@ -116,6 +116,8 @@ class Layout {
     std::optional<int> stand_at(const Piece& piece, Vec2f at, float yaw, const PromptObject& from, const Spare& spare,
                                 bool with_clearance = false);
     std::optional<int> hang_at(const Piece& piece, int wall, float u, const PromptObject& from);
+    // Whether it could hang there.
+    bool can_hang_at(const Piece& piece, int wall, float u) const { return hung(piece, wall, u).has_value(); }
     // Rugs: under a piece, shifted towards its front; or with the middle anywhere.
     std::optional<int> under(int anchor, const PieceRequest& request, float shift_front_m,
                              const PromptObject& from = {});
@@ -156,8 +158,8 @@ class Layout {
     void make_as(std::shared_ptr<const PieceRequest> sample) { sample_ = std::move(sample); }
 
     // A wish for a piece that the furniture pack has, or has better, is served from there; another builder may stand
-    // in.
-    PieceRequest request(std::string kind, const PromptObject* wish = nullptr);
+    // in. The pattern is that of a piece for which the wish says none.
+    PieceRequest request(std::string kind, const PromptObject* wish = nullptr, const std::string& pattern = {});
     // While insisting, a piece stands where this wish says ("opposite the bed") or not at all; else only rather where
     // its own says.
     void insist(const PromptObject* where) { insisted_ = where; }
@@ -189,6 +191,7 @@ class Layout {
 
   private:
     void vary(PieceRequest& r) const;
+    std::optional<Placed> hung(const Piece& piece, int wall, float u) const;
     std::string accent_of(const std::string& kind) const;
     bool fits(const Placed& placed, bool with_clearance) const;
     // What a place is worth for being where the wish says.

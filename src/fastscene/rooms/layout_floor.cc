@@ -250,7 +250,7 @@ std::optional<int> Layout::stand_at(const Piece& piece, Vec2f at, float yaw, con
     return keep(std::move(p), from);
 }
 
-std::optional<int> Layout::hang_at(const Piece& piece, int wall, float u, const PromptObject& from) {
+std::optional<Placed> Layout::hung(const Piece& piece, int wall, float u) const {
     constexpr float kOffWall = 0.004f, kBelowCeiling = 0.2f;
     const WallFace face = plan_.wall(wall);
     Placed p;
@@ -263,7 +263,12 @@ std::optional<int> Layout::hang_at(const Piece& piece, int wall, float u, const 
     if (y < 0.f || !plan_.holds(box) || !hangs_on_wall(plan_, faces_, p) || !leaves_way(p)) return {};
     for (const Placed& other : placed_)
         if (!other.flat && (overlap(box, footprint_of(other)) || hides(other, p))) return {};
-    return keep(std::move(p), from);
+    return p;
+}
+
+std::optional<int> Layout::hang_at(const Piece& piece, int wall, float u, const PromptObject& from) {
+    std::optional<Placed> p = hung(piece, wall, u);
+    return p ? keep(std::move(*p), from) : std::nullopt;
 }
 
 std::optional<int> Layout::angled_towards(Vec2f target, const PieceRequest& request, const PromptObject& from) {

@@ -7,70 +7,15 @@
 #include <string>
 #include <utility>
 
+#include "fastscene/rooms/layout_pattern.h"
+
 namespace fastscene::furnishing {
 namespace {
 
-constexpr float kOffWall = 0.05f;      // of what stands with its back at a wall
 constexpr float kSeatDeep = 0.62f;     // floor that a seat at a table takes
 constexpr float kLeastClear = 0.9f;    // a piece that wants so much floor before it is gone to: tables keep off
 constexpr float kDrawnUp = 0.02f;      // between a desk and its chair
 constexpr float kLeastCounter = 1.1f;  // metres
-
-// The pieces of one pattern: what was asked for first, then as many as the pattern has.
-class Pattern {
-  public:
-    Pattern(Placement& p, std::string thing, bool alike) : p_(p), thing_(std::move(thing)), alike_(alike) {}
-
-    // Whether more may come.
-    bool open() {
-        const Wishes& wishes = p_.wishes();
-        if (wishes.forbids(thing_)) return false;
-        return wishes.has(thing_) || (p_.is_furnished() && !is_settled(p_.layout().spec(), thing_));
-    }
-    // Of this size, where the prompt says no other and the builder heeds it.
-    void sized(Vec3f size) { size_ = size; }
-    // The next piece, as it will be built.
-    const Piece& piece() {
-        const PromptObject* wish = p_.wishes().next(thing_);
-        if (wish) p_.wishes().give_back(wish);
-        if (piece_ && alike_ && wish == wish_) return *piece_;
-        wish_ = wish;
-        PieceRequest r = p_.layout().request(thing_, wish);
-        for (std::size_t a = 0; a < 3; ++a)
-            if (size_[a] > 0 && !(r.size_m[a] > 0)) r.size_m[a] = size_[a];
-        piece_ = make_piece(r);
-        return *piece_;
-    }
-    // Through `how`; what was placed moves as one with the first.
-    template <class How>
-    std::optional<int> place(const How& how) {
-        const PromptObject* wish = p_.wishes().next(thing_);
-        const auto index = how(wish ? *wish : PromptObject{});
-        if (!index) {
-            if (wish) p_.wishes().give_back(wish);
-            return {};
-        }
-        if (!alike_) piece_.reset();
-        if (first_ < 0) first_ = *index;
-        else p_.layout().join(*index, first_);
-        p_.attend(*index);
-        return index;
-    }
-    int first() const { return first_; }
-
-  private:
-    Placement& p_;
-    std::string thing_;
-    bool alike_;
-    Vec3f size_{};
-    std::optional<Piece> piece_;
-    const PromptObject* wish_ = nullptr;
-    int first_ = -1;
-};
-
-bool is_due(Placement& p, const RecipeStep& step, const std::string& thing) {
-    return p.wishes().asked(thing) || step.probability >= 1 || p.chance(step.probability);
-}
 
 Vec2f direction(float yaw) { return flat(front_of(yaw)); }
 float yaw_towards(int wall) {
@@ -264,61 +209,6 @@ void place_line(Placement& p, const RecipeStep& step, int anchor) {
                     length * ((static_cast<float>(i) + 0.5f) / static_cast<float>(count) - 0.5f));
 }
 
-// ---- along walls
-
-void place_run(Placement& p, const RecipeStep& step, int) {
-    const std::string thing = thing_of(step, p);
-    Pattern run(p, thing, step.alike);
-    if (!run.open() || !is_due(p, step, thing)) return;
-    constexpr float kTry = 0.1f;
-    int placed = 0;
-    for (const int wall : step.walls) {
-        const WallFace face = p.layout().plan().wall(wall);
-        int here = 0;
-        for (float u = std::max(step.side_m, 0.02f); u < face.length - step.side_m;) {
-            if (!run.open() || (step.most > 0 && placed >= step.most)) return;
-            if (step.block > 0 && here >= step.block) break;
-            const Piece piece = run.piece();
-            const Vec3f s = piece.size_m;
-            if (u + s.x > face.length - step.side_m + 0.02f) break;
-            const auto index = run.place([&](const PromptObject& o) {
-                if (s.x > 0 && piece.mount == Mount::wall) return p.layout().hang_at(piece, wall, u + s.x / 2, o);
-                const Vec3f at = face.point(u + s.x / 2, 0) + face.inward * (kOffWall + step.off_m + s.z / 2);
-                return p.layout().stand_at(piece, flat(at), yaw_of(face.inward), o, {}, true);
-            });
-            u += index ? s.x + std::max(step.gap_m, 0.01f) : kTry;
-            if (!index) continue;
-            ++placed, ++here;
-            follow_steps(step.then, p, *index);
-        }
-    }
-}
-
-// ---- at the middle of a wall: an altar, a blackboard, a screen
-
-void place_end(Placement& p, const RecipeStep& step, int) {
-    const std::string thing = thing_of(step, p);
-    Pattern end(p, thing, true);
-    if (!end.open() || !is_due(p, step, thing)) return;
-    constexpr float kStep = 0.25f;
-    constexpr int kSteps = 10;
-    for (const int wall : step.walls) {
-        const WallFace face = p.layout().plan().wall(wall);
-        if (step.length_m > 0) end.sized({std::min(step.length_m, face.length - 0.6f), 0, 0});
-        const Piece piece = end.piece();
-        for (int i = 0; i <= 2 * kSteps; ++i) {
-            const float aside = kStep * static_cast<float>((i + 1) / 2) * (i % 2 == 0 ? 1.f : -1.f),
-                        u = face.length / 2 + aside;
-            const auto index = end.place([&](const PromptObject& o) {
-                if (piece.mount == Mount::wall) return p.layout().hang_at(piece, wall, u, o);
-                const Vec3f at = face.point(u, 0) + face.inward * (step.off_m + kOffWall + piece.size_m.z / 2);
-                return p.layout().stand_at(piece, flat(at), yaw_of(face.inward), o, {});
-            });
-            if (index) return follow_steps(step.then, p, *index);
-        }
-    }
-}
-
 // ---- in the corners
 
 // One in each corner that is free, its back and its right side at the walls.
@@ -368,7 +258,7 @@ void place_lights(Placement& p, const RecipeStep& step, int) {
 }  // namespace
 
 std::span<const StepKind> pattern_kinds() {
-    static const std::array<StepKind, 8> all{{
+    static const std::array<StepKind, 9> all{{
         {"rows",
          {"thing", "first_asked", "other", "thing_share", "probability", "seat", "towards", "pitch_m", "gap_m",
           "aisle_m", "side_m", "front_m", "rear_m", "rows", "block", "alike", "then"},
@@ -393,7 +283,17 @@ std::span<const StepKind> pattern_kinds() {
          false,
          {},
          place_run},
-        {"end", {"thing", "first_asked", "probability", "walls", "off_m", "length_m", "then"}, false, {}, place_end},
+        {"end",
+         {"thing", "first_asked", "probability", "pattern", "walls", "off_m", "length_m", "then"},
+         false,
+         {},
+         place_end},
+        {"bare_walls",
+         {"thing", "first_asked", "probability", "pattern", "walls", "pitch_m", "side_m", "length_m",
+          "block", "most", "alike"},
+         false,
+         {},
+         place_bare},
         {"corners", {"thing", "first_asked", "probability", "then"}, false, {}, place_corners},
         {"lights", {"thing", "first_asked", "probability", "pitch_m", "fill"}, false, {}, place_lights},
     }};

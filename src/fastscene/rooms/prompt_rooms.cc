@@ -118,15 +118,21 @@ void leave_outside(Matches& m) {
     }
 }
 
-// "a hallway with a staircase": what may be a room by itself is a thing of the room that is named otherwise.
+// "a hallway with a staircase": what may be a room by itself is a thing of the room that is named otherwise; and of the
+// room that nobody names, where other things come first ("a bed and a closet").
 void take_as_things(Matches& m) {
     const auto is_named = [](const Match& x) { return x.is(WordKind::room) && !x.negated; };
     for (std::size_t i = m.size(); i-- > 0;) {
         const RoomType* type = is_named(m[i]) ? find_room_type(m[i].word->meaning) : nullptr;
         if (!type || type->as_thing.empty()) continue;
+        if (!type->thing_words.empty() &&
+            std::find(type->thing_words.begin(), type->thing_words.end(), m[i].words) == type->thing_words.end())
+            continue;
         const bool another = std::any_of(m.begin(), m.end(),
                                          [&](const Match& x) { return is_named(x) && x.word->meaning != type->name; });
-        if (another) m[i].word = Word{WordKind::object, type->as_thing};
+        const bool follows = std::any_of(m.begin(), m.begin() + static_cast<std::ptrdiff_t>(i),
+                                         [](const Match& x) { return x.is(WordKind::object); });
+        if (another || follows) m[i].word = Word{WordKind::object, type->as_thing};
     }
 }
 

@@ -114,6 +114,7 @@ class StepReader {
     }
 
     void read_pattern() {
+        if (t_.has("pattern")) s_.pattern = t_.text("pattern");
         if (t_.has("seat")) s_.seat = thing("seat");
         if (t_.has("back")) s_.back = thing("back");
         if (t_.has("towards")) s_.towards = static_cast<int>(t_.needed_choice("towards", file_fields::kWallNames));

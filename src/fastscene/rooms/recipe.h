@@ -51,6 +51,7 @@ struct RecipeStep {
     bool from_edge = false;  // … measured from the piece's front edge
     int seats = 2;           // usual number
     // Of patterns (layout_patterns.h), metres where no unit is said.
+    std::string pattern;                  // of the thing, where the prompt says none: what a poster is about
     std::string seat;                     // comes with each piece
     std::string back;                     // stands at the wall behind
     int towards = 0;                      // the wall that rows look at: 0 far, 1 right, 2 near, 3 left

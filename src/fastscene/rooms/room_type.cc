@@ -44,13 +44,15 @@ std::vector<std::string> things(const TomlTable& table, std::string_view key) {
 }
 
 const std::vector<std::string>& keys_of_types() {
-    static const std::vector<std::string> keys{
-        "name",         "title",       "words",        "words_near",      "rank",        "wet",
-        "for_children", "deep_paints", "next_rooms",   "next_door",       "second_room", "styles",
-        "look_at",      "surfaces",    "kind_of",      "house",           "guess_rank",  "main_thing",
-        "as_thing",     "own_things",  "table",        "table_when_near", "cooks",       "upright_chairs",
-        "per_person",   "most_people", "mess",         "meanings",        "size",        "shape",
-        "windows",      "touches",     "furnished_as", "recipe"};
+    static const std::vector<std::string> keys{"name",           "title",        "words",           "words_near",
+                                               "rank",           "wet",          "for_children",    "deep_paints",
+                                               "next_rooms",     "next_door",    "second_room",     "styles",
+                                               "look_at",        "surfaces",     "kind_of",         "house",
+                                               "guess_rank",     "main_thing",   "as_thing",        "thing_words",
+                                               "own_things",     "table",        "table_when_near", "cooks",
+                                               "upright_chairs", "per_person",   "most_people",     "mess",
+                                               "meanings",       "size",         "shape",           "windows",
+                                               "touches",        "furnished_as", "recipe"};
     return keys;
 }
 
@@ -200,6 +202,7 @@ class TypeReader {
         t_.guess_rank = top_.whole("guess_rank", 0, 0, 1000);
         t_.main_thing = one_thing("main_thing");
         t_.as_thing = one_thing("as_thing");
+        t_.thing_words = top_.texts("thing_words");
         t_.own_things = some_things("own_things");
         t_.table = one_thing("table");
         t_.table_when_near = one_thing("table_when_near");

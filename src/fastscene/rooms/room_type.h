@@ -84,14 +84,15 @@ struct RoomType {
     RoomWindows windows;
 
     // What its furniture says of it and it of its furniture.
-    int guess_rank = 0;                   // order in which types are guessed from things; 0: never
-    std::string main_thing;               // stands for it as a part of another room: "a desk" for "an office corner"
-    std::string as_thing;                 // what its words mean in a room that is named otherwise: "a staircase"
-    std::vector<std::string> own_things;  // stand here and hardly anywhere else
-    std::string table;                    // what "a table" means
-    std::string table_when_near;          // … in a room of `words_near`
-    bool cooks = true;                    // kitchen units have a stove
-    bool upright_chairs = false;          // a rattan chair is a chair to sit at a table, none to lounge in
+    int guess_rank = 0;                    // order in which types are guessed from things; 0: never
+    std::string main_thing;                // stands for it as a part of another room: "a desk" for "an office corner"
+    std::string as_thing;                  // what its words mean in a room that is named otherwise: "a staircase"
+    std::vector<std::string> thing_words;  // those of its words of which that is true; empty: all
+    std::vector<std::string> own_things;   // stand here and hardly anywhere else
+    std::string table;                     // what "a table" means
+    std::string table_when_near;           // … in a room of `words_near`
+    bool cooks = true;                     // kitchen units have a stove
+    bool upright_chairs = false;           // a rattan chair is a chair to sit at a table, none to lounge in
     std::vector<LocalMeaning> meanings;
     std::vector<std::string> per_person;  // "a study for two": two of each
     int most_people = 0;

@@ -26,6 +26,15 @@ enum class Print {
     toys,  // boxes
     hardware,
     parcels,  // cartons with a label
+    film_posters,
+    travel_posters,
+    offers,  // of shops
+    food_posters,
+    sport_posters,
+    concert_posters,
+    charts,   // of schools and laboratories
+    notices,  // rules and announcements
+    fashion_posters,
     count,
 };
 

@@ -184,8 +184,23 @@ void build_mixing_desk(Kit& k) {
     k.piece.clearance_front_m = 0.9f;
 }
 
-// Ridged foam in a frame, as studios have on their walls.
+// Ridged foam in a frame, as studios have on their walls; with the pattern "slats", upright timber before felt, as halls
+// have them.
 void build_acoustic_panel(Kit& k) {
+    if (k.request.pattern == "slats") {
+        const Vec3f s = k.wanted({1.2f, 2.4f, 0.05f});
+        const int timber = k.main(k.style.wood), felt = k.material(plain("felt", {0.03f, 0.03f, 0.032f}, 0.95f));
+        k.board(felt, {0, 0, 0.006f}, {s.x, s.y, 0.012f}, 0.001f);
+        constexpr float kPitch = 0.06f, kSlat = 0.042f;
+        const int slats = std::max(2, static_cast<int>(s.x / kPitch));
+        for (int i = 0; i < slats; ++i) {
+            const float x = s.x * ((static_cast<float>(i) + 0.5f) / static_cast<float>(slats) - 0.5f);
+            block(k, timber, {x, 0, 0.5f * (s.z + 0.012f)}, {kSlat, s.y, s.z - 0.012f});
+        }
+        k.piece.mount = Mount::wall;
+        k.piece.hang_height_m = 1.1f;  // above the backs of seats and the floor of a stage
+        return;
+    }
     const Vec3f s = k.wanted({1.2f, 0.9f, 0.08f});
     const int foam = k.main(plain("acoustic foam", {0.05f, 0.05f, 0.055f}, 0.95f)), frame = k.material(k.style.wood);
     k.board(frame, {0, 0, 0.012f}, {s.x, s.y, 0.024f}, 0.003f);

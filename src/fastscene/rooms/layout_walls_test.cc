@@ -1,0 +1,87 @@
+// Walls of rooms that are no homes: what hangs there, and how much is left bare.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "fastscene/rooms/layout.h"
+#include "fastscene/rooms/rooms.h"
+
+namespace fastscene {
+namespace {
+
+struct WalledRoom {
+    Plan plan;
+    std::vector<Placed> placed;
+};
+
+WalledRoom walled(const std::string& text, std::uint64_t seed) {
+    PromptSpec spec = understand_prompt(text, false);
+    Random rng(seed, "wall test");
+    WalledRoom out{make_plan(spec, rng), {}};
+    Layout layout(out.plan, spec, rng);
+    furnish(layout);
+    out.placed = layout.placed();
+    return out;
+}
+
+// The longest stretch of a wall without a door, a window, a thing that hangs or a tall one that stands at it, between
+// the heights at which one looks.
+float longest_bare_stretch(const WalledRoom& room) {
+    constexpr float kLow = 1.0f, kHigh = 2.0f, kStep = 0.1f, kAtWall = 0.7f;
+    float longest = 0;
+    for (int w = 0; w < 4; ++w) {
+        const WallFace face = room.plan.wall(w);
+        float bare = 0;
+        for (float u = 0; u < face.length; u += kStep) {
+            const Footprint column{flat(face.point(u, 0) + face.inward * (kAtWall / 2)),
+                                   {kStep / 2, kAtWall / 2},
+                                   yaw_of(face.inward),
+                                   kLow,
+                                   kHigh};
+            const bool taken = !wall_is_free(room.plan, face, u, u + kStep, kLow, kHigh) ||
+                               std::any_of(room.placed.begin(), room.placed.end(), [&](const Placed& p) {
+                                   return !p.overhead && overlap(column, footprint_of(p));
+                               });
+            bare = taken ? 0 : bare + kStep;
+            longest = std::max(longest, bare);
+        }
+    }
+    return longest;
+}
+
+TEST(Walls, OfPublicRoomsAreNotLeftBare) {
+    // Between two groups of posters there may be as much wall as one can hold at arm's length, and not much more.
+    constexpr float kMostBare = 4.f;
+    for (const std::string text : {"a bakery", "a casino", "a classroom", "a concert hall", "an auditorium", "a lobby",
+                                   "a fast food restaurant", "a bowling alley", "a toy store"})
+        for (const std::uint64_t seed : {1, 2, 3})
+            EXPECT_LT(longest_bare_stretch(walled(text, seed)), kMostBare) << text << ", seed " << seed;
+}
+
+TEST(Walls, HaveNoPosterTwiceUntilAllAreUp) {
+    for (const std::string text : {"a cinema", "a gym", "a video store", "a classroom", "a fast food restaurant"})
+        for (const std::uint64_t seed : {1, 2, 3}) {
+            std::set<std::string> forms;
+            int posters = 0;
+            for (const Placed& p : walled(text, seed).placed)
+                if (p.piece.kind == "poster") ++posters, forms.insert(p.piece.form);
+            EXPECT_GE(static_cast<int>(forms.size()), std::min(posters, 6)) << text << ", seed " << seed;
+        }
+}
+
+TEST(Walls, SayInLettersWhatTheRecipeSays) {
+    const WalledRoom room = walled("a bakery", 1);
+    const auto letters = std::find_if(room.placed.begin(), room.placed.end(),
+                                      [](const Placed& p) { return p.piece.kind == "wall_letters"; });
+    ASSERT_NE(letters, room.placed.end());
+    EXPECT_EQ(letters->piece.made_from->pattern, "BAKERY");
+    EXPECT_GT(letters->position.y, 1.8f);
+    // Wide, flat and as high as a letter of that width is.
+    EXPECT_NEAR(letters->piece.size_m.x / letters->piece.size_m.y, 5.4f, 1.f);
+}
+
+}  // namespace
+}  // namespace fastscene
