@@ -155,19 +155,18 @@ TEST(Room, EveryKindInEveryStyleIsSound) {
     std::atomic<std::size_t> count = 0, pieces = 0;
     parallel_for(static_cast<std::int64_t>(rooms.size()), 1, [&](std::int64_t begin, std::int64_t) {
         const std::string& room = rooms[static_cast<std::size_t>(begin)];
-        // Types that name the styles that suit them come in those, and once: they are many.
+        // Each style once. Types that name the styles that suit them come in those: they are many.
         const std::vector<std::string>& own = room_type(room).styles;
         const std::vector<std::string> all = own.empty() ? styles() : own;
-        for (std::size_t i = 0; i < all.size(); ++i)
-            for (const std::uint64_t seed : {1u, 2u}) {
-                if (!own.empty() && seed != 1 + i % 2) continue;
-                SCOPED_TRACE(all[i] + " " + room + ", seed " + std::to_string(seed));
-                std::size_t placed = 0;
-                check_room(sound_room_of("a " + all[i] + " " + room_title(room), seed, placed), rays);
-                ++count, pieces += placed;
-            }
+        for (std::size_t i = 0; i < all.size(); ++i) {
+            const std::uint64_t seed = 1 + i % 2;
+            SCOPED_TRACE(all[i] + " " + room + ", seed " + std::to_string(seed));
+            std::size_t placed = 0;
+            check_room(sound_room_of("a " + all[i] + " " + room_title(room), seed, placed), rays);
+            ++count, pieces += placed;
+        }
     });
-    EXPECT_GE(count, 500u);
+    EXPECT_GE(count, 400u);
     EXPECT_GT(pieces, 15 * count) << "rooms are bare";
 }
 
