@@ -22,13 +22,6 @@ std::vector<std::string> not_understood(const PromptSpec& spec) {
 }
 std::vector<std::string> approximated(const PromptSpec& spec) { return words_of(spec, PromptWord::Fate::approximated); }
 
-// Also one that says there shall be none.
-const PromptObject* wish_of(const PromptSpec& spec, std::string_view kind) {
-    for (const PromptObject& o : spec.objects)
-        if (o.kind == kind) return &o;
-    return nullptr;
-}
-
 TEST(Prompt, WallsAndFloorsTakeAdjectivesToo) {
     const PromptSpec spec = read("White walls and an oak floor");
     const PromptObject *wall = object_of(spec, "wall"), *floor = object_of(spec, "floor");
