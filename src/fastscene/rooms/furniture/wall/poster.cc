@@ -96,7 +96,10 @@ void build_wall_letters(Kit& k) {
     constexpr float kUsualHigh = 0.34f;
     const Vec3f s = k.wanted({letters_width(words, kUsualHigh), 0, 0});
     const float high = kUsualHigh * s.x / letters_width(words, kUsualHigh), stroke = 0.17f * high, deep = 0.03f;
-    const int face = k.main(k.style.metal);
+    // They stand out from the wall.
+    constexpr float kDarkWall = 0.2f;
+    const bool dark = luminance(k.style.wall.color_a) < kDarkWall && luminance(k.style.metal.color_a) < kDarkWall;
+    const int face = k.main(dark ? plain("white letters", {0.66f, 0.65f, 0.61f}, 0.4f) : k.style.metal);
     for (const auto& line : letter_strokes(words, high)) {
         const Vec2f aside{-0.5f * s.x, 0.5f * stroke};
         for (std::size_t i = 0; i + 1 < line.size(); ++i) {
