@@ -49,7 +49,7 @@ constexpr std::array<Row, 24> kBeginnings{{
     {Verb::replace, "replace|exchange|substitute|swap out|switch out|change out|trade|trade in"},
     {Verb::swap, "swap|interchange"},
     {Verb::keep, "keep|leave"},
-    {Verb::line, "line up|line|align"},
+    {Verb::line, "line up|line|align|space|space out|spread out|distribute|even out"},
     {Verb::turn, "turn|rotate|spin|flip"},
     {Verb::face, "face|point|orient|aim|angle"},
     {Verb::color, "paint|color|recolor|dye|tint|repaint|reupholster|cover|tile|carpet|plaster"},

@@ -204,6 +204,12 @@ void apply_shaded(Talk& talk, EditStep step) {
     talk.editor.apply(step);
 }
 
+void tell_stand_ins(Talk& talk, const EditStep& step, const Value& value) {
+    for (const std::string& word : value.near)
+        talk.editor.note(step.ids.empty() ? step.surface : step.ids.front(),
+                         fmt::format("the nearest look there is to \"{}\"", word));
+}
+
 // The things that it is of; none: a surface.
 std::vector<std::string> make_one(Talk& talk, const Words& subject, const Value& value) {
     EditStep step;
@@ -233,6 +239,7 @@ std::vector<std::string> make_one(Talk& talk, const Words& subject, const Value&
     if (says_any(subject, {"worktop", "worktops", "countertop", "countertops"})) of_the_top(step.wish);
     if (value.by == Vec3f{}) {
         apply_shaded(talk, step);
+        tell_stand_ins(talk, step, value);
         return step.ids;
     }
     for (const std::string& id : step.ids) {
@@ -458,6 +465,7 @@ void recolor(Talk& talk, const std::string& surface, const Value& value) {
     step.kind = EditStep::Kind::recolor;
     step.surface = surface, step.wish = value.looks, step.brighter = value.brighter;
     apply_shaded(talk, step);
+    tell_stand_ins(talk, step, value);
 }
 
 bool each_on_or_off(const Words& words) {

@@ -71,6 +71,7 @@ class Editor {
     std::size_t deeds() const { return result_.changes.size() - notes_; }
     int index_of(const std::string& id) const;
     const Placed& placed(const std::string& id) const;
+    Vec3f usual_size(const PromptObject& wish) const;     // of such a thing, were it new; 0: there is none
     std::string color_seen(const std::string& id) const;  // by name, else "#rrggbb"
     // All of it, or nothing.
     void together(const std::function<void()>& change);
@@ -129,12 +130,20 @@ class Editor {
     Layout begin_layout(PromptSpec& spec, Random& rng, const std::vector<Placed>& standing, const Placed* moving) const;
     bool at_a_wall(Layout& layout, const EditStep& step, const Placed* moving) const;
     bool near_a_point(Layout& layout, const EditStep& step) const;
+
+    // ---- edit_why.cc
     std::string why_none_added(EditStep step) const;
+    // ": it takes 1.60 x 0.60 m, and wardrobe-1 is in the way"; `gone`: what is moved there. Empty: nobody could tell.
+    std::string what_is_missing(const EditStep& step, const Placed* moving, const std::vector<int>& gone) const;
+
+    // ---- edit_place.cc
     void place(const EditStep& step);
     void place_with_seats(int index, const EditStep& step);
     void place_one(int index, const std::vector<int>& along, EditStep step);
     void stand_at_found(int index, const Placed& found, const Standing& standing, const EditStep& step,
                         const std::vector<int>& along);
+
+    // ---- edit_layout.cc
     std::vector<Placed> with_added(const EditStep& step, bool& smaller) const;
     void add(const EditStep& step);
     void tell_aside(const std::string& id, const EditStep& step);
@@ -179,14 +188,25 @@ class Editor {
     void tell_missing_corners(const EditStep& step, std::size_t added);
     void check_no_pair(const EditStep& step) const;
 
+    // ---- edit_arrange.cc
+    void encircle(const EditStep& step);
+    void space_out(const EditStep& step);
+    void space_seats(int table, const std::vector<int>& seats);
+    void space_in_row(const std::vector<int>& all);
+    void set_poses(const std::vector<int>& things, const std::vector<Pose>& poses, const std::string& already);
+
     // ---- edit_shapes.cc
     void reshape(const EditStep& step);
     void reshape_one(int index, const std::string& shape);
     void gather_about(int index, const Placed& before, const std::vector<int>& seats, float further);
 
-    // ---- edit_exchange.cc
+    // ---- edit_swap.cc
     void swap(const EditStep& step);
-    void swap_two(int a, int b, const std::vector<int>& with_a, const std::vector<int>& with_b);
+    void swap_two(int a, int b, const std::vector<int>& with_a, const std::vector<int>& with_b, bool nearby);
+    std::optional<Placed> in_its_place(Standing& among, const Placed& p, const Placed& place, bool nearby,
+                                       std::vector<Squeezed>& pushed) const;
+
+    // ---- edit_exchange.cc
     void replace(const EditStep& step);
     std::vector<Placed> in_place_of(const std::vector<Placed>& all, const Standing& standing, const EditStep& step,
                                     const Placed& old, int nth, int here) const;
@@ -421,19 +441,25 @@ struct Value {
     Vec3f factor{1, 1, 1};
     Vec3f by{};  // metres
     float brighter = 1;
-    bool exactly = false;  // "twice as large", "20 percent", "10 cm": that or nothing
-    std::string shape;     // round oval square rectangular
-    bool shines = false;   // "brighter", "dimmer": of lamps that is their light
-    bool length = false;   // "longer", "shorter": of what is taller than wide that is its height
+    bool exactly = false;             // "twice as large", "20 percent", "10 cm": that or nothing
+    std::string shape;                // round oval square rectangular
+    bool shines = false;              // "brighter", "dimmer": of lamps that is their light
+    bool length = false;              // "longer", "shorter": of what is taller than wide that is its height
+    std::vector<std::string> near{};  // words that have only something like them: "suede"
     bool resizes() const { return !(factor == Vec3f{1, 1, 1}) || !(by == Vec3f{}) || !shape.empty(); }
 };
 // Nothing unless all the words are looks or sizes.
 std::optional<Value> value_of(const Words& words);
+// "tall", "low", "narrow" before a noun: of a new thing's usual width, height and depth; 1: no such word.
+Vec3f usual_factor(const Words& words);
 // "round", "a square shape"; empty: no shape.
 std::string shape_said(const Words& words);
 // "green", "light blue and white": nothing unless all are looks.
 std::optional<PromptObject> looks_of(const std::string& words);
 
+// ---- edit_layout.cc
+// Whether a thing is where its wish says, as people mean it.
+bool is_where_asked(const Plan& plan, const std::vector<Placed>& all, const Placed& piece, const PromptObject& wish);
 // ---- edit_search.cc
 // The wall that is at a thing's back; -1: none.
 int wall_behind(const Plan& plan, const Placed& p);
@@ -446,6 +472,10 @@ std::vector<Footprint> anchors_of(const Plan& plan, const std::vector<Placed>& p
 std::vector<Placed> grown(std::vector<Placed> all, const PromptObject& wish, float by);
 // From the ceiling above a thing: its middle, else along it.
 bool hang_above(Layout& layout, const PromptObject& wish);
+// ---- edit_exchange.cc
+// Where another stood; `on`: what carried that, in the layout. `aside`: metres along it.
+std::optional<int> take_place(Layout& layout, const PieceRequest& request, const PromptObject& wish,
+                              const Placed& place, int on, float aside);
 // ---- edit_shapes.cc
 // round, oval, square or rectangular; empty: none of those.
 std::string shape_of(const Piece& piece);
@@ -495,6 +525,9 @@ void stand_at(Talk& talk, const std::vector<std::string>& ids, Vec2f at);
 // ---- edit_turn.cc
 void turn(Talk& talk, const Words& words);
 void face(Talk& talk, const Words& words);  // "the sofa towards the tv", "the chair at the desk"
+// ---- edit_arrange.cc
+// "the chairs in a circle", "the pictures out evenly"; false: no such words.
+bool arrange(Talk& talk, const Words& words);
 // ---- edit_put.cc
 void put(Talk& talk, const Words& words);
 bool put_where(Talk& talk, const Clause& clause);  // "a plant where the pouf is"; false: no such words

@@ -302,6 +302,8 @@ void Talk::act(const Clause& whole) {
             add(*this, by);
         });
     }
+    const bool stands = clause.verb == Verb::put || clause.verb == Verb::move || clause.verb == Verb::line;
+    if (stands && arrange(*this, words)) return;
     if (put_where(*this, clause) || done_with(*this, clause)) return;
     switch (clause.verb) {
         case Verb::remove:

@@ -127,6 +127,37 @@ Words counted_anew(Words words) {
     return words;
 }
 
+namespace {
+
+// What stands on the floor with neither a back nor a top.
+bool is_slender(const Editor& editor, const PromptObject& wish) {
+    PromptSpec spec = editor.room().spec;
+    Random rng(0, "slender");
+    Layout layout(editor.plan(), spec, rng);
+    if (!layout.why_not(wish.kind).empty()) return true;
+    const Piece piece = make_piece(layout.request(wish.kind, &wish));
+    return piece.mount != Mount::wall && !piece.against_wall && piece.surfaces.empty();
+}
+
+// "A tall cabinet", "a low, narrow shelf": as the usual one, but for that. Plants and lamps are taller as a whole.
+void size_as_said(const Editor& editor, const Words& words, PromptObject& wish) {
+    const Words noun = tokens_of(wish.words);
+    const std::size_t at = noun.empty() ? words.size() : find_word(words, {noun.front(), noun.front() + "s"});
+    const Vec3f factor = usual_factor(part_of(words, 0, at));
+    if (at >= words.size() || factor == Vec3f{1, 1, 1} || !(wish.size_m == Vec3f{})) return;
+    PromptObject usual = wish;
+    usual.size.clear();
+    if (is_slender(editor, usual)) return;
+    const Vec3f size = editor.usual_size(usual);
+    if (size == Vec3f{}) return;
+    constexpr float kBelowCeiling = 0.1f;  // metres
+    wish.size.clear();
+    for (std::size_t a = 0; a < 3; ++a) wish.size_m[a] = size[a] * factor[a];
+    wish.size_m.y = std::min(wish.size_m.y, editor.plan().height - kBelowCeiling);
+}
+
+}  // namespace
+
 std::vector<PromptObject> wishes_of(const Editor& editor, const Words& words) {
     std::string text = text_of(counted_anew(words));
     PromptSpec spec = read_in_room(editor, text);
@@ -155,6 +186,7 @@ std::vector<PromptObject> wishes_of(const Editor& editor, const Words& words) {
         check_new(words, spec.objects[k]);
     for (PromptObject& o : spec.objects) {
         check_stand_in(o);
+        size_as_said(editor, words, o);
         if (is_shell(o.kind) || has_role(o.kind, Role::opening)) refuse_shell();
         o.relation = o.relation_to = o.relation_and = "";
         // "Books" are a stack of them.
