@@ -1,5 +1,6 @@
 // "a floor lamp beside the bed", "the sofa with two armchairs": what comes new, and what changes places.
 #include <algorithm>
+#include <utility>
 
 #include "fastscene/base/error.h"
 #include "fastscene/base/is_one_of.h"
@@ -20,6 +21,15 @@ Words with_noun(const Talk& talk, const Words& words) {
         Words all = words;
         all.push_back("one");
         return with_noun(talk, all);
+    }
+    // "A third table next to the others": next to the tables
+    if (is_one_of(words.back(), {"others", "rest"}) && place < words.size() && words[words.size() - 2] == "the") {
+        const PromptSpec spec = read_in_room(talk.editor, text_of(counted_anew(part_of(words, 0, place))));
+        if (spec.objects.empty()) return words;
+        Words out = part_of(words, 0, words.size() - 1);
+        const Words noun = tokens_of(spec.objects.front().words);
+        out.insert(out.end(), noun.begin(), noun.end());
+        return out;
     }
     // "Candles to the tables that don't have one": a candle
     const bool had = is_one_of(words.back(), {"one", "any"}) && words.size() > 2 &&
@@ -210,10 +220,12 @@ void add(Talk& talk, const Words& words) {
         all.insert(all.end(), {"on", "it"});
         return add(talk, all);
     }
-    if (words.size() > 2 && words.back() == "one" && talk.last.empty() && !talk.noun.empty()) {
-        Words all = words;
-        all.back() = talk.noun;
-        return add(talk, all);
+    // "A vase is missing, put a blue one on the table"
+    if (const std::size_t one = find_word(words, {"one", "ones"}, 2);
+        !talk.lacks.empty() && one < words.size() && one + 1 == next_place(words)) {
+        Words all = part_of(words, 0, one);
+        for (const std::string& w : tokens_of(std::exchange(talk.lacks, {}))) all.push_back(w);
+        return add(talk, joined_words(all, part_of(words, one + 1)));
     }
     // "The tv is too small, get a bigger one": in place of that.
     if (words.size() > 2 && words.back() == "one" && !talk.last.empty() &&
@@ -232,7 +244,8 @@ void add(Talk& talk, const Words& words) {
     if (const std::size_t with = find_word(words, {"with"}, 1);
         with + 1 < words.size() && is_one_of(words.back(), {"it", "them"}) &&
         (find_word(words, {"and", ","}, with) < words.size() ||
-         find_word(words, {"between", "next", "beside", "behind", "above", "front"}, with) < words.size()) &&
+         find_word(words, {"between", "next", "beside", "behind", "above", "front", "over", "under", "opposite"},
+                   with) < words.size()) &&
         begins_anew(part_of(words, with + 1)) && next_place(part_of(words, with + 1)) < words.size() - with - 1) {
         add(talk, part_of(words, 0, with));
         return add_there(talk, part_of(words, with + 1));

@@ -76,7 +76,7 @@ void Editor::encircle(const EditStep& step) {
     for (const std::string& id : step.at) {
         const Placed& p = placed(id);
         circle.middle = footprint_of(p).center;
-        const float kFree = p.flat ? 0.f : 0.15f;  // metres before it
+        const float kFree = p.flat ? 0.f : 0.05f;  // metres before it
         inside = p.flat ? inside : std::hypot(p.piece.size_m.x, p.piece.size_m.z) / 2 + kFree;
         at_wall = wall_behind(plan(), p) >= 0, front = p.yaw;
     }

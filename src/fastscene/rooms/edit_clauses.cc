@@ -202,10 +202,12 @@ bool says_what(const Words& words, std::size_t at) {
 // "the chairs don't match, make them black": a remark, and then what is to be done. Where the remark ends; nothing: it
 // is none, or nothing follows.
 std::optional<std::size_t> remark_ends(const Words& words, std::size_t at) {
-    if (!is_definite(words[at]) && !is_one_of(words[at], {"it's", "its", "there", "there's", "i", "we", "too"}))
-        return {};
     std::size_t end = at;
     while (end < words.size() && !is_joint(words[end])) ++end;
+    const bool lacks = words[end - 1] == "missing";  // "a rug is missing, add a red one"
+    if (!lacks && !is_definite(words[at]) &&
+        !is_one_of(words[at], {"it's", "its", "there", "there's", "i", "we", "too"}))
+        return {};
     const bool states = std::any_of(
         words.begin() + static_cast<std::ptrdiff_t>(at), words.begin() + static_cast<std::ptrdiff_t>(end),
         [](const std::string& w) {
@@ -251,12 +253,18 @@ bool says_all(const Words& words) {
     });
 }
 
-// "20%" as a word, so that no mark ends the clause there.
-std::string with_percent(const std::string& sentence) {
+// Marks that stand for words: "20%", "w/ a lamp", "the rug & the pouf".
+std::string spelled_out(const std::string& sentence) {
     std::string out;
-    for (const char c : sentence)
-        if (c == '%') out += " percent ";
-        else out += c;
+    for (std::size_t i = 0; i < sentence.size(); ++i) {
+        const bool alone = i == 0 || sentence[i - 1] == ' ';
+        if (sentence[i] == '%') out += " percent ";
+        else if (sentence[i] == '&' || (sentence[i] == '+' && alone)) out += " and ";
+        else if (alone && (sentence.compare(i, 3, "w/o") == 0 || sentence.compare(i, 3, "W/o") == 0))
+            out += "without", i += 2;
+        else if (alone && (sentence.compare(i, 2, "w/") == 0 || sentence.compare(i, 2, "W/") == 0)) out += "with ", ++i;
+        else out += sentence[i];
+    }
     return out;
 }
 
@@ -354,8 +362,13 @@ std::size_t taken_back_at(const Words& words, std::size_t at) {
     return correction_at(words, at, begins);
 }
 
-// "I don't like the rug, make it blue": it stays, and is blue.
+// "I don't like the rug, make it blue": it stays, and is blue. "The table needs a vase, add a red one": one vase.
 void disliked(Clause& clause, const Clause& next) {
+    const bool needs = clause.verb == Verb::want && find_word(clause.words, {"needs", "need"}, 1) < clause.words.size();
+    if (needs && find_word(next.words, {"one", "ones"}, 1) < next.words.size() && begins_anew(next.words)) {
+        clause.verb = Verb::remark;
+        return;
+    }
     const bool dislikes = clause.verb == Verb::remove && clause.said.starts_with("i d") &&
                           clause.said.ends_with("like");
     if (!dislikes || find_word(next.words, {"it", "them", "they", "one", "ones"}) == next.words.size()) return;
@@ -380,7 +393,7 @@ std::vector<Clause> clauses_of(const std::string& sentence) {
         for (const std::string& type : room_types()) out.push_back(type);
         return out;
     }();
-    Words words = tokens_of(with_percent(sentence));
+    Words words = tokens_of(spelled_out(sentence));
     std::erase_if(words, [](const std::string& w) {
         return is_one_of(w, {"maybe", "perhaps", "preferably", "ideally", "possibly"});
     });

@@ -29,7 +29,8 @@ std::string place_in_words(const EditStep& step) {
     std::string out = " " + wish.relation;
     if (step.at.size() == 1) out += " " + step.at.front();
     else if (!wish.relation_to.empty()) out += " the " + in_words(wish.relation_to);
-    if (!wish.relation_and.empty()) out += " and the " + in_words(wish.relation_and);
+    if (step.at_and.size() == 1) out += " and " + step.at_and.front();
+    else if (!wish.relation_and.empty()) out += " and the " + in_words(wish.relation_and);
     return out;
 }
 

@@ -139,6 +139,7 @@ class Editor {
     // ---- edit_place.cc
     void place(const EditStep& step);
     void place_with_seats(int index, const EditStep& step);
+    void bring_seats(int table, const std::vector<int>& seats);
     void place_one(int index, const std::vector<int>& along, EditStep step);
     void stand_at_found(int index, const Placed& found, const Standing& standing, const EditStep& step,
                         const std::vector<int>& along);
@@ -488,6 +489,7 @@ struct Talk {
     const RoomDocument was = editor.document();  // before the sentence
     std::vector<std::string> last{};             // the things last spoken of: "it"
     std::string noun{};                          // what they are called: "one"
+    std::string lacks{};                         // what is missing, by a remark: "one" of the clause behind it
     EditStep last_place{};                       // where they were put
     std::string said{};                          // the clause's verb
     bool there = false;                          // the clause ends with "there"
@@ -501,6 +503,7 @@ struct Talk {
     std::vector<std::string> things(const Words& words);
     std::vector<std::string> things_of_parts(const Words& words);
     std::vector<std::string> all_but(const Words& words, Words others);
+    std::optional<std::vector<std::string>> the_rest(const Words& words) const;
     void act(const Clause& clause);
 };
 std::string asked_kind(const Placed& p);  // as it was asked for
@@ -513,6 +516,8 @@ void remove_all(Talk& talk, const std::vector<std::string>& ids);
 void clear(Talk& talk, const Words& words);  // "the table": what stands on it
 // "everything on the table", "everything but the sofa"; false: the words do not speak of everything.
 bool remove_everything(Talk& talk, const Words& words);
+// "whatever is on the table", "all that stands on the shelf"; nothing: no such words.
+std::optional<std::vector<std::string>> all_that_stands_on(Talk& talk, const Words& words);
 // "all but one chair": of the chairs.
 bool says_all_but_some(const Words& words);
 // "the table together with its chairs": the table, and its chairs.

@@ -1,4 +1,7 @@
 // What stands in the room and is to stand elsewhere in it: at a window, on a table, in another corner.
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include <algorithm>
 
 #include "fastscene/base/error.h"
@@ -18,7 +21,27 @@ void Editor::place_with_seats(int index, const EditStep& step) {
         } catch (const Error&) {  // there is no room for them: it goes alone
         }
     place_one(index, {}, step);
-    if (!seats.empty()) tell(thing(index).id, "what stands at it stays where it was: there is no room for it there");
+    bring_seats(index, seats);
+}
+
+// Those for which there was no room as they stood come one by one, each where it has room at the table.
+void Editor::bring_seats(int table, const std::vector<int>& seats) {
+    std::vector<std::string> left;
+    for (const int i : seats) try {
+            const std::string id = thing(i).id;
+            const auto there = place_of(*this, {"to", thing(table).id}, asked_kind(placed(i)), id);
+            if (!there) throw Error("{}: it has no place there", id);
+            EditStep step = there->step;
+            step.kind = EditStep::Kind::place;
+            step.ids = {id}, step.at = {thing(table).id};
+            place_one(i, {}, step);
+        } catch (const AlreadySo&) {  // it stands at it still
+        } catch (const Error&) {
+            left.push_back(thing(i).id);
+        }
+    if (!left.empty())
+        note(kNotDone,
+             fmt::format("{} cannot go with {}: there is no room there", fmt::join(left, ", "), thing(table).id));
 }
 
 void Editor::place_one(int index, const std::vector<int>& along, EditStep step) {

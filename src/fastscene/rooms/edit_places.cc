@@ -388,6 +388,8 @@ class Reader {
         const Placed& first = editor_.room().furnished.placed[static_cast<std::size_t>(found.front())];
         if (looked.empty()) out.step.wish.relation = suited(name, kind_, first);
         if (name == "along" || name == "against") out.step.wish.relation = "next to";
+        // Candles around a bathtub stand on its edge.
+        if (name == "around" && furnishing::is_small(kind_)) out.step.wish.relation = carries(first) ? "on" : "next to";
         // A blanket over a sofa lies on it.
         if (name == "above" && find_word(words_, {"over", "across"}) < relation.next &&
             furnishing::lies_on_seats(kind_))

@@ -209,13 +209,18 @@ void Editor::shift(const EditStep& step) {
 }
 
 void Editor::shift_one(int i, const EditStep& step) {
+    if (placed(i).piece.mount == Mount::ceiling && step.by.y > 0)
+        throw Error("{}: it hangs from the ceiling, and no higher than it does", thing(i).id);
     std::string fault;
     const std::vector<int> seats = seats_at(i);
     for (const Vec3f way : ways_of(step))
         for (const std::vector<int>& along : {seats, std::vector<int>{}}) {
             const Pose to{placed(i).position + along_its_wall(placed(i), way), placed(i).yaw};
             fault = new_fault(with_pose(i, to, along));
-            if (fault.empty()) return checked([&] { set_pose(i, to, along); });
+            if (fault.empty()) {
+                checked([&] { set_pose(i, to, along); });
+                return along.empty() ? bring_seats(i, seats) : void();
+            }
             if (seats.empty()) break;
         }
     throw Error("{}: there is no room for it there: {}", thing(i).id, fault);

@@ -25,9 +25,15 @@ std::optional<Word> stand_in_word(const PromptObject& wish) {
 
 // What a remark speaks of is "them" in the clauses that follow.
 void remark(Talk& talk, const Words& words) {
-    // "The rug is missing, add a red one": a red rug.
-    if (words.size() > 3 && words.front() == "the" && words.back() == "missing")
-        talk.last.clear(), talk.noun = words[1];
+    // "A rug is missing, add a red one": a red rug.
+    if (const std::size_t lacks = find_word(words, {"is", "are"}, 1);
+        lacks + 2 == words.size() && words.back() == "missing")
+        talk.last.clear(), talk.lacks = text_of(words, number_said(words.front()) || is_definite(words.front()), lacks);
+    // "The table needs a vase, put a blue one on it"
+    if (const std::size_t needs = find_word(words, {"needs", "need", "lacks"}, 1); needs + 2 < words.size()) {
+        talk.lacks = text_of(words, needs + (number_said(words[needs + 1]) ? 2 : 1));
+        if (is_definite(words.front())) talk.things_of_parts(part_of(words, 0, needs));
+    }
     const std::size_t end = find_word(
         words, {"is", "isn't", "isnt", "are", "aren't", "arent", "don't", "dont", "doesn't", "doesnt", "look", "looks",
                 "feel", "feels", "seem", "seems", "blocks", "clash", "clashes"});

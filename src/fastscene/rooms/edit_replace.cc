@@ -96,7 +96,7 @@ void replace(Talk& talk, const Words& old, const Words& by) {
         if (const EditChange& change = changes[i]; change.what.starts_with("added in place of"))
             talk.last.push_back(change.id);
     shape_as_asked(talk, talk.last, shape_asked(parts.front()));
-    tell_unshown(talk, talk.last, step.wish, parts.front());
+    tell_unshown(talk, talk.last, step.wish, counted_anew(parts.front()));
     const std::vector<std::string> fresh = talk.last;
     for (std::size_t k = 1; k < parts.size(); ++k) {
         talk.last = fresh;

@@ -87,6 +87,8 @@ std::vector<std::string> Talk::things(const Words& said_words) {
         all.insert(all.end(), words.begin() + 3, words.end());
         return last = all_but(all, {words[2]});
     }
+    if (const auto riders = all_that_stands_on(*this, words)) return last = *riders;
+    if (const auto rest = the_rest(words)) return last = *rest;
     const std::size_t except = find_word(words, {"except", "but", "excluding", "besides"}, 1);
     if (except + 1 < words.size()) return last = all_but(part_of(words, 0, except), part_of(words, except + 1));
     // "the other lights": all that shine, but those that were spoken of.
@@ -108,6 +110,22 @@ std::vector<std::string> Talk::things(const Words& said_words) {
     last = named(editor, text_of(words));
     noun = in_words(asked_kind(editor.placed(last.front())));
     return last;
+}
+
+// "The rest", "the other ones", "the remaining chairs": of what was last spoken of by name, those that were not meant.
+std::optional<std::vector<std::string>> Talk::the_rest(const Words& words) const {
+    const bool bare = is_one_of(text_of(words),
+                                {"the rest", "the others", "the rest of them", "the other ones", "the remaining ones",
+                                 "the ones left", "all the others", "the ones that are left", "the remaining"});
+    const bool named_so = words.size() > 2 && words.front() == "the" && words[1] == "remaining";
+    if (!named_so && (!bare || noun.empty())) return {};
+    const Words of = named_so ? part_of(words, number_said(words[2]) ? 3 : 2) : tokens_of(noun);
+    std::vector<std::string> ids;
+    for (const int i : all_named(editor, "all " + text_of(of)))
+        if (const std::string& id = editor.document().things[static_cast<std::size_t>(i)].id; !is_among(id, last))
+            ids.push_back(id);
+    if (ids.empty()) throw UsageError("nothing is left that \"{}\" could be", text_of(words));
+    return ids;
 }
 
 // "all pictures except the largest one"
@@ -149,6 +167,22 @@ Words lowered(const Clause& clause) {
     if (is_one_of(clause.said, {"lower", "raise", "lift"}) && next_place(bare) == bare.size())
         out.push_back(clause.said == "lower" ? "down" : "up");
     return out;
+}
+
+// "Raise the desk by 20 cm": what stands on the floor is taller by that; false: no such words.
+bool made_taller(Talk& talk, const Clause& clause) {
+    Words bare = clause.words;
+    const bool by_length = take_length(bare).has_value();
+    if (by_length && !bare.empty() && bare.back() == "by") bare.pop_back();
+    if (!is_one_of(clause.said, {"lower", "raise", "lift"}) || bare.empty() || next_place(bare) < bare.size())
+        return false;
+    const std::vector<std::string> ids = talk.things_of_parts(bare);
+    if (!std::all_of(ids.begin(), ids.end(),
+                     [&](const std::string& id) { return talk.editor.placed(id).piece.mount == Mount::floor; }))
+        return false;
+    bare.push_back(clause.said == "lower" ? "lower" : "taller");
+    const Words length = part_of(clause.words, bare.size() - 1);
+    return make(talk, joined_words(bare, length)), true;
 }
 
 // What lies about on the floor, or of what is named that which does; a sentence does not guess what else is too much.
@@ -258,7 +292,8 @@ namespace {
 // "Bigger so six people fit": why, which changes nothing. Where it begins.
 std::size_t purpose_at(const Clause& clause) {
     const bool states = clause.verb == Verb::make || clause.verb == Verb::larger || clause.verb == Verb::smaller ||
-                        clause.verb == Verb::add || clause.verb == Verb::replace || clause.verb == Verb::color;
+                        clause.verb == Verb::add || clause.verb == Verb::replace || clause.verb == Verb::color ||
+                        clause.verb == Verb::remove;
     const std::size_t so = find_word(clause.words, {"so", "because"}, 2);
     return states && so + 2 < clause.words.size() ? so : clause.words.size();
 }
@@ -272,6 +307,9 @@ void Talk::act(const Clause& whole) {
         clause.words.resize(why);
     }
     const Words& words = clause.words;
+    // "Rearrange the chairs in a circle" says how.
+    if (clause.said == "rearrange" && (says_so_that(words) || next_place(words) < words.size()))
+        clause.verb = Verb::put, clause.said = "arrange";
     if (clause.verb == Verb::refuse) refuse(clause);
     if (clause.verb == Verb::tidy) return tidy(*this, clause);
     if (clause.verb == Verb::remark) return remark(*this, clause.words);
@@ -321,6 +359,7 @@ void Talk::act(const Clause& whole) {
             // "Move the bicycle out": it goes.
             if (words.size() > 1 && words.back() == "out" && is_one_of(said, {"move", "carry", "bring"}))
                 return remove(*this, words);
+            if (made_taller(*this, clause)) return;
             return move(*this, lowered(clause));
         case Verb::put:
             if (says_so_that(words)) return turn(*this, words);
@@ -401,7 +440,11 @@ EditResult edit_by_sentence(const RoomDocument& document, const std::string& sen
                 throw;
             }
         },
-        [&](std::size_t i) { return clauses[i].said + " " + editing::text_of(clauses[i].words); });
+        [&](std::size_t i) {
+            // "The lamp is too low" is said so.
+            const bool bare = clauses[i].verb == editing::Verb::want && clauses[i].said == "want";
+            return (bare ? "" : clauses[i].said + " ") + editing::text_of(clauses[i].words);
+        });
     editing::check_kept(talk, document);
     for (const EditChange& change : editor.result().changes)
         if (change.id == kNotDone) run.warn(fmt::format("{}: {}", change.id, change.what));

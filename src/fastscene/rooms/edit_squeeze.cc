@@ -288,8 +288,9 @@ bool Editor::place_squeezed(int index, const EditStep& step, const std::vector<i
     const std::string id = thing(index).id;
     const auto stands = [&](const Squeezed& found, const Squeeze& how) {
         // Nearer than it is, or it stays.
-        constexpr float kThere = 0.05f;  // metres
-        if (length(found.all.back().position - was.position) < kThere) return false;
+        constexpr float kThere = 0.05f, kWorthIt = 0.4f;  // metres
+        const float least = how.further > 0 ? kWorthIt : kThere;
+        if (length(found.all.back().position - was.position) < least) return false;
         try {
             checked(
                 [&] {

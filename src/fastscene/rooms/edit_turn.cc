@@ -108,6 +108,18 @@ void face(Talk& talk, const Words& words) {
     // "The second desk to face the first"
     if (is_one_of(target.back(), {"first", "second", "third", "last"}) && !talk.noun.empty())
         target.push_back(talk.noun);
+    // "Each other across the coffee table": at both sides of that.
+    if (target.size() > 3 && is_one_of(text_of(target, 0, 2), {"each other", "one another"})) {
+        std::size_t across = 2;
+        while (across + 1 < target.size() && !is_definite(target[across])) ++across;
+        Words there = thing;
+        for (const char* word : {"on", "both", "sides", "of"}) there.emplace_back(word);
+        try {
+            move(talk, joined_words(there, part_of(target, across)));
+        } catch (const AlreadySo&) {
+        }
+        target.resize(2);
+    }
     const std::string text = text_of(target);
     if (text == "each other" || text == "one another") {
         if (step.ids.size() != 2)

@@ -295,8 +295,8 @@ Addition addition_of(const Talk& talk, const Words& said, const std::vector<std:
     const std::size_t with = find_word(words, {"with"}, 1);
     // "… with two chairs each by the window"
     const std::size_t every = find_word(words, {"each"}, std::min(words.size(), with + 2));
-    const bool each = every < words.size() && !is_one_of(words[every - 1], {"on", "at", "to"}) &&
-                      !(every + 1 < words.size() && is_one_of(words[every + 1], {"side", "end", "other", "of"}));
+    const bool each = every < words.size() && !relation_at(words, every - 1) &&
+                      (every + 1 == words.size() || next_place(words, every + 1) == every + 1);
     if (each) words.erase(words.begin() + static_cast<std::ptrdiff_t>(every));
     // "… with six plants on it"
     const std::size_t n = words.size();
