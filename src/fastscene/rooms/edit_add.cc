@@ -22,6 +22,13 @@ Words with_noun(const Talk& talk, const Words& words) {
         all.push_back("one");
         return with_noun(talk, all);
     }
+    // "… in line with the other two"
+    if (const std::size_t n = words.size();
+        place < n && n > 3 && words[n - 2] == "other" && number_said(words[n - 1]) && words[n - 3] == "the") {
+        Words all = part_of(words, 0, n - 2);
+        all.back() = "the", all.push_back("others");
+        return with_noun(talk, all);
+    }
     // "A third table next to the others": next to the tables
     if (is_one_of(words.back(), {"others", "rest"}) && place < words.size() && words[words.size() - 2] == "the") {
         const PromptSpec spec = read_in_room(talk.editor, text_of(counted_anew(part_of(words, 0, place))));
@@ -87,7 +94,8 @@ void add_with(Talk& talk, const std::vector<std::string>& ids, const Addition& a
         [&](std::size_t k) {
             const PromptObject& wish = wishes[k + first];
             const std::string relation = addition.on_it ? "on" : wish.relation;
-            if (ids.empty() || (!addition.each && !addition.on_it && (relation != "on" || wish.count > 1)))
+            if (ids.empty() ||
+                (ids.size() > 1 && !addition.each && !addition.on_it && (relation != "on" || wish.count > 1)))
                 return add_or_stand(talk, wish, {});
             do_each(talk.editor, ids.size(), [&](std::size_t i) { add_or_stand(talk, wish, at(ids[i], relation)); });
         },

@@ -259,8 +259,11 @@ void Editor::set_poses(const std::vector<int>& things, const std::vector<Pose>& 
     if (!moves) throw AlreadySo(fmt::format("{}: {}", thing(things.front()).id, already));
     checked([&] {
         for (std::size_t k = 0; k < things.size(); ++k)
-            if (length(poses[k].position - placed(things[k]).position) > kStays)
-                set_pose(things[k], poses[k], seats_at(things[k]));
+            if (length(poses[k].position - placed(things[k]).position) > kStays) {
+                std::vector<int> along = seats_at(things[k]);
+                std::erase_if(along, [&](int i) { return std::find(things.begin(), things.end(), i) != things.end(); });
+                set_pose(things[k], poses[k], along);
+            }
     });
 }
 
@@ -290,6 +293,8 @@ bool arrange(Talk& talk, const Words& said) {
                     words.begin() + static_cast<std::ptrdiff_t>(circle) + 1);
     } else {
         take({"evenly", "equally"}, 0), take({"out", "apart"}, 1), take({"more"}, 1);
+        while (words.size() > 2 && is_one_of(words.back(), {"a", "bit", "little", "further", "slightly"}))
+            words.pop_back();
         if (!words.empty() && words.back() == "spaced") words.pop_back();
     }
     const std::vector<std::string> spoken = talk.last;

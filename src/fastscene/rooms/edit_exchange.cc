@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
 
 #include "fastscene/base/error.h"
 #include "fastscene/rooms/catalogue.h"
@@ -98,9 +99,31 @@ namespace {
 // so.
 std::vector<Placed> shared_out(std::vector<Placed> olds, int count) {
     const auto total = static_cast<int>(olds.size());
-    if (count < 1 || total <= count || total % count != 0 || olds.front().on >= 0) return olds;
+    if (count < 1 || total <= count || olds.front().on >= 0) return olds;
     constexpr float kTurn = 10;  // degrees: so near to each other they look one way
     const auto way = [&](const Placed& p) { return std::lround(p.yaw * 180 / kPi / kTurn); };
+    // Where they look several ways, as around a table: each in the middle of those of one side, the longest first.
+    std::map<long, std::vector<Placed>> sides;
+    for (const Placed& p : olds) sides[way(p)].push_back(p);
+    const bool one_table = olds.front().with >= 0 && std::all_of(olds.begin(), olds.end(), [&](const Placed& p) {
+                               return p.with == olds.front().with;
+                           });
+    if (one_table && static_cast<int>(sides.size()) >= count && sides.size() > 1) {
+        std::vector<std::vector<Placed>> longest;
+        for (auto& [yaw, side] : sides) longest.push_back(side);
+        std::stable_sort(longest.begin(), longest.end(),
+                         [](const auto& a, const auto& b) { return a.size() > b.size(); });
+        std::vector<Placed> out;
+        for (int n = 0; n < count; ++n) {
+            const std::vector<Placed>& side = longest[static_cast<std::size_t>(n)];
+            Vec3f middle{};
+            for (const Placed& p : side) middle += p.position * (1 / static_cast<float>(side.size()));
+            out.push_back(side.front());
+            out.back().position = middle;
+        }
+        return out;
+    }
+    if (total % count != 0) return olds;
     std::stable_sort(olds.begin(), olds.end(), [&](const Placed& a, const Placed& b) { return way(a) < way(b); });
     std::vector<Placed> out;
     for (int n = 0; n < count; ++n) {

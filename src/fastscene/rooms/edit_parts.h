@@ -73,6 +73,8 @@ class Editor {
     const Placed& placed(const std::string& id) const;
     Vec3f usual_size(const PromptObject& wish) const;     // of such a thing, were it new; 0: there is none
     std::string color_seen(const std::string& id) const;  // by name, else "#rrggbb"
+    // Square to the room, towards what words mean from where things stand: radians. edit_grid.cc.
+    float way_to_face(const std::vector<std::string>& ids, const std::vector<std::string>& target) const;
     // All of it, or nothing.
     void together(const std::function<void()>& change);
     // With all that stands on them.
@@ -196,6 +198,9 @@ class Editor {
     void space_in_row(const std::vector<int>& all);
     void set_poses(const std::vector<int>& things, const std::vector<Pose>& poses, const std::string& already);
 
+    // ---- edit_grid.cc
+    void in_rows_of(const EditStep& step);
+
     // ---- edit_shapes.cc
     void reshape(const EditStep& step);
     void reshape_one(int index, const std::string& shape);
@@ -299,6 +304,26 @@ bool begins_anew(const Words& words);       // "a plant", "two chairs", "another
 std::vector<Words> parts_of(const Words& words);
 std::optional<float> number_said(const std::string& word);  // "3", "two", "half"
 
+// ---- edit_beginnings.cc
+
+struct Beginning {
+    Words words;
+    Verb verb;
+};
+// The longest that stands there; null: none.
+const Beginning* beginning_at(const Words& words, std::size_t at);
+// Whether they begin with what is to be done: "move", "get rid of".
+bool begins_clause(const Words& words);
+// Behind "please", "could you".
+std::size_t past_polite(const Words& words, std::size_t at);
+bool stands_at(const Words& words, std::size_t at, std::string_view phrase);
+
+// ---- edit_phrases.cc
+
+// "Apart from the vase" as "except the vase", "a tad" as "a bit".
+Words in_plain_words(Words words);
+std::string stem_of_gerund(const std::string& word);  // "move" of "moving"; empty: no clause begins so
+
 // ---- edit_corrections.cc
 
 // How many words at `at` say that what was said before is taken back, with the marks behind them; 0: none do.
@@ -316,11 +341,19 @@ std::string singular(const std::string& word);  // "chair" of "chairs"
 PromptSpec read_in_room(const Editor& editor, const std::string& words);
 // All that they may mean; none if nothing is like it.
 std::vector<int> all_named(const Editor& editor, const std::string& words);
+bool says_several(const Words& words, const PromptObject& said);  // "all chairs", "both"
 // Throws UsageError for none, or for several where one is meant.
 std::vector<std::string> named(const Editor& editor, const std::string& words);
 [[noreturn]] void refuse_shell();
-// "The table near the door", where none is close to it: the nearest.
-void nearest_to(const Editor& editor, const std::string& kind, std::vector<int>& found);
+// "The table near the door", where none is close to it: the nearest, or so many.
+void nearest_to(const Editor& editor, const std::string& kind, std::vector<int>& found, std::size_t count);
+
+// ---- edit_pick.cc
+
+// "the second chair", "the last one", "the left nightstand", "the larger plant".
+void pick(const Words& words, const PromptObject& said, const Editor& editor, std::vector<int>& found);
+// Those that were said to look so; where nobody said how they look, the one that looks most like it.
+void with_looks(const PromptObject& said, const Editor& editor, std::vector<int>& found);
 
 // ---- edit_which.cc: by distance; none, or several
 
@@ -413,6 +446,22 @@ std::optional<Part> room_part(const Words& words, std::size_t at);
 std::string noun_of(const std::string& word);  // "corner", "wall", "window" …; empty: no part of a room
 // Where a place's words begin, from the second word on; the number of words: nowhere.
 std::size_t next_place(const Words& words, std::size_t from = 1);
+
+// ---- edit_room_parts.cc: parts of the room as the camera sees them
+
+// Left, right, far or near; nothing: none was said.
+std::optional<Vec3f> direction_said(const Editor& editor, const Part& part);
+int wall_towards(const Plan& plan, Vec3f direction);
+std::vector<Vec2f> corners_of_room(const Plan& plan);
+bool has_opening(const Plan& plan, const std::string& kind);
+// A doorway is called a door, too. Throws UsageError where there is none.
+std::string opening_there(const Plan& plan, const std::string& kind);
+// "The left window", "the far door", of several: a point before it.
+std::optional<Vec2f> which_opening(const Editor& editor, const Part& part, const std::string& kind);
+// Of the two corners that lie that way, the one with more free floor before it.
+Vec2f freer_corner(const Editor& editor, Vec2f way, const std::string& mover);
+// "The brick wall": the one that looks so; nothing: all do, or it was not said how it looks.
+std::optional<int> wall_that_looks(const Plan& plan, const Part& part);
 
 // ---- edit_places.cc: where words say
 
@@ -508,6 +557,7 @@ struct Talk {
 };
 std::string asked_kind(const Placed& p);  // as it was asked for
 std::size_t find_word(const Words& words, std::initializer_list<std::string_view> any, std::size_t from = 0);
+bool has_word(const Words& words, std::initializer_list<std::string_view> any);
 void add_new(std::vector<std::string>& to, const std::vector<std::string>& more);
 bool is_among(const std::string& id, const std::vector<std::string>& ids);
 // ---- edit_remove.cc
@@ -533,6 +583,9 @@ void face(Talk& talk, const Words& words);  // "the sofa towards the tv", "the c
 // ---- edit_arrange.cc
 // "the chairs in a circle", "the pictures out evenly"; false: no such words.
 bool arrange(Talk& talk, const Words& words);
+// ---- edit_grid.cc
+// "the chairs in two rows facing the screen"; false: no such words.
+bool set_in_rows(Talk& talk, const Words& words);
 // ---- edit_put.cc
 void put(Talk& talk, const Words& words);
 bool put_where(Talk& talk, const Clause& clause);  // "a plant where the pouf is"; false: no such words
@@ -551,6 +604,8 @@ struct Addition {
 };
 // "another chair", "two more plants", "a few books"
 Words counted_anew(Words words);
+// "Rolled" of "a rolled towel", which no word of the lexicon is.
+bool is_unknown_adjective(const Words& words, const std::string& said);
 // What words ask for, beside each other in them: "a desk with a lamp".
 std::vector<PromptObject> wishes_of(const Editor& editor, const Words& words);
 // The shape that words ask for. Throws UsageError for one that nothing has: "star shaped".
@@ -579,6 +634,21 @@ void swap(Talk& talk, Words words);
 // ---- edit_center.cc
 // "the rug under the table": their middles in line; false: the words say no such thing.
 bool center(Talk& talk, const Words& words);
+// ---- edit_groups.cc
+
+// What is to be so, and how; either may be empty.
+struct Group {
+    std::vector<Words> subjects;
+    std::vector<Words> values;  // "larger" and "black"
+    Words by;                   // "into a rocking chair": another thing
+};
+// "the chairs white and the table black", "the sofa and the armchair green", "the sofa black and white"
+// `unshown`: "with brass handles", which no look has.
+std::vector<Group> groups_of(const Words& words, std::vector<Words>& unshown);
+// "The color of the sofa", "the sofa's color" speak of the sofa.
+Words bare_subject(Words words);
+bool names_things(const Words& words);  // "a rocking chair", "brass lanterns"
+Words as_made(Words words);             // "the sofa a green cover" -> "the sofa green"
 // ---- edit_make.cc
 // "the sofa green", "it night", "the walls sage", "the rug larger", "the style to japandi"
 void make(Talk& talk, const Words& words);

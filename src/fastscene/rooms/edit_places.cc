@@ -17,42 +17,6 @@
 namespace fastscene::editing {
 namespace {
 
-// Left, right, far or near as the camera sees them; nothing: none was said.
-std::optional<Vec3f> direction_said(const Editor& editor, const Part& part) {
-    const Vec3f ahead = editor.room().furnished.looks, right = cross(ahead, Vec3f{0, 1, 0});
-    Vec3f out{};
-    if (part.says({"left"})) out += right * -1.f;
-    if (part.says({"right"})) out += right;
-    if (part.says({"far", "back"})) out += ahead;
-    if (part.says({"near", "front"})) out += ahead * -1.f;
-    return out == Vec3f{} ? std::nullopt : std::optional(out);
-}
-
-int wall_towards(const Plan& plan, Vec3f direction) {
-    int best = 0;
-    for (int w = 1; w < 4; ++w)
-        if (dot(plan.wall(w).inward, direction) < dot(plan.wall(best).inward, direction)) best = w;
-    return best;
-}
-
-std::vector<Vec2f> corners_of_room(const Plan& plan) {
-    return {{plan.width / 2, plan.depth / 2},
-            {-plan.width / 2, plan.depth / 2},
-            {plan.width / 2, -plan.depth / 2},
-            {-plan.width / 2, -plan.depth / 2}};
-}
-
-bool has_opening(const Plan& plan, const std::string& kind) {
-    return std::any_of(plan.openings.begin(), plan.openings.end(),
-                       [&](const Opening& o) { return is_opening_of(o, kind); });
-}
-// A doorway is called a door, too.
-std::string opening_there(const Plan& plan, const std::string& kind) {
-    if (has_opening(plan, kind)) return kind;
-    if (kind == "door" && has_opening(plan, "doorway")) return "doorway";
-    throw UsageError("there is no {} in the room", kind);
-}
-
 std::string kind_of(const DocumentThing& t) { return t.asked && !t.asked->kind.empty() ? t.asked->kind : t.kind; }
 
 bool is_table(const std::string& kind) {
@@ -233,24 +197,9 @@ class Reader {
             return place("on", "window");
         const bool at_it = is_one_of(relation, {"to", "at", "in", "on", "from", "against", "along"});
         Place out = place(at_it ? "next to" : relation, kind);
-        out.step.position = which_opening(part, kind);
+        out.step.position = which_opening(editor_, part, kind);
         if (relation == "on both sides of") out.count = 2;
         return out;
-    }
-
-    // "The left window", "the far door", of several: a point before it.
-    std::optional<Vec2f> which_opening(const Part& part, const std::string& kind) const {
-        const auto direction = direction_said(editor_, part);
-        std::vector<Vec2f> points;
-        for (const Opening& o : editor_.plan().openings) {
-            constexpr float kBefore = 0.4f;  // metres
-            const WallFace face = editor_.plan().wall(o.wall);
-            if (is_opening_of(o, kind))
-                points.push_back(flat(face.point((o.u0 + o.u1) / 2, 0) + face.inward * kBefore));
-        }
-        if (!direction || points.size() < 2) return {};
-        return *std::max_element(points.begin(), points.end(),
-                                 [&](Vec2f a, Vec2f b) { return dot(a, flat(*direction)) < dot(b, flat(*direction)); });
     }
 
     std::optional<Place> at_corner(const Part& part, const Words& rest) {
@@ -261,7 +210,7 @@ class Reader {
         if (const auto direction = direction_said(editor_, part)) near = flat(*direction) * 100.f;
         // "The far corner" is the freer of two.
         if (near && rest.empty() && part.says({"left", "right"}) != part.says({"far", "back", "near", "front"}))
-            near = freer_corner(*near);
+            near = freer_corner(editor_, *near, mover_);
         const bool off = is_one_of(rest.empty() ? "" : rest.front(), {"furthest", "farthest", "away", "far"});
         if (rest.size() > 2 && (off || is_one_of(rest.front(), {"closest", "nearest"}))) {
             Words at = rest;
@@ -279,24 +228,6 @@ class Reader {
             });
         }
         return out;
-    }
-    // Of the two corners that lie that way, the one with more free floor before it.
-    Vec2f freer_corner(Vec2f way) const {
-        std::vector<Vec2f> corners = corners_of_room(editor_.plan());
-        std::stable_sort(corners.begin(), corners.end(), [&](Vec2f a, Vec2f b) { return dot(a, way) > dot(b, way); });
-        const auto free = [&](Vec2f corner) {
-            constexpr float kInwards = 0.5f;  // metres into the room
-            const Vec2f at = corner - Vec2f{std::copysign(kInwards, corner.x), std::copysign(kInwards, corner.y)};
-            float least = 1e9f;
-            for (const Placed& p : editor_.room().furnished.placed)
-                if (p.piece.mount == Mount::floor && !p.flat && p.id != mover_)
-                    least = std::min(least, distance_to(footprint_of(p), at));
-            for (const Opening& o : editor_.plan().openings)
-                if (o.kind != Opening::Kind::window)
-                    least = std::min(least, length(flat(editor_.plan().wall(o.wall).point((o.u0 + o.u1) / 2, 0)) - at));
-            return least;
-        };
-        return free(corners[0]) >= free(corners[1]) ? corners[0] : corners[1];
     }
     // Where "by the window", "next to the bed" is.
     std::optional<Vec2f> point_of(const Words& words) {
@@ -336,25 +267,10 @@ class Reader {
             if ((part.says({"window"}) && o.kind == Opening::Kind::window) ||
                 (part.says({"door"}) && o.kind != Opening::Kind::window))
                 out.step.wall = o.wall;
-        if (const auto wall = wall_that_looks(part)) out.step.wall = *wall;
+        if (const auto wall = wall_that_looks(editor_.plan(), part)) out.step.wall = *wall;
         out.step.elsewhere = moving_ && part.is_other();
         out.step.opposite = part.says({"opposite"}) || (part.noun == "side" && part.is_other());
         return out;
-    }
-
-    // "The brick wall": the one that looks so; nothing: all do, or it was not said how it looks.
-    std::optional<int> wall_that_looks(const Part& part) const {
-        const Plan& plan = editor_.plan();
-        for (const std::string& word : part.modifiers) {
-            const auto look = is_definite(word) ? std::nullopt : looks_of(word);
-            if (!look || is_one_of(word, {"a", "an"})) continue;
-            std::vector<int> walls;
-            for (int w = 0; w < 4; ++w)
-                if (plan.wall_material(w).name.find(word) != std::string::npos) walls.push_back(w);
-            if (walls.empty()) throw UsageError("there is no {} wall in the room", word);
-            if (walls.size() == 1) return walls.front();
-        }
-        return {};
     }
 
     std::optional<Place> at_thing(const Relation& relation) {
@@ -457,6 +373,8 @@ class Reader {
     std::optional<Place> between(const Words& words) {
         const auto joint = std::find(words.begin(), words.end(), "and");
         const auto side = [&](const Words& part) {
+            if (!part.empty() && is_one_of(noun_of(part.back()), {"wall", "floor", "ceiling", "corner"}))
+                throw UsageError("expected things or openings to be between, found \"{}\"", text_of(part));
             if (const auto known = room_part(part, 0); known && known->next == part.size())
                 return Anchor{opening_there(editor_.plan(), known->noun), {}};
             return anchor_of(editor_, those(part), "");

@@ -29,6 +29,9 @@ void remark(Talk& talk, const Words& words) {
     if (const std::size_t lacks = find_word(words, {"is", "are"}, 1);
         lacks + 2 == words.size() && words.back() == "missing")
         talk.last.clear(), talk.lacks = text_of(words, number_said(words.front()) || is_definite(words.front()), lacks);
+    // "There is no clock here, add one"
+    if (const std::size_t no = find_word(words, {"no"}); no + 1 < words.size() && no < 4)
+        talk.last.clear(), talk.lacks = text_of(words, no + 1, words.size() - (words.back() == "here" ? 1 : 0));
     // "The table needs a vase, put a blue one on it"
     if (const std::size_t needs = find_word(words, {"needs", "need", "lacks"}, 1); needs + 2 < words.size()) {
         talk.lacks = text_of(words, needs + (number_said(words[needs + 1]) ? 2 : 1));
@@ -101,10 +104,12 @@ void tell_unshown(Talk& talk, const std::vector<std::string>& ids, const PromptO
         talk.editor.note(ids.front(), fmt::format("the nearest thing there is to \"{}\"", wish.words));
     std::vector<std::string> unshown;
     for (const PromptWord& word : read_in_room(talk.editor, text_of(words, 0, next_place(words))).words)
-        if (const auto known = look_up(word.words);
-            word.fate == PromptWord::Fate::approximated && word.words != wish.words && !number_said(word.words) &&
-            known && known->kind != WordKind::object && shape_said({word.words}).empty() &&
-            known->kind != WordKind::relation && !known->meaning.empty())
+        if (word.fate == PromptWord::Fate::not_understood && is_unknown_adjective(words, word.words))
+            unshown.push_back(word.words);
+        else if (const auto known = look_up(word.words);
+                 word.fate == PromptWord::Fate::approximated && word.words != wish.words && !number_said(word.words) &&
+                 known && known->kind != WordKind::object && shape_said({word.words}).empty() &&
+                 known->kind != WordKind::relation && !known->meaning.empty())
             unshown.push_back(word.words);
     // "A space poster" with no print of space
     const Words nouns = tokens_of(wish.words);

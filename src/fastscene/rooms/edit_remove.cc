@@ -81,6 +81,10 @@ bool remove_everything(Talk& talk, const Words& words) {
     if (words.size() > next + 1 && words[next] == "else") ++next;
     while (words.size() > next + 1 && is_one_of(words[next], {"that", "which", "stands", "stand", "is", "are", "lies"}))
         ++next;
+    // "… and the candles on the shelf" go by themselves.
+    if (const std::vector<Words> parts = parts_of(words);
+        parts.size() > 1 && is_one_of(words[next], {"on", "from", "off"}) && next_place(parts[1]) < parts[1].size())
+        return false;
     const Words rest = part_of(words, next);
     if (rest.empty()) {
         std::vector<std::string> ids;

@@ -158,6 +158,22 @@ void size_as_said(const Editor& editor, const Words& words, PromptObject& wish) 
 
 }  // namespace
 
+bool is_unknown_adjective(const Words& words, const std::string& said) {
+    const Words phrase = tokens_of(said);
+    if (phrase.size() != 1) return false;
+    const std::size_t at = find_word(words, {phrase.front()});
+    if (at == 0 || at + 1 >= words.size()) return false;
+    // Between an article, a number or an adjective and the noun.
+    const auto known = look_up(words[at + 1]);
+    const auto two = at + 2 < words.size() ? look_up(words[at + 1] + " " + words[at + 2]) : std::nullopt;
+    const bool noun = (known && known->kind == WordKind::object) || (two && two->kind == WordKind::object);
+    const auto before = look_up(words[at - 1]);
+    const bool opens = number_said(words[at - 1]) || is_one_of(words[at - 1], {"some", "more", "another", "with"}) ||
+                       (before && (before->kind == WordKind::size || before->kind == WordKind::color ||
+                                   before->kind == WordKind::material));
+    return noun && opens;
+}
+
 std::vector<PromptObject> wishes_of(const Editor& editor, const Words& words) {
     std::string text = text_of(counted_anew(words));
     PromptSpec spec = read_in_room(editor, text);
@@ -169,6 +185,8 @@ std::vector<PromptObject> wishes_of(const Editor& editor, const Words& words) {
         spec = read_in_room(editor, text);
         unknown = spec.words_with(PromptWord::Fate::not_understood);
     }
+    // "A rolled towel" is a towel, and that nothing shows it is told.
+    std::erase_if(unknown, [&](const PromptWord& word) { return is_unknown_adjective(words, word.words); });
     if (!unknown.empty()) throw UsageError("expected a thing to add, found \"{}\"", unknown.front().words);
     if (spec.objects.empty() && std::any_of(words.begin(), words.end(), is_known_detail))
         throw UsageError("there is no \"{}\" to add: no thing of a room is one", text);
@@ -262,7 +280,8 @@ Addition read_addition(const Talk& talk, const Words& said, const std::vector<st
         // "a table in oak"
         if (value_of(part_of(there, 1))) continue;
         // "a side table next to the sofa with a lamp on it"
-        if (const std::size_t with = find_word(there, {"with"}, 1); with < there.size()) {
+        if (const std::size_t with = find_word(there, {"with"}, 1);
+            with + 1 < there.size() && begins_anew(part_of(there, with + 1))) {
             Words all = part_of(words, 0, end);
             Words rest = part_of(there, with);
             if (rest.size() > 2 && rest.back() == "it") rest.resize(rest.size() - 2);
