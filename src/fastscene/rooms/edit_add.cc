@@ -156,6 +156,12 @@ Words joined_parts(const std::vector<Words>& parts) {
     return out;
 }
 
+// "A desk with a chair beside it", of what was spoken of before: both come there.
+bool both_come_there(const Talk& talk, const Words& words, std::size_t with) {
+    return talk.last.size() == 1 && words.back() == "it" && next_place(part_of(words, 0, with)) == with &&
+           parts_of(words).size() == 1 && find_word(words, {"beside", "next", "behind", "front"}, with) < words.size();
+}
+
 // "A lamp here and the bench under the window": the bench is there, and moves.
 bool stands_already(const Talk& talk, const Words& words) {
     const std::size_t place = next_place(words);
@@ -229,9 +235,9 @@ void add(Talk& talk, const Words& words) {
         return add(talk, all);
     }
     // "A vase is missing, put a blue one on the table"
-    if (const std::size_t one = find_word(words, {"one", "ones"}, 2);
+    if (const std::size_t one = find_word(words, {"one", "ones"});
         !talk.lacks.empty() && one < words.size() && one + 1 == next_place(words)) {
-        Words all = part_of(words, 0, one);
+        Words all = one > 0 ? part_of(words, 0, one) : Words{"a"};
         for (const std::string& w : tokens_of(std::exchange(talk.lacks, {}))) all.push_back(w);
         return add(talk, joined_words(all, part_of(words, one + 1)));
     }
@@ -254,7 +260,8 @@ void add(Talk& talk, const Words& words) {
         (find_word(words, {"and", ","}, with) < words.size() ||
          find_word(words, {"between", "next", "beside", "behind", "above", "front", "over", "under", "opposite"},
                    with) < words.size()) &&
-        begins_anew(part_of(words, with + 1)) && next_place(part_of(words, with + 1)) < words.size() - with - 1) {
+        begins_anew(part_of(words, with + 1)) && next_place(part_of(words, with + 1)) < words.size() - with - 1 &&
+        !both_come_there(talk, words, with)) {
         add(talk, part_of(words, 0, with));
         return add_there(talk, part_of(words, with + 1));
     }

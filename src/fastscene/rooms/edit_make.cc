@@ -215,6 +215,9 @@ bool of_the_room(Talk& talk, const Words& words) {
             // "the walls of the room white"
             if (!surface_said(part_of(words, 0, i)).empty()) return false;
         }
+    if (has_word(words, {"everything"}))
+        throw UsageError("name what is to be so, for example \"the walls\" or \"all chairs\", found \"{}\"",
+                         text_of(words));
     throw UsageError("expected a style, an hour or a weather for the room, found \"{}\"", text_of(words));
 }
 
@@ -246,16 +249,19 @@ bool make_by_turns(Talk& talk, const Words& words) {
     const std::size_t at = find_word(words, {"alternate", "alternately", "alternating"}, 1);
     if (at + 1 >= words.size()) return false;
     Words rest = part_of(words, at + 1);
-    const auto value = value_of(rest);
-    if (!value || value->looks.color2.empty())
-        throw UsageError("expected two colors, for example \"alternately black and white\", found \"{}\"",
+    std::vector<Value> values;
+    std::erase_if(rest, [](const std::string& w) { return is_one_of(w, {"between", "in"}); });
+    for (const Words& part : parts_of(rest))
+        if (const auto value = value_of(part)) values.push_back(*value);
+    if (values.size() < 2)
+        throw UsageError("expected two looks, for example \"alternately black and white\", found \"{}\"",
                          text_of(rest));
     const std::vector<std::string> ids = talk.things_of_parts(part_of(words, 0, at));
     for (std::size_t k = 0; k < ids.size(); ++k) {
         EditStep step;
         step.kind = EditStep::Kind::recolor;
         step.ids = {ids[k]};
-        step.wish.color = k % 2 == 0 ? value->looks.color : value->looks.color2;
+        step.wish = values[k % values.size()].looks;
         talk.editor.apply(step);
     }
     return true;
@@ -377,21 +383,6 @@ void make(Talk& talk, const Words& words) {
     do_each(talk.editor, groups.size(), [&](std::size_t k) { apply(talk, groups[k]); });
     for (const Words& with : unshown)
         talk.editor.note(kNotDone, fmt::format("\"{}\": nothing shows that", text_of(with)));
-}
-
-bool swap_colors(Talk& talk, const Words& words) {
-    const std::size_t colors = find_word(words, {"colors", "color", "colours"});
-    if (colors + 2 >= words.size() || words[colors + 1] != "of") return false;
-    const std::vector<std::string> ids = talk.things_of_parts(part_of(words, colors + 2));
-    if (ids.size() != 2) throw UsageError("expected two things to exchange their colors, found {}", ids.size());
-    std::array<std::string, 2> seen{talk.editor.color_seen(ids[1]), talk.editor.color_seen(ids[0])};
-    for (const std::size_t k : {0u, 1u}) {
-        EditStep step;
-        step.kind = EditStep::Kind::recolor;
-        step.ids = {ids[k]}, step.wish.color = seen[k];
-        talk.editor.apply(step);
-    }
-    return true;
 }
 
 }  // namespace fastscene::editing

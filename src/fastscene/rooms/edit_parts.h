@@ -137,6 +137,8 @@ class Editor {
     std::string why_none_added(EditStep step) const;
     // ": it takes 1.60 x 0.60 m, and wardrobe-1 is in the way"; `gone`: what is moved there. Empty: nobody could tell.
     std::string what_is_missing(const EditStep& step, const Placed* moving, const std::vector<int>& gone) const;
+    std::vector<std::string> fewest_in_the_way(const EditStep& step, const Placed* moving,
+                                               const std::vector<int>& gone) const;
 
     // ---- edit_place.cc
     void place(const EditStep& step);
@@ -447,6 +449,24 @@ std::string noun_of(const std::string& word);  // "corner", "wall", "window" …
 // Where a place's words begin, from the second word on; the number of words: nowhere.
 std::size_t next_place(const Words& words, std::size_t from = 1);
 
+// ---- edit_anchors.cc
+
+// The things at which a place is, and their kind.
+struct Anchor {
+    std::string kind;
+    std::vector<std::string> ids;  // none: any of the kind
+};
+std::string kind_of(const DocumentThing& t);  // as it was asked for
+bool is_table(const std::string& kind);
+bool carries(const Placed& p);
+// Whether something can be so at it: "around" tables, "on" what carries.
+bool fits(const std::string& relation, const Placed& there);
+// What "to" and "at" mean there: a vase goes onto a table, a chair up to it.
+std::string suited(const std::string& relation, const std::string& kind, const Placed& there);
+// Of the things that the words of a place may mean, those of one kind: what suits the relation, else the largest.
+std::vector<int> of_one_kind(const Editor& editor, std::vector<int> found, const std::string& relation);
+Anchor anchor_of(const Editor& editor, std::vector<int> found, const std::string& relation);
+
 // ---- edit_room_parts.cc: parts of the room as the camera sees them
 
 // Left, right, far or near; nothing: none was said.
@@ -460,6 +480,8 @@ std::string opening_there(const Plan& plan, const std::string& kind);
 std::optional<Vec2f> which_opening(const Editor& editor, const Part& part, const std::string& kind);
 // Of the two corners that lie that way, the one with more free floor before it.
 Vec2f freer_corner(const Editor& editor, Vec2f way, const std::string& mover);
+// Where it would be on the other side of the nearest such opening.
+std::optional<Vec2f> beyond_opening(const Editor& editor, const std::string& kind, const std::string& mover);
 // "The brick wall": the one that looks so; nothing: all do, or it was not said how it looks.
 std::optional<int> wall_that_looks(const Plan& plan, const Part& part);
 
@@ -604,6 +626,7 @@ struct Addition {
 };
 // "another chair", "two more plants", "a few books"
 Words counted_anew(Words words);
+bool is_a_part(const std::string& word);  // "drawers"
 // "Rolled" of "a rolled towel", which no word of the lexicon is.
 bool is_unknown_adjective(const Words& words, const std::string& said);
 // What words ask for, beside each other in them: "a desk with a lamp".

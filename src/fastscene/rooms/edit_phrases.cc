@@ -13,7 +13,14 @@ struct Phrase {
     std::string_view said, means;
 };
 // Longer ones before those that they begin with.
-constexpr std::array<Phrase, 54> kPhrases{{
+constexpr std::array<Phrase, 61> kPhrases{{
+    {"infront", "in front"},
+    {"ontop", "on top"},
+    {"inbetween", "in between"},
+    {"nextto", "next to"},
+    {"abit", "a bit"},
+    {"aswell", "as well"},
+    {"alot", "a lot"},
     {"a little bit", "a bit"},
     {"a wee bit", "a bit"},
     {"a tiny bit", "a bit"},
@@ -137,10 +144,10 @@ Words in_plain_words(Words words) {
     for (const Phrase& p : kPhrases) say(words, p.said, p.means);
     if (words.empty()) return words;
     words = as_swap(as_wishes(words));
-    // "How about moving the sofa"
-    for (std::size_t i = 1; i < words.size(); ++i)
-        if (is_one_of(words[i - 1], {"about", "mind", "try", "consider", "by", "and", ","}) &&
-            (words[i - 1] != "by" || (i > 1 && is_one_of(words[i - 2], {"start", "begin"}))))
+    // "How about moving the sofa and adding a lamp"
+    const std::size_t asked = find_word(words, {"about", "mind", "try", "consider", "start", "begin"});
+    for (std::size_t i = asked + 1; i < words.size(); ++i)
+        if ((i == asked + 1 || is_one_of(words[i - 1], {"by", "and", ","})) && words[i] != "facing")
             if (const std::string stem = stem_of_gerund(words[i]); !stem.empty()) words[i] = stem;
     return words;
 }

@@ -17,67 +17,6 @@
 namespace fastscene::editing {
 namespace {
 
-std::string kind_of(const DocumentThing& t) { return t.asked && !t.asked->kind.empty() ? t.asked->kind : t.kind; }
-
-bool is_table(const std::string& kind) {
-    return has_role(kind, Role::lamp_above) || has_role(kind, Role::work_place) || kind.ends_with("table");
-}
-
-bool carries(const Placed& p) { return !p.piece.surfaces.empty() || flat_top(p.piece).has_value(); }
-
-// What "to" and "at" mean there: a vase goes onto a table, a chair up to it.
-std::string suited(const std::string& relation, const std::string& kind, const Placed& there) {
-    const bool small = furnishing::is_small(kind) || furnishing::lies_on_seats(kind);
-    if (relation == "in") return "on";
-    if (relation == "to" && small && carries(there)) return "on";
-    if (has_role(kind, Role::seat) && !has_role(kind, Role::sofa) && !has_role(kind, Role::easy_chair)) {
-        if (has_role(there.piece.kind, Role::laid)) return "around";
-        if (has_role(there.piece.kind, Role::work_place)) return "in front of";
-        if (has_role(there.piece.kind, Role::lamp_above)) return "around";
-    }
-    return "next to";
-}
-
-bool fits(const std::string& relation, const Placed& there) {
-    if (relation == "on") return carries(there) || there.flat;
-    if (relation == "around") return is_table(there.piece.kind);
-    if (relation == "under") return there.piece.mount != Mount::ceiling && !there.flat;
-    return true;
-}
-
-float floor_of(const Placed& p) { return p.piece.size_m.x * p.piece.size_m.z; }
-
-// Of the things that the words of a place may mean, those of one kind: what suits the relation, else the largest.
-std::vector<int> of_one_kind(const Editor& editor, std::vector<int> found, const std::string& relation) {
-    const std::vector<Placed>& all = editor.room().furnished.placed;
-    const auto at = [&](int i) -> const Placed& { return all[static_cast<std::size_t>(i)]; };
-    if (std::any_of(found.begin(), found.end(), [&](int i) { return fits(relation, at(i)); }))
-        std::erase_if(found, [&](int i) { return !fits(relation, at(i)); });
-    const int largest = *std::max_element(found.begin(), found.end(),
-                                          [&](int a, int b) { return floor_of(at(a)) < floor_of(at(b)); });
-    const std::string kind = at(largest).piece.kind;
-    std::erase_if(found, [&](int i) { return at(i).piece.kind != kind; });
-    return found;
-}
-
-// The things at which it is, and their kind.
-struct Anchor {
-    std::string kind;
-    std::vector<std::string> ids;  // none: any of the kind
-};
-
-Anchor anchor_of(const Editor& editor, std::vector<int> found, const std::string& relation) {
-    found = of_one_kind(editor, found, relation);
-    const std::vector<DocumentThing>& things = editor.document().things;
-    Anchor out{kind_of(things[static_cast<std::size_t>(found.front())]), {}};
-    const auto alike = std::count_if(things.begin(), things.end(), [&](const DocumentThing& t) {
-        return t.kind == out.kind || kind_of(t) == out.kind;
-    });
-    if (alike != static_cast<std::ptrdiff_t>(found.size()))
-        for (const int i : found) out.ids.push_back(things[static_cast<std::size_t>(i)].id);
-    return out;
-}
-
 // "it", "them", "each of them"
 bool is_pronoun(const Words& words) {
     return std::all_of(words.begin(), words.end(),
@@ -166,6 +105,15 @@ class Reader {
         if (part.noun == "side" && rest.empty() && part.says({"each", "both", "either", "sides"})) return {};
         if (part.noun == "side" && of_room) return at_wall(part, {});
         // "on the other side of the sofa"
+        if (const auto opening = part.noun == "side" && rest.size() > 1 && rest.front() == "of" ? room_part(rest, 1)
+                                                                                                : std::nullopt;
+            opening && opening->next == rest.size() && is_one_of(opening->noun, {"window", "door", "doorway"})) {
+            auto beside = at_opening(part.says({"each", "both", "either", "sides"}) ? "on both sides of" : "next to",
+                                     *opening);
+            if (beside && moving_ && part.is_other())
+                beside->step.position = beyond_opening(editor_, beside->step.wish.relation_to, mover_);
+            return beside;
+        }
         if (part.noun == "side" && rest.size() > 1 && rest.front() == "of" && !part.says({"left", "right"})) {
             auto beside = at_thing({"next to", part.next + 1});
             if (beside && part.is_other()) free_side(*beside);

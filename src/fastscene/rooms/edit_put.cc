@@ -128,6 +128,7 @@ bool put_where(Talk& talk, const Clause& clause) {
     there.pop_back();
     if (thing.size() > 1 && is_one_of(thing.back(), {"to", "at"})) thing.pop_back();
     if (was && put_where_it_was(talk, there, thing)) return true;
+    if (was && !begins_anew(thing)) throw Error("{}: it is where it was", talk.things(there).front());
     if (begins_anew(thing)) return replace(talk, there, thing), true;
     thing.push_back("and");
     thing.insert(thing.end(), there.begin(), there.end());

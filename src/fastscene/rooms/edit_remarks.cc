@@ -111,6 +111,8 @@ void tell_unshown(Talk& talk, const std::vector<std::string>& ids, const PromptO
                  known && known->kind != WordKind::object && shape_said({word.words}).empty() &&
                  known->kind != WordKind::relation && !known->meaning.empty())
             unshown.push_back(word.words);
+    if (const std::size_t with = find_word(words, {"with"}, 1); with + 1 < words.size() && is_a_part(words[with + 1]))
+        unshown.push_back("with " + words[with + 1]);
     // "A space poster" with no print of space
     const Words nouns = tokens_of(wish.words);
     const std::size_t noun = nouns.empty() ? words.size() : find_word(words, {nouns.back()});

@@ -57,6 +57,21 @@ std::optional<Vec2f> which_opening(const Editor& editor, const Part& part, const
                              [&](Vec2f a, Vec2f b) { return dot(a, flat(*direction)) < dot(b, flat(*direction)); });
 }
 
+std::optional<Vec2f> beyond_opening(const Editor& editor, const std::string& kind, const std::string& mover) {
+    const Vec2f here = footprint_of(editor.placed(mover)).center;
+    std::optional<Vec2f> out;
+    float least = 1e9f;
+    for (const Opening& o : editor.plan().openings) {
+        if (!is_opening_of(o, kind)) continue;
+        const WallFace face = editor.plan().wall(o.wall);
+        const Vec2f along = flat(face.along), middle = flat(face.point((o.u0 + o.u1) / 2, 0));
+        if (length(middle - here) >= least) continue;
+        least = length(middle - here);
+        out = here + along * (2 * dot(middle - here, along));
+    }
+    return out;
+}
+
 Vec2f freer_corner(const Editor& editor, Vec2f way, const std::string& mover) {
     std::vector<Vec2f> corners = corners_of_room(editor.plan());
     std::stable_sort(corners.begin(), corners.end(), [&](Vec2f a, Vec2f b) { return dot(a, way) > dot(b, way); });

@@ -88,7 +88,7 @@ std::vector<std::string> Talk::things(const Words& said_words) {
             ids.push_back(editor.document().things[static_cast<std::size_t>(i)].id);
         std::erase_if(ids,
                       [&](const std::string& id) { return std::find(last.begin(), last.end(), id) != last.end(); });
-        if (ids.size() == 1) return last = ids;
+        if (ids.size() == 1 || (!ids.empty() && words.back().ends_with("s"))) return last = ids;
     }
     last = named(editor, text_of(words));
     noun = in_words(asked_kind(editor.placed(last.front())));
@@ -101,8 +101,11 @@ std::optional<std::vector<std::string>> Talk::the_rest(const Words& words) const
                                 {"the rest", "the others", "the rest of them", "the other ones", "the remaining ones",
                                  "the ones left", "all the others", "the ones that are left", "the remaining"});
     const bool named_so = words.size() > 2 && words.front() == "the" && words[1] == "remaining";
-    if (!named_so && (!bare || noun.empty())) return {};
-    const Words of = named_so ? part_of(words, number_said(words[2]) ? 3 : 2) : tokens_of(noun);
+    const bool rest_of = words.size() > 3 && text_of(words, 0, 3) == "the rest of" && words.back() != "them";
+    if (!named_so && !rest_of && (!bare || noun.empty())) return {};
+    Words of = tokens_of(noun);
+    if (named_so) of = part_of(words, number_said(words[2]) ? 3 : 2);
+    if (rest_of) of = part_of(words, is_definite(words[3]) ? 4 : 3);
     std::vector<std::string> ids;
     for (const int i : all_named(editor, "all " + text_of(of)))
         if (const std::string& id = editor.document().things[static_cast<std::size_t>(i)].id; !is_among(id, last))

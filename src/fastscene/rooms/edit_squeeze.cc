@@ -349,8 +349,8 @@ bool Editor::add_squeezed(const EditStep& step) {
         if (!found) break;
     }
     if (done > 0 && done < count && step.wish.counted)
-        note(kNotDone, fmt::format("{} of {}: there is no free place for {} {} more{}", step.wish.words, count,
-                                   count - done, in_words(step.wish.kind), place_in_words(step)));
+        note(kNotDone, fmt::format("{}: there is a free place for {} of {}{}", step.wish.words, done, count,
+                                   place_in_words(step)));
     return done > 0;
 }
 

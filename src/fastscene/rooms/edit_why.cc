@@ -8,6 +8,7 @@
 #include "fastscene/base/is_one_of.h"
 #include "fastscene/rooms/catalogue.h"
 #include "fastscene/rooms/edit_parts.h"
+#include "fastscene/rooms/validate.h"
 
 namespace fastscene::editing {
 namespace {
@@ -42,6 +43,42 @@ std::string Editor::why_none_added(EditStep step) const {
                        what_is_missing(step, nullptr, {}));
 }
 
+// Of all places that are meant the one at which the fewest things stand; none: it is no thing that is in the way.
+std::vector<std::string> Editor::fewest_in_the_way(const EditStep& step, const Placed* moving,
+                                                   const std::vector<int>& gone) const {
+    const Standing standing = without(gone);
+    Asked asked = asked_among(standing, step);
+    Random rng(room_.seed, "why", asked.among.size());
+    Layout layout = begin_layout(asked.spec, rng, asked.among, moving);
+    const PromptObject& wish = asked.spec.objects[0];
+    if (!layout.why_not(wish.kind).empty()) return {};
+    Placed p;
+    p.piece = make_piece(layout.request(wish.kind, &wish));
+    if (p.piece.mount != Mount::floor || is_rug(p.piece)) return {};
+    constexpr std::size_t kMostNamed = 3;
+    std::vector<int> fewest;
+    bool found = false;
+    for (const Candidate& c : candidates_for(layout, step, p.piece, 0)) {
+        p.position = {c.at.x, 0, c.at.y}, p.yaw = c.yaw;
+        const Footprint box = footprint_of(p);
+        if (blocks_opening(plan(), box)) continue;
+        std::vector<int> here;
+        bool meant = false;
+        for (int i = 0; i < static_cast<int>(asked.among.size()); ++i) {
+            const Placed& other = asked.among[static_cast<std::size_t>(i)];
+            if (other.flat || other.on >= 0 || other.piece.mount != Mount::floor || !overlap(box, footprint_of(other)))
+                continue;
+            here.push_back(standing.was[static_cast<std::size_t>(i)]);
+            meant = meant || is_meant(step, placed(here.back()));
+        }
+        if (!meant && (!found || here.size() < fewest.size())) fewest = here, found = true;
+    }
+    std::vector<std::string> out;
+    for (const int i : fewest)
+        if (out.size() < kMostNamed) out.push_back(placed(i).id);
+    return fewest.size() > kMostNamed ? std::vector<std::string>{} : out;
+}
+
 // Whether it would have a place without one of the things that stand about it, or were it smaller.
 std::string Editor::what_is_missing(const EditStep& step, const Placed* moving, const std::vector<int>& gone) const {
     EditStep one = step;
@@ -54,36 +91,14 @@ std::string Editor::what_is_missing(const EditStep& step, const Placed* moving, 
                                     : fmt::format(": it takes {:.2f} x {:.2f} m", size.x, size.z);
     if (mount == Mount::surface) return takes;
     const Squeeze tightly{.narrow = true};
-    const auto fits_without = [&](const std::vector<int>& others) {
-        std::vector<int> all = gone;
-        for (const int i : with_riders(others))
-            if (std::find(all.begin(), all.end(), i) == all.end()) all.push_back(i);
-        return squeezed_in(without(all), one, moving, tightly, [](const Squeezed&) { return true; }).has_value();
-    };
-    // What is nearest to the place first.
-    const std::vector<Footprint> anchors = anchors_of(plan(), room_.furnished.placed, one.wish.relation_to);
-    std::vector<std::pair<float, int>> near;
-    for (int i = 0; i < static_cast<int>(room_.furnished.placed.size()); ++i) {
-        const Placed& p = placed(i);
-        const bool stands = p.on < 0 && !p.flat && (p.piece.mount == Mount::floor || (hangs && p.piece.mount == mount));
-        if (!stands || is_meant(one, p) || std::find(gone.begin(), gone.end(), i) != gone.end()) continue;
-        if (std::find(one.at.begin(), one.at.end(), p.id) != one.at.end()) continue;
-        float off = anchors.empty() ? 0.f : 1e9f;
-        for (const Footprint& a : anchors) off = std::min(off, distance_to(a, footprint_of(p).center));
-        near.emplace_back(off, i);
-    }
-    std::stable_sort(near.begin(), near.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
-    constexpr std::size_t kMostTried = 14, kMostNamed = 2;
-    std::vector<std::string> blocking;
-    for (std::size_t k = 0; k < std::min(kMostTried, near.size()) && blocking.size() < kMostNamed; ++k)
-        if (fits_without({near[k].second})) blocking.push_back(placed(near[k].second).id);
+    const std::vector<std::string> blocking = hangs ? std::vector<std::string>{} : fewest_in_the_way(one, moving, gone);
     if (!blocking.empty())
-        return fmt::format("{}, and {} {} in the way", takes, fmt::join(blocking, " or "),
+        return fmt::format("{}, and {} {} in the way", takes, fmt::join(blocking, " and "),
                            blocking.size() > 1 ? "are" : "is");
     if (moving || !(one.wish.size_m == Vec3f{})) return takes;
     for (const float scale : {0.6f, 0.5f, 0.4f}) {
         one.wish.size_m = size * scale;
-        if (fits_without({}))
+        if (squeezed_in(without(gone), one, moving, tightly, [](const Squeezed&) { return true; }))
             return fmt::format("{}, and there is room for {:.2f} x {:.2f} m at most", takes, size.x * scale,
                                (hangs ? size.y : size.z) * scale);
     }

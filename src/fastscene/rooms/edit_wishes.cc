@@ -158,6 +158,12 @@ void size_as_said(const Editor& editor, const Words& words, PromptObject& wish) 
 
 }  // namespace
 
+// What things have, and no thing beside them: "an island with drawers".
+bool is_a_part(const std::string& word) {
+    return is_one_of(word,
+                     {"drawers", "doors", "shelves", "wheels", "handles", "legs", "armrests", "storage", "casters"});
+}
+
 bool is_unknown_adjective(const Words& words, const std::string& said) {
     const Words phrase = tokens_of(said);
     if (phrase.size() != 1) return false;
@@ -213,6 +219,8 @@ std::vector<PromptObject> wishes_of(const Editor& editor, const Words& words) {
         const bool heap = has_role(o.kind, Role::heap) || (thing && has_role(thing->small_form, Role::heap));
         if (heap && find_word(words, {"stack", "pile"}) < words.size()) o.count = 1;
     }
+    if (const std::size_t with = find_word(words, {"with"}, 1); with + 1 < words.size() && is_a_part(words[with + 1]))
+        std::erase_if(spec.objects, [&](const PromptObject& o) { return o.words == words[with + 1]; });
     PromptObject& first = spec.objects.front();
     for (std::size_t k = 1; k < spec.objects.size(); ++k) {
         PromptObject& o = spec.objects[k];

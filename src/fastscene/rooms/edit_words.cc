@@ -139,6 +139,8 @@ void with_place(const Editor& editor, const PromptSpec& spec, std::vector<int>& 
     if (where.relation == "next to" && (there.empty() ? !several : several && there.size() < count))
         nearest_to(editor, where.relation_to, found, count);
     else if (!there.empty()) found = there;
+    if (several && where.relation == "next to" && is_shell(where.relation_to))
+        nearest_to(editor, where.relation_to, found, count);
 }
 
 // The very things of a place: "at the second table", "on the left nightstand". Nothing: it is at any such thing, at a
