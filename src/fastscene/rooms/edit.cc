@@ -230,6 +230,9 @@ void Editor::apply(const EditStep& step) {
         case EditStep::Kind::resize: return resize(step);
         case EditStep::Kind::reshape: return reshape(step);
         case EditStep::Kind::line: return line_up(step);
+        case EditStep::Kind::circle: return encircle(step);
+        case EditStep::Kind::rows: return in_rows_of(step);
+        case EditStep::Kind::space: return space_out(step);
         case EditStep::Kind::add: return add(step);
         case EditStep::Kind::replace: return replace(step);
         case EditStep::Kind::restyle: return restyle(step.value);

@@ -23,6 +23,10 @@ struct EditStep {
         resize,   // by `factor`: as much of it as there is room for, or `exactly`
         reshape,  // into the shape `value`: round, oval, square, rectangular
         line,     // `ids` side by side with their backs to a wall: `wall`, or that with room for them
+        circle,   // `ids` in a circle, or a `value` semicircle, that looks inwards: about `at`, `position`, or
+                  // themselves
+        rows,     // `ids` in `wish.count` rows that look along `yaw`, about `position` or the middle of the room
+        space,    // `ids` with even gaps: along their row, or around their table
         add,      // `wish`, where it says, near `position`, or where such things stand
         replace,  // by `wish`, as many as it says, each where one of `ids` stood
         restyle,  // the room, by `value`

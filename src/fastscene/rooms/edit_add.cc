@@ -1,5 +1,6 @@
 // "a floor lamp beside the bed", "the sofa with two armchairs": what comes new, and what changes places.
 #include <algorithm>
+#include <utility>
 
 #include "fastscene/base/error.h"
 #include "fastscene/base/is_one_of.h"
@@ -20,6 +21,22 @@ Words with_noun(const Talk& talk, const Words& words) {
         Words all = words;
         all.push_back("one");
         return with_noun(talk, all);
+    }
+    // "… in line with the other two"
+    if (const std::size_t n = words.size();
+        place < n && n > 3 && words[n - 2] == "other" && number_said(words[n - 1]) && words[n - 3] == "the") {
+        Words all = part_of(words, 0, n - 2);
+        all.back() = "the", all.push_back("others");
+        return with_noun(talk, all);
+    }
+    // "A third table next to the others": next to the tables
+    if (is_one_of(words.back(), {"others", "rest"}) && place < words.size() && words[words.size() - 2] == "the") {
+        const PromptSpec spec = read_in_room(talk.editor, text_of(counted_anew(part_of(words, 0, place))));
+        if (spec.objects.empty()) return words;
+        Words out = part_of(words, 0, words.size() - 1);
+        const Words noun = tokens_of(spec.objects.front().words);
+        out.insert(out.end(), noun.begin(), noun.end());
+        return out;
     }
     // "Candles to the tables that don't have one": a candle
     const bool had = is_one_of(words.back(), {"one", "any"}) && words.size() > 2 &&
@@ -77,7 +94,8 @@ void add_with(Talk& talk, const std::vector<std::string>& ids, const Addition& a
         [&](std::size_t k) {
             const PromptObject& wish = wishes[k + first];
             const std::string relation = addition.on_it ? "on" : wish.relation;
-            if (ids.empty() || (!addition.each && !addition.on_it && (relation != "on" || wish.count > 1)))
+            if (ids.empty() ||
+                (ids.size() > 1 && !addition.each && !addition.on_it && (relation != "on" || wish.count > 1)))
                 return add_or_stand(talk, wish, {});
             do_each(talk.editor, ids.size(), [&](std::size_t i) { add_or_stand(talk, wish, at(ids[i], relation)); });
         },
@@ -136,6 +154,12 @@ Words joined_parts(const std::vector<Words>& parts) {
         out.insert(out.end(), part.begin(), part.end());
     }
     return out;
+}
+
+// "A desk with a chair beside it", of what was spoken of before: both come there.
+bool both_come_there(const Talk& talk, const Words& words, std::size_t with) {
+    return talk.last.size() == 1 && words.back() == "it" && next_place(part_of(words, 0, with)) == with &&
+           parts_of(words).size() == 1 && find_word(words, {"beside", "next", "behind", "front"}, with) < words.size();
 }
 
 // "A lamp here and the bench under the window": the bench is there, and moves.
@@ -210,10 +234,12 @@ void add(Talk& talk, const Words& words) {
         all.insert(all.end(), {"on", "it"});
         return add(talk, all);
     }
-    if (words.size() > 2 && words.back() == "one" && talk.last.empty() && !talk.noun.empty()) {
-        Words all = words;
-        all.back() = talk.noun;
-        return add(talk, all);
+    // "A vase is missing, put a blue one on the table"
+    if (const std::size_t one = find_word(words, {"one", "ones"});
+        !talk.lacks.empty() && one < words.size() && one + 1 == next_place(words)) {
+        Words all = one > 0 ? part_of(words, 0, one) : Words{"a"};
+        for (const std::string& w : tokens_of(std::exchange(talk.lacks, {}))) all.push_back(w);
+        return add(talk, joined_words(all, part_of(words, one + 1)));
     }
     // "The tv is too small, get a bigger one": in place of that.
     if (words.size() > 2 && words.back() == "one" && !talk.last.empty() &&
@@ -232,8 +258,10 @@ void add(Talk& talk, const Words& words) {
     if (const std::size_t with = find_word(words, {"with"}, 1);
         with + 1 < words.size() && is_one_of(words.back(), {"it", "them"}) &&
         (find_word(words, {"and", ","}, with) < words.size() ||
-         find_word(words, {"between", "next", "beside", "behind", "above", "front"}, with) < words.size()) &&
-        begins_anew(part_of(words, with + 1)) && next_place(part_of(words, with + 1)) < words.size() - with - 1) {
+         find_word(words, {"between", "next", "beside", "behind", "above", "front", "over", "under", "opposite"},
+                   with) < words.size()) &&
+        begins_anew(part_of(words, with + 1)) && next_place(part_of(words, with + 1)) < words.size() - with - 1 &&
+        !both_come_there(talk, words, with)) {
         add(talk, part_of(words, 0, with));
         return add_there(talk, part_of(words, with + 1));
     }

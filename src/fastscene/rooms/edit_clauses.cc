@@ -12,160 +12,6 @@
 namespace fastscene::editing {
 namespace {
 
-// How clauses begin, by what is to be done. The longest that fits counts; what is politely said before it is passed
-// over.
-struct Row {
-    Verb verb;
-    std::string_view beginnings;  // with "|" between them
-};
-constexpr std::array<Row, 24> kBeginnings{{
-    {Verb::remove,
-     "remove|delete|erase|take away|take out|take|drop|get rid of|throw out|throw away|throw|"
-     "lose|discard|ditch|hide|clear away|clear out|without|no more|no|i dont like|chuck out|chuck|bin|scrap|"
-     "toss out|take down|eliminate|"
-     "i do not like|i dont want|i do not want|i dont need|we dont need|there should be no"},
-    {Verb::clear, "clear|empty"},
-    {Verb::move,
-     "move|shift|bring|push|pull|slide|drag|relocate|lower|raise|lift|carry|nudge|scoot|shove|swing|"
-     "reposition|transfer|tuck"},
-    {Verb::put,
-     "put|place|set|stand|hang|lay|position|mount|lean|put down|put up|lay down|set down|hang up|stack|"
-     "pile|pile up|scatter|spread|drape|toss|stick|pop|prop|prop up|rest|squeeze|slot|plop|pin|string|sit|roll "
-     "out|unroll|"
-     "decorate|dress|arrange|fill|top"},
-    {Verb::make, "make|change|switch|give"},
-    {Verb::refuse, "open|close|shut|rearrange|reorganize|redecorate|improve|fix|undo|redo|divide"},
-    {Verb::tidy, "tidy|tidy up|clean|clean up|declutter|straighten up"},
-    {Verb::center, "center|centre"},
-    {Verb::brighter, "brighten|brighten up|lighten|lighten up|light up|turn up|illuminate"},
-    {Verb::darker, "darken|dim|turn down"},
-    {Verb::add,
-     "add|insert|include|get|create|bring in|have|give me|give us|can i have|can we have|"
-     "could i have|could we have|can i get|there should be|there must be|there needs to be|"
-     "let there be|it needs|the room needs|install"},
-    {Verb::want,
-     "i need|we need|i want|we want|i wish|i would like|we would like|id like|id love|"
-     "i would love|i prefer|id prefer|let"},
-    {Verb::replace, "replace|exchange|substitute|swap out|switch out|change out|trade|trade in"},
-    {Verb::swap, "swap|interchange"},
-    {Verb::keep, "keep|leave"},
-    {Verb::line, "line up|line|align"},
-    {Verb::turn, "turn|rotate|spin|flip"},
-    {Verb::face, "face|point|orient|aim|angle"},
-    {Verb::color, "paint|color|recolor|dye|tint|repaint|reupholster|cover|tile|carpet|plaster"},
-    {Verb::larger, "enlarge|scale up|widen|lengthen|extend|heighten"},
-    {Verb::smaller, "shrink|scale down|reduce|shorten|narrow"},
-    {Verb::copy, "duplicate|copy|clone"},
-    {Verb::kindle, "light|ignite|kindle"},
-    {Verb::quench, "put out|blow out|extinguish|snuff out|snuff"},
-}};
-
-struct Beginning {
-    Words words;
-    Verb verb;
-};
-const std::vector<Beginning>& beginnings() {
-    static const std::vector<Beginning> all = [] {
-        std::vector<Beginning> out;
-        for (const Row& row : kBeginnings) {
-            std::string_view left = row.beginnings;
-            while (!left.empty()) {
-                const std::string_view one = left.substr(0, left.find('|'));
-                left.remove_prefix(std::min(left.size(), one.size() + 1));
-                out.push_back({tokens_of(one), row.verb});
-            }
-        }
-        return out;
-    }();
-    return all;
-}
-
-// Said before what is to be done, and nothing by itself.
-constexpr std::array<std::string_view, 43> kPolite{"please",
-                                                   "pls",
-                                                   "plz",
-                                                   "can you",
-                                                   "could you",
-                                                   "would you",
-                                                   "will you",
-                                                   "can we",
-                                                   "could we",
-                                                   "you should",
-                                                   "we should",
-                                                   "you can",
-                                                   "i want to",
-                                                   "i want you to",
-                                                   "i would like to",
-                                                   "i would like you to",
-                                                   "id like to",
-                                                   "id like you to",
-                                                   "we want to",
-                                                   "let's",
-                                                   "lets",
-                                                   "let us",
-                                                   "let me",
-                                                   "try to",
-                                                   "go ahead and",
-                                                   "just",
-                                                   "now",
-                                                   "then",
-                                                   "also",
-                                                   "maybe",
-                                                   "perhaps",
-                                                   "next",
-                                                   "ok",
-                                                   "okay",
-                                                   "hey",
-                                                   "hi",
-                                                   "actually",
-                                                   "first",
-                                                   "finally",
-                                                   "kindly",
-                                                   "afterwards",
-                                                   "would you mind",
-                                                   "i need you to"};
-
-std::size_t count_of(std::string_view phrase) {
-    return static_cast<std::size_t>(std::count(phrase.begin(), phrase.end(), ' ')) + 1;
-}
-
-bool stands_at(const Words& words, std::size_t at, std::string_view phrase) {
-    const std::size_t count = count_of(phrase);
-    return at + count <= words.size() && text_of(words, at, at + count) == phrase;
-}
-
-std::size_t past_polite(const Words& words, std::size_t at) {
-    for (bool again = true; again;) {
-        again = false;
-        std::size_t longest = 0;
-        for (const std::string_view phrase : kPolite)
-            if (stands_at(words, at, phrase)) longest = std::max(longest, count_of(phrase));
-        if (longest == 0) continue;
-        at += longest, again = true;
-        while (at < words.size() && words[at] == ",") ++at;  // "now, remove it"
-    }
-    return at;
-}
-
-const Beginning* beginning_at(const Words& words, std::size_t at) {
-    const Beginning* best = nullptr;
-    // "Light the candles", but "light blue walls"; "tile the floor", but "tile on the floor".
-    const auto is_of_those = [&](std::size_t next) {
-        return next < words.size() &&
-               (is_definite(words[next]) || is_one_of(words[next], {"all", "both", "every", "each"}));
-    };
-    for (const Beginning& b : beginnings()) {
-        if (part_of(words, at, at + b.words.size()) != b.words || (best && b.words.size() <= best->words.size()))
-            continue;
-        // "No, the bench" takes nothing away.
-        if (b.words.back() == "no" && at + 1 < words.size() && is_joint(words[at + 1])) continue;
-        const bool of_those = b.verb == Verb::kindle || b.verb == Verb::quench ||
-                              is_one_of(b.words.front(), {"tile", "carpet", "plaster"});
-        if (!of_those || is_of_those(at + b.words.size())) best = &b;
-    }
-    return best;
-}
-
 // "the sofa should be green", "the lamp needs to go to the corner"
 bool is_statement(const Words& words, std::size_t at) {
     // "can the walls be white"
@@ -202,10 +48,12 @@ bool says_what(const Words& words, std::size_t at) {
 // "the chairs don't match, make them black": a remark, and then what is to be done. Where the remark ends; nothing: it
 // is none, or nothing follows.
 std::optional<std::size_t> remark_ends(const Words& words, std::size_t at) {
-    if (!is_definite(words[at]) && !is_one_of(words[at], {"it's", "its", "there", "there's", "i", "we", "too"}))
-        return {};
     std::size_t end = at;
     while (end < words.size() && !is_joint(words[end])) ++end;
+    const bool lacks = words[end - 1] == "missing";  // "a rug is missing, add a red one"
+    if (!lacks && !is_definite(words[at]) &&
+        !is_one_of(words[at], {"it's", "its", "there", "there's", "i", "we", "too"}))
+        return {};
     const bool states = std::any_of(
         words.begin() + static_cast<std::ptrdiff_t>(at), words.begin() + static_cast<std::ptrdiff_t>(end),
         [](const std::string& w) {
@@ -251,12 +99,18 @@ bool says_all(const Words& words) {
     });
 }
 
-// "20%" as a word, so that no mark ends the clause there.
-std::string with_percent(const std::string& sentence) {
+// Marks that stand for words: "20%", "w/ a lamp", "the rug & the pouf".
+std::string spelled_out(const std::string& sentence) {
     std::string out;
-    for (const char c : sentence)
-        if (c == '%') out += " percent ";
-        else out += c;
+    for (std::size_t i = 0; i < sentence.size(); ++i) {
+        const bool alone = i == 0 || sentence[i - 1] == ' ';
+        if (sentence[i] == '%') out += " percent ";
+        else if (sentence[i] == '&' || (sentence[i] == '+' && alone)) out += " and ";
+        else if (alone && (sentence.compare(i, 3, "w/o") == 0 || sentence.compare(i, 3, "W/o") == 0))
+            out += "without", i += 2;
+        else if (alone && (sentence.compare(i, 2, "w/") == 0 || sentence.compare(i, 2, "W/") == 0)) out += "with ", ++i;
+        else out += sentence[i];
+    }
     return out;
 }
 
@@ -354,8 +208,13 @@ std::size_t taken_back_at(const Words& words, std::size_t at) {
     return correction_at(words, at, begins);
 }
 
-// "I don't like the rug, make it blue": it stays, and is blue.
+// "I don't like the rug, make it blue": it stays, and is blue. "The table needs a vase, add a red one": one vase.
 void disliked(Clause& clause, const Clause& next) {
+    const bool needs = clause.verb == Verb::want && find_word(clause.words, {"needs", "need"}, 1) < clause.words.size();
+    if (needs && find_word(next.words, {"one", "ones"}, 1) < next.words.size() && begins_anew(next.words)) {
+        clause.verb = Verb::remark;
+        return;
+    }
     const bool dislikes = clause.verb == Verb::remove && clause.said.starts_with("i d") &&
                           clause.said.ends_with("like");
     if (!dislikes || find_word(next.words, {"it", "them", "they", "one", "ones"}) == next.words.size()) return;
@@ -380,7 +239,7 @@ std::vector<Clause> clauses_of(const std::string& sentence) {
         for (const std::string& type : room_types()) out.push_back(type);
         return out;
     }();
-    Words words = tokens_of(with_percent(sentence));
+    Words words = in_plain_words(tokens_of(spelled_out(sentence)));
     std::erase_if(words, [](const std::string& w) {
         return is_one_of(w, {"maybe", "perhaps", "preferably", "ideally", "possibly"});
     });

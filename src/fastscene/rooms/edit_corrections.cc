@@ -12,9 +12,11 @@ namespace fastscene::editing {
 namespace {
 
 // Said anywhere, and only after a comma or a full stop.
-constexpr std::array<std::string_view, 9> kAnywhere{"no wait",   "wait no",     "scratch that", "i mean",  "i meant",
-                                                    "or rather", "actually no", "make that",    "no sorry"};
-constexpr std::array<std::string_view, 6> kAfterMark{"no", "wait", "sorry", "oh no", "rather", "actually"};
+constexpr std::array<std::string_view, 14> kAnywhere{
+    "no wait",   "wait no",  "scratch that", "i mean", "i meant",           "or rather", "actually no",
+    "make that", "no sorry", "ok no",        "hmm no", "on second thought", "or no",     "no actually"};
+constexpr std::array<std::string_view, 10> kAfterMark{"no",       "wait", "sorry", "oh no", "rather",
+                                                      "actually", "nope", "nah",   "oops",  "correction"};
 
 bool is_mark(const std::string& word) { return is_one_of(word, {",", ".", ";"}); }
 

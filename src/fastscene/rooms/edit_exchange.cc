@@ -1,9 +1,10 @@
-// Things that take the places of others: swapped, or new ones for old ones.
+// New things that take the places of old ones.
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
 
 #include "fastscene/base/error.h"
 #include "fastscene/rooms/catalogue.h"
@@ -64,7 +65,8 @@ std::optional<int> hang_in_place(Layout& layout, const PieceRequest& request, co
     return {};
 }
 
-// Where another stood; `on`: what carried that, in the layout. `aside`: metres along it.
+}  // namespace
+
 std::optional<int> take_place(Layout& layout, const PieceRequest& request, const PromptObject& wish,
                               const Placed& place, int on, float aside) {
     const Piece piece = make_piece(request);
@@ -91,69 +93,37 @@ std::optional<int> take_place(Layout& layout, const PieceRequest& request, const
     return {};
 }
 
-}  // namespace
-
-// Backs that stood at walls stand at walls.
-void Editor::swap(const EditStep& step) {
-    if (step.ids.size() != 2 || step.ids[0] == step.ids[1])
-        throw UsageError("expected two things to change places, found {}", step.ids.size());
-    const int a = index_of(step.ids[0]), b = index_of(step.ids[1]);
-    if (placed(a).on == b || placed(b).on == a)
-        throw UsageError("{} and {}: one stands on the other", step.ids[0], step.ids[1]);
-    const std::vector<int> seats_a = seats_at(a), seats_b = seats_at(b);
-    const bool apart = std::none_of(seats_a.begin(), seats_a.end(), [&](int i) { return i == b; }) &&
-                       std::none_of(seats_b.begin(), seats_b.end(), [&](int i) { return i == a; });
-    if (apart && !(seats_a.empty() && seats_b.empty())) try {
-            return swap_two(a, b, seats_a, seats_b);
-        } catch (const Error&) {  // there is no room for the chairs: they stay
-        }
-    swap_two(a, b, {}, {});
-}
-
-void Editor::swap_two(int a, int b, const std::vector<int>& with_a, const std::vector<int>& with_b) {
-    const Placed one = placed(a), other = placed(b);
-    std::vector<int> moving{a, b};
-    moving.insert(moving.end(), with_a.begin(), with_a.end());
-    moving.insert(moving.end(), with_b.begin(), with_b.end());
-    const Standing standing = without(with_riders(moving));
-    PromptSpec spec = room_.spec;
-    spec.objects = {};
-    Random rng(room_.seed, "swap");
-    Layout layout = begin_layout(spec, rng, standing.placed, nullptr);
-    const auto put = [&](const Placed& p, const Placed& place) {
-        layout.make_as(p.piece.made_from);
-        PromptObject wish = p.wish;
-        if (wish.kind.empty()) wish.kind = p.piece.kind;
-        wish.relation = wish.relation_to = "";
-        const int on = place.on < 0 ? -1 : standing.now[static_cast<std::size_t>(place.on)];
-        const PieceRequest request = layout.request(p.piece.kind, &wish);
-        auto i = take_place(layout, request, wish, place, on, 0);
-        // Or as near to it as may be, at a wall.
-        for (const float reach : {0.8f, 1.6f})
-            if (!i && p.piece.mount == Mount::floor && !p.flat && on < 0)
-                i = layout.against_wall(
-                    request, {.near = flat(place.position), .center_pull = 0, .at_most_from_near = reach}, wish);
-        if (!i) throw Error("{} finds no room where {} stands", p.id, place.id);
-        return layout.placed()[static_cast<std::size_t>(*i)];
-    };
-    const Placed first = put(one, other), second = put(other, one);
-    checked([&] {
-        std::swap(thing(a).on, thing(b).on);
-        std::swap(thing(a).window, thing(b).window);
-        set_pose(a, {first.position, first.yaw}, with_a);
-        set_pose(b, {second.position, second.yaw}, with_b);
-    });
-}
-
 namespace {
 
 // Fewer new ones than old ones: each in the middle of some of these that look one way, where they can be shared out
 // so.
 std::vector<Placed> shared_out(std::vector<Placed> olds, int count) {
     const auto total = static_cast<int>(olds.size());
-    if (count < 1 || total <= count || total % count != 0 || olds.front().on >= 0) return olds;
+    if (count < 1 || total <= count || olds.front().on >= 0) return olds;
     constexpr float kTurn = 10;  // degrees: so near to each other they look one way
     const auto way = [&](const Placed& p) { return std::lround(p.yaw * 180 / kPi / kTurn); };
+    // Where they look several ways, as around a table: each in the middle of those of one side, the longest first.
+    std::map<long, std::vector<Placed>> sides;
+    for (const Placed& p : olds) sides[way(p)].push_back(p);
+    const bool one_table = olds.front().with >= 0 && std::all_of(olds.begin(), olds.end(), [&](const Placed& p) {
+                               return p.with == olds.front().with;
+                           });
+    if (one_table && static_cast<int>(sides.size()) >= count && sides.size() > 1) {
+        std::vector<std::vector<Placed>> longest;
+        for (auto& [yaw, side] : sides) longest.push_back(side);
+        std::stable_sort(longest.begin(), longest.end(),
+                         [](const auto& a, const auto& b) { return a.size() > b.size(); });
+        std::vector<Placed> out;
+        for (int n = 0; n < count; ++n) {
+            const std::vector<Placed>& side = longest[static_cast<std::size_t>(n)];
+            Vec3f middle{};
+            for (const Placed& p : side) middle += p.position * (1 / static_cast<float>(side.size()));
+            out.push_back(side.front());
+            out.back().position = middle;
+        }
+        return out;
+    }
+    if (total % count != 0) return olds;
     std::stable_sort(olds.begin(), olds.end(), [&](const Placed& a, const Placed& b) { return way(a) < way(b); });
     std::vector<Placed> out;
     for (int n = 0; n < count; ++n) {

@@ -29,7 +29,8 @@ std::string place_in_words(const EditStep& step) {
     std::string out = " " + wish.relation;
     if (step.at.size() == 1) out += " " + step.at.front();
     else if (!wish.relation_to.empty()) out += " the " + in_words(wish.relation_to);
-    if (!wish.relation_and.empty()) out += " and the " + in_words(wish.relation_and);
+    if (step.at_and.size() == 1) out += " and " + step.at_and.front();
+    else if (!wish.relation_and.empty()) out += " and the " + in_words(wish.relation_and);
     return out;
 }
 
@@ -48,6 +49,8 @@ bool is_drawn_up(const std::vector<Placed>& all, const Placed& piece, const std:
                (dot(front, to) > kTurnedTo * length(to) || distance_to(footprint_of(p), ahead) < 0.01f);
     });
 }
+
+}  // namespace
 
 bool is_where_asked(const Plan& plan, const std::vector<Placed>& all, const Placed& piece, const PromptObject& wish) {
     if (wish.relation == "around" && has_role(piece.piece.kind, Role::seat) &&
@@ -76,6 +79,8 @@ bool is_where_asked(const Plan& plan, const std::vector<Placed>& all, const Plac
     }
     return stands_as_asked(plan, all, piece, wish).value_or(wish.relation.empty());
 }
+
+namespace {
 
 // Places all over a top are tried.
 bool set_down_on(Layout& layout, int top, const PieceRequest& request, const PromptObject& wish) {
@@ -299,84 +304,16 @@ std::vector<Placed> Editor::laid_out(const Standing& standing, const EditStep& s
     return out;
 }
 
-void Editor::place(const EditStep& step) {
-    do_each(*this, step.ids.size(), [&](std::size_t k) { place_with_seats(index_of(step.ids[k]), step); });
-}
-
-void Editor::place_with_seats(int index, const EditStep& step) {
-    const std::vector<int> seats = seats_at(index);
-    if (!seats.empty()) try {
-            return place_one(index, seats, step);
-        } catch (const Error&) {  // there is no room for them: it goes alone
-        }
-    place_one(index, {}, step);
-    if (!seats.empty()) tell(thing(index).id, "what stands at it stays where it was: there is no room for it there");
-}
-
-void Editor::place_one(int index, const std::vector<int>& along, EditStep step) {
-    std::vector<int> moving{index};
-    moving.insert(moving.end(), along.begin(), along.end());
-    const Standing standing = without(with_riders(moving));
-    const Placed was = placed(index);
-    const std::string id = thing(index).id;
-    PromptObject& wish = step.wish;
-    wish.kind = was.wish.kind.empty() ? was.piece.kind : was.wish.kind;
-    wish.words = in_words(wish.kind);
-    wish.count = 1;
-    wish.size_m = was.piece.size_m, step.yaw = was.yaw;
-    if (std::find(step.at.begin(), step.at.end(), id) != step.at.end())
-        throw UsageError("{}: it cannot stand{}", id, place_in_words(step));
-    const std::vector<Placed> all = laid_out(standing, step, &was);
-    constexpr float kThere = 0.02f, kNudge = 0.25f;  // metres
-    if (all.size() != standing.placed.size() + 1) {
-        if (place_squeezed(index, step, along)) return;
-        throw Error("{}: there is no free place for it{}", id, place_in_words(step));
-    }
-    const Placed& found = all.back();
-    PromptObject now = wish;
-    now.id = -2;  // none of those that stand there
-    const bool there = step.wall < 0 && !step.elsewhere && step.at.empty() && !wish.relation.empty() &&
-                       is_where_asked(plan(), room_.furnished.placed, placed(index), now);
-    if (length(found.position - was.position) < (there ? kNudge : kThere))
-        throw AlreadySo(id + ": it stands there already");
-    try {
-        checked([&] { stand_at_found(index, found, standing, step, along); });
-    } catch (const Error& e) {
-        const std::vector<Placed> other = laid_out(standing, step, &was, true);
-        if (other.size() == standing.placed.size() + 1) try {
-                return checked([&] { stand_at_found(index, other.back(), standing, step, along); });
-            } catch (const Error&) {  // more closely, then
-            }
-        if (!place_squeezed(index, step, along))
-            throw Error("{}: there is no place for it{}: {}", id, place_in_words(step), e.what());
-    }
-}
-
-void Editor::stand_at_found(int index, const Placed& found, const Standing& standing, const EditStep& step,
-                            const std::vector<int>& along) {
-    DocumentThing& t = thing(index);
-    const auto id_of = [&](int i) {
-        const int old = i < 0 || i >= static_cast<int>(standing.was.size()) ? -1
-                                                                            : standing.was[static_cast<std::size_t>(i)];
-        return old < 0 ? std::string() : thing(old).id;
-    };
-    t.on = id_of(found.on), t.below = id_of(found.below), t.with = id_of(found.with);
-    t.window = found.sill;
-    t.mount.reset();
-    if (found.piece.mount != found.piece.made_mount) t.mount = found.piece.mount;
-    if (t.asked) t.asked->relation = step.wish.relation, t.asked->relation_to = step.wish.relation_to;
-    set_pose(index, {found.position, found.yaw}, along);
+Vec3f Editor::usual_size(const PromptObject& wish) const {
+    PromptSpec spec = room_.spec;
+    Random rng(room_.seed, "size");
+    Layout layout(plan(), spec, rng);
+    return layout.why_not(wish.kind).empty() ? make_piece(layout.request(wish.kind, &wish)).size_m : Vec3f{};
 }
 
 // As large as it is usual; where there is no room for that, smaller; of a number that was not said, as many as fit.
 std::vector<Placed> Editor::with_added(const EditStep& step, bool& smaller) const {
     const Standing standing = without({});
-    const auto usual_size = [&](const PromptObject& wish) {
-        PromptSpec spec = room_.spec;
-        Random rng(room_.seed, "size");
-        Layout layout(plan(), spec, rng);
-        return layout.why_not(wish.kind).empty() ? make_piece(layout.request(wish.kind, &wish)).size_m : Vec3f{};
-    };
     const bool stands = mount_of(*this, step.wish.kind) == Mount::floor && step.wish.relation != "on";
     const int most = std::max(1, step.wish.count), least = step.wish.counted && !step.each ? most : 1;
     for (int count = most; count >= least; --count)
@@ -398,26 +335,7 @@ std::vector<Placed> Editor::with_added(const EditStep& step, bool& smaller) cons
             smaller = scale < 1;
             if (!all.empty()) return all;
         }
-    throw Error("{}", why_none_added(step));
-}
-
-std::string Editor::why_none_added(EditStep step) const {
-    const std::string place = place_in_words(step);
-    PromptSpec spec = room_.spec;
-    Random rng(room_.seed, "why");
-    if (const std::string why = Layout(plan(), spec, rng).why_not(step.wish.kind); !why.empty())
-        return fmt::format("{}: {}", step.wish.words, why);
-    const auto hangs = [&](const Placed& p) { return asked_kind(p) == step.wish.kind && p.piece.mount == Mount::wall; };
-    if (has_role(step.wish.kind, Role::soft) &&
-        std::any_of(room_.furnished.placed.begin(), room_.furnished.placed.end(), hangs))
-        return fmt::format("{}: they hang at the windows already; \"make the {} …\" changes them", step.wish.words,
-                           step.wish.words);
-    const int asked = step.wish.count;
-    while (--step.wish.count > 0)
-        if (!laid_out(without({}), step, nullptr).empty())
-            return fmt::format("{}: there is a free place for {} of {}{}", step.wish.words, step.wish.count, asked,
-                               place);
-    return fmt::format("{}: there is no free place for it{}", step.wish.words, place);
+    throw Error("{}: there is no free place for it{}", step.wish.words, place_in_words(step));
 }
 
 // What came to what stood, as things of the document; their ids.
@@ -460,7 +378,7 @@ void Editor::add(const EditStep& step) {
         if (!std::includes(before.begin(), before.end(), now.begin(), now.end()) && add_squeezed(step)) return;
     } catch (const Error&) {
         if (add_squeezed(step)) return;
-        throw;
+        throw Error("{}", why_none_added(step));
     }
     std::vector<std::string> fresh;
     together([&] {
@@ -470,7 +388,7 @@ void Editor::add(const EditStep& step) {
         try {
             build();
         } catch (const Error&) {  // the camera stands there
-            throw Error("{}: there is no free place for it{}", step.wish.words, place_in_words(step));
+            throw Error("{}", why_none_added(step));
         }
     });
     for (const std::string& id : fresh) tell_aside(id, step);

@@ -6,6 +6,7 @@
 #include "fastscene/base/error.h"
 #include "fastscene/base/is_one_of.h"
 #include "fastscene/rooms/daylight.h"
+#include "fastscene/rooms/catalogue.h"
 #include "fastscene/rooms/edit_parts.h"
 #include "fastscene/rooms/lexicon.h"
 
@@ -135,7 +136,14 @@ bool shine_said(Talk& talk, const Words& words) {
     EditStep step;
     step.kind = EditStep::Kind::shine;
     step.value = (first ? words.front() : words.back()) == "on" ? "on" : "off";
-    step.ids = talk.things_of_parts(first ? part_of(words, 1) : part_of(words, 0, words.size() - 1));
+    const Words what = first ? part_of(words, 1) : part_of(words, 0, words.size() - 1);
+    // "Light the fire, turn everything else off"
+    if (is_one_of(what.front(), {"everything", "all"}) && is_one_of(what.back(), {"everything", "else", "rest"})) {
+        for (const Placed& p : talk.editor.room().furnished.placed)
+            if (can_shine(p) && has_role(p.piece.kind, Role::light) && !is_among(p.id, talk.last))
+                step.ids.push_back(p.id);
+        if (step.ids.empty()) throw UsageError("nothing else shines in the room");
+    } else step.ids = talk.things_of_parts(what);
     talk.editor.apply(step);
     return true;
 }

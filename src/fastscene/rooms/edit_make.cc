@@ -15,122 +15,6 @@
 namespace fastscene::editing {
 namespace {
 
-bool says_any(const Words& words, std::initializer_list<std::string_view> any) {
-    return std::any_of(words.begin(), words.end(),
-                       [&](const std::string& w) { return std::find(any.begin(), any.end(), w) != any.end(); });
-}
-
-// "The color of the sofa", "the sofa's color" speak of the sofa.
-Words bare_subject(Words words) {
-    for (std::size_t i = 0; i + 1 < words.size(); ++i)
-        if (is_one_of(words[i], {"color", "material", "size", "look", "fabric", "upholstery", "height", "width"}) &&
-            words[i + 1] == "of") {
-            words = part_of(words, i + 2);
-            break;
-        }
-    while (words.size() > 2 && is_one_of(words.back(), {"color", "material", "size", "fabric", "upholstery", "look"}))
-        words.pop_back();
-    for (std::string& w : words)
-        if (w.size() > 2 && w.ends_with("'s")) w.resize(w.size() - 2);
-    return words;
-}
-
-// What is to be so, and how; either may be empty.
-struct Group {
-    std::vector<Words> subjects;
-    std::vector<Words> values;  // "larger" and "black"
-    Words by;                   // "into a rocking chair": another thing
-};
-
-// "a rocking chair", "brass lanterns"
-bool names_things(const Words& words) {
-    if (is_one_of(words.front(), {"a", "an", "two", "three"})) return true;
-    for (const std::string& form : base_forms(words.back()))
-        if (const auto word = look_up(form); word && word->kind == WordKind::object) return true;
-    return false;
-}
-
-// Cuts "the sofa dark green", "the sofa to dark green"; no value: all of it is the subject.
-void cut(const Words& part, Words& subject, Words& value, Words& by) {
-    subject = part;
-    // "The tiles black" are tiles, no look.
-    const bool of_those = part.size() > 2 && is_definite(part.front()) && !is_one_of(part.front(), {"it", "them"});
-    if (!of_those && value_of(part)) {
-        value = part, subject.clear();
-        return;
-    }
-    for (std::size_t i = part.size(); i-- > 1;) {
-        if (!is_one_of(part[i], {"to", "into"})) continue;
-        const Words rest = part_of(part, i + 1);
-        if (value_of(rest)) {
-            value = rest, subject = part_of(part, 0, i);
-            return;
-        }
-        if (!rest.empty() && begins_anew(rest) && names_things(rest)) {
-            by = rest, subject = part_of(part, 0, i);
-            return;
-        }
-    }
-    for (std::size_t i = of_those ? 2 : 1; i < part.size(); ++i)
-        if (value_of(part_of(part, i))) {
-            value = part_of(part, i), subject = part_of(part, 0, i);
-            return;
-        }
-}
-
-// "Black" and "white" are one look, "larger" and "black" are two values.
-void join_value(std::vector<Words>& values, const Words& more) {
-    Words all = values.empty() ? Words{} : values.back();
-    if (!all.empty()) all.push_back("and");
-    all.insert(all.end(), more.begin(), more.end());
-    if (!values.empty() && value_of(all)) values.back() = all;
-    else values.push_back(more);
-}
-
-// "The wardrobe to match", "the desk as well": where that begins; the number of words: nowhere.
-std::size_t like_before(const Words& part) {
-    for (const char* phrase : {"to match", "to match it", "as well", "the same", "likewise", "the same color"}) {
-        const std::size_t count = tokens_of(phrase).size();
-        if (part.size() > count && text_of(part, part.size() - count) == phrase) return part.size() - count;
-    }
-    return part.size();
-}
-
-// "the chairs white and the table black", "the sofa and the armchair green", "the sofa black and white"
-// `unshown`: "with brass handles", which no look has.
-std::vector<Group> groups_of(const Words& words, std::vector<Words>& unshown) {
-    std::vector<Group> out;
-    Group open;
-    for (const Words& part : parts_of(words)) {
-        Words subject, value, by;
-        // "The bed yellow and the wardrobe to match"
-        if (const std::size_t end = like_before(part); !out.empty() && end < part.size()) {
-            out.push_back({{bare_subject(part_of(part, 0, end))}, out.back().values, {}});
-            continue;
-        }
-        cut(part, subject, value, by);
-        if (const std::size_t with = find_word(part, {"with"}, 2); value.empty() && by.empty() && with < part.size()) {
-            cut(part_of(part, 0, with), subject, value, by);
-            if (!value.empty()) unshown.push_back(part_of(part, with));
-        }
-        if (subject.empty() && open.subjects.empty()) {
-            if (out.empty()) throw UsageError("expected what to make \"{}\"", text_of(value));
-            join_value(out.back().values, value);
-            continue;
-        }
-        if (!subject.empty()) open.subjects.push_back(bare_subject(subject));
-        if (value.empty() && by.empty()) continue;
-        if (!value.empty()) open.values = {value};
-        open.by = by;
-        out.push_back(open);
-        open = {};
-    }
-    if (!open.subjects.empty())
-        throw UsageError("expected how to make it, for example \"green\" or \"larger\", after \"{}\"",
-                         text_of(open.subjects.back()));
-    return out;
-}
-
 // "wall", "floor", "ceiling", "trim"; empty: the words are no surface of the room.
 std::string surface_said(const Words& words) {
     Words bare = words;
@@ -204,6 +88,12 @@ void apply_shaded(Talk& talk, EditStep step) {
     talk.editor.apply(step);
 }
 
+void tell_stand_ins(Talk& talk, const EditStep& step, const Value& value) {
+    for (const std::string& word : value.near)
+        talk.editor.note(step.ids.empty() ? step.surface : step.ids.front(),
+                         fmt::format("the nearest look there is to \"{}\"", word));
+}
+
 // The things that it is of; none: a surface.
 std::vector<std::string> make_one(Talk& talk, const Words& subject, const Value& value) {
     EditStep step;
@@ -217,7 +107,7 @@ std::vector<std::string> make_one(Talk& talk, const Words& subject, const Value&
     if (value.resizes() && speaks_of_shell(subject)) refuse_shell();
     if (!value.resizes()) step.surface = surface_said(subject);
     if (step.surface == "tiles") step.surface = tiled_surface(talk.editor);
-    else if (step.surface == "accent_wall" && !says_any(subject, {"accent"})) {
+    else if (step.surface == "accent_wall" && !has_word(subject, {"accent"})) {
         Words which = subject;
         std::erase_if(which, [](const std::string& w) { return is_one_of(w, {"only", "just"}); });
         step.wall = wall_meant(talk.editor, which, talk.last);
@@ -230,9 +120,10 @@ std::vector<std::string> make_one(Talk& talk, const Words& subject, const Value&
     if (lamps && value.shines)
         step.kind = EditStep::Kind::shine, step.value = value.brighter > 1 ? "brighter" : "darker";
     suit_cloth(talk, step);
-    if (says_any(subject, {"worktop", "worktops", "countertop", "countertops"})) of_the_top(step.wish);
+    if (has_word(subject, {"worktop", "worktops", "countertop", "countertops"})) of_the_top(step.wish);
     if (value.by == Vec3f{}) {
         apply_shaded(talk, step);
+        tell_stand_ins(talk, step, value);
         return step.ids;
     }
     for (const std::string& id : step.ids) {
@@ -254,7 +145,7 @@ void check_one_look(Talk& talk, const std::vector<Group>& groups) {
         for (const Words& subject : group.subjects)
             for (const Words& words : group.values)
                 if (const auto value = value_of(words); value && !value->resizes() && surface_said(subject).empty() &&
-                                                        !says_any(subject, {"it", "them", "other"}))
+                                                        !has_word(subject, {"it", "them", "other"}))
                     for (const int i : all_named(talk.editor, text_of(subject)))
                         ids.push_back(talk.editor.document().things[static_cast<std::size_t>(i)].id);
         for (const std::string& id : ids)
@@ -293,7 +184,7 @@ void light(Talk& talk, const std::string& value) {
 // Of the whole room: its style, hour and weather. Says whether the clause was about that.
 bool of_the_room(Talk& talk, const Words& words) {
     const bool of_it = is_one_of(words.front(), {"it", "them"});
-    const bool of_room = says_any(
+    const bool of_room = has_word(
         words, {"everything", "room", "style", "time", "weather", "lighting", "outside", "hour", "view"});
     if (!of_it && !of_room) return false;
     const PromptSpec spec = understand_prompt(text_of(words), false, talk.editor.pack());
@@ -324,36 +215,10 @@ bool of_the_room(Talk& talk, const Words& words) {
             // "the walls of the room white"
             if (!surface_said(part_of(words, 0, i)).empty()) return false;
         }
+    if (has_word(words, {"everything"}))
+        throw UsageError("name what is to be so, for example \"the walls\" or \"all chairs\", found \"{}\"",
+                         text_of(words));
     throw UsageError("expected a style, an hour or a weather for the room, found \"{}\"", text_of(words));
-}
-
-// "the walls from green to cream" -> "the walls to cream"
-Words without_source(Words words) {
-    const std::size_t from = find_word(words, {"from"}, 1), to = find_word(words, {"to", "into"}, from);
-    if (to + 1 < words.size() && value_of(part_of(words, from + 1, to)))
-        words.erase(words.begin() + static_cast<std::ptrdiff_t>(from), words.begin() + static_cast<std::ptrdiff_t>(to));
-    return words;
-}
-
-// "all chairs blue except the last one" -> "all chairs except the last one blue"
-Words with_exception_first(const Words& words) {
-    const std::size_t except = find_word(words, {"except"}, 2);
-    std::size_t value = 1;
-    while (value < except && !value_of(part_of(words, value, except))) ++value;
-    if (except + 1 >= words.size() || value >= except) return words;
-    Words out = part_of(words, 0, value);
-    const Words rest = part_of(words, except), look = part_of(words, value, except);
-    out.insert(out.end(), rest.begin(), rest.end());
-    out.insert(out.end(), look.begin(), look.end());
-    return out;
-}
-
-// "the sofa a green cover" -> "the sofa green"
-Words as_made(Words words) {
-    words = with_exception_first(without_source(std::move(words)));
-    if (words.size() > 3 && is_one_of(words.back(), {"color", "look", "finish", "cover", "coat", "paint", "tone"}))
-        words.pop_back();
-    return words;
 }
 
 }  // namespace
@@ -384,16 +249,19 @@ bool make_by_turns(Talk& talk, const Words& words) {
     const std::size_t at = find_word(words, {"alternate", "alternately", "alternating"}, 1);
     if (at + 1 >= words.size()) return false;
     Words rest = part_of(words, at + 1);
-    const auto value = value_of(rest);
-    if (!value || value->looks.color2.empty())
-        throw UsageError("expected two colors, for example \"alternately black and white\", found \"{}\"",
+    std::vector<Value> values;
+    std::erase_if(rest, [](const std::string& w) { return is_one_of(w, {"between", "in"}); });
+    for (const Words& part : parts_of(rest))
+        if (const auto value = value_of(part)) values.push_back(*value);
+    if (values.size() < 2)
+        throw UsageError("expected two looks, for example \"alternately black and white\", found \"{}\"",
                          text_of(rest));
     const std::vector<std::string> ids = talk.things_of_parts(part_of(words, 0, at));
     for (std::size_t k = 0; k < ids.size(); ++k) {
         EditStep step;
         step.kind = EditStep::Kind::recolor;
         step.ids = {ids[k]};
-        step.wish.color = k % 2 == 0 ? value->looks.color : value->looks.color2;
+        step.wish = values[k % values.size()].looks;
         talk.editor.apply(step);
     }
     return true;
@@ -458,6 +326,7 @@ void recolor(Talk& talk, const std::string& surface, const Value& value) {
     step.kind = EditStep::Kind::recolor;
     step.surface = surface, step.wish = value.looks, step.brighter = value.brighter;
     apply_shaded(talk, step);
+    tell_stand_ins(talk, step, value);
 }
 
 bool each_on_or_off(const Words& words) {
@@ -504,7 +373,7 @@ void make(Talk& talk, const Words& words) {
     if (make_by_turns(talk, words) || make_various(talk, words)) return;
     if (const std::string lamps = lamps_said(words); !lamps.empty()) return light(talk, lamps);
     if (shine_said(talk, words)) return;
-    if (says_any(words, {"face", "facing"})) return face(talk, words);
+    if (has_word(words, {"face", "facing"})) return face(talk, words);
     if (brightness_said(talk, words)) return;
     if (like_another(talk, words)) return;
     if (of_the_room(talk, words)) return;
@@ -514,21 +383,6 @@ void make(Talk& talk, const Words& words) {
     do_each(talk.editor, groups.size(), [&](std::size_t k) { apply(talk, groups[k]); });
     for (const Words& with : unshown)
         talk.editor.note(kNotDone, fmt::format("\"{}\": nothing shows that", text_of(with)));
-}
-
-bool swap_colors(Talk& talk, const Words& words) {
-    const std::size_t colors = find_word(words, {"colors", "color", "colours"});
-    if (colors + 2 >= words.size() || words[colors + 1] != "of") return false;
-    const std::vector<std::string> ids = talk.things_of_parts(part_of(words, colors + 2));
-    if (ids.size() != 2) throw UsageError("expected two things to exchange their colors, found {}", ids.size());
-    std::array<std::string, 2> seen{talk.editor.color_seen(ids[1]), talk.editor.color_seen(ids[0])};
-    for (const std::size_t k : {0u, 1u}) {
-        EditStep step;
-        step.kind = EditStep::Kind::recolor;
-        step.ids = {ids[k]}, step.wish.color = seen[k];
-        talk.editor.apply(step);
-    }
-    return true;
 }
 
 }  // namespace fastscene::editing

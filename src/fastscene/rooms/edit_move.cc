@@ -187,7 +187,10 @@ bool push_in(Talk& talk, const std::vector<std::string>& ids) {
 
 void move_one(Talk& talk, const std::vector<Words>& before, const Words& words) {
     std::string wrong;
-    const std::vector<std::string> spoken = talk.last;
+    std::vector<std::string> spoken = talk.last;
+    // "The lamps beside the screen, and the tripod in front of it": in front of the screen, the lamps are "them".
+    if (words.back() == "it" && spoken.size() > 1)
+        if (const auto other = things_at(talk.editor, talk.last_place); other.size() == 1) spoken = other;
     // "the vase from the wardrobe to the desk" stands on it.
     Words all = words;
     const std::size_t from = find_word(words, {"from"}, 1);

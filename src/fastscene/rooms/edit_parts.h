@@ -71,7 +71,10 @@ class Editor {
     std::size_t deeds() const { return result_.changes.size() - notes_; }
     int index_of(const std::string& id) const;
     const Placed& placed(const std::string& id) const;
+    Vec3f usual_size(const PromptObject& wish) const;     // of such a thing, were it new; 0: there is none
     std::string color_seen(const std::string& id) const;  // by name, else "#rrggbb"
+    // Square to the room, towards what words mean from where things stand: radians. edit_grid.cc.
+    float way_to_face(const std::vector<std::string>& ids, const std::vector<std::string>& target) const;
     // All of it, or nothing.
     void together(const std::function<void()>& change);
     // With all that stands on them.
@@ -129,12 +132,23 @@ class Editor {
     Layout begin_layout(PromptSpec& spec, Random& rng, const std::vector<Placed>& standing, const Placed* moving) const;
     bool at_a_wall(Layout& layout, const EditStep& step, const Placed* moving) const;
     bool near_a_point(Layout& layout, const EditStep& step) const;
+
+    // ---- edit_why.cc
     std::string why_none_added(EditStep step) const;
+    // ": it takes 1.60 x 0.60 m, and wardrobe-1 is in the way"; `gone`: what is moved there. Empty: nobody could tell.
+    std::string what_is_missing(const EditStep& step, const Placed* moving, const std::vector<int>& gone) const;
+    std::vector<std::string> fewest_in_the_way(const EditStep& step, const Placed* moving,
+                                               const std::vector<int>& gone) const;
+
+    // ---- edit_place.cc
     void place(const EditStep& step);
     void place_with_seats(int index, const EditStep& step);
+    void bring_seats(int table, const std::vector<int>& seats);
     void place_one(int index, const std::vector<int>& along, EditStep step);
     void stand_at_found(int index, const Placed& found, const Standing& standing, const EditStep& step,
                         const std::vector<int>& along);
+
+    // ---- edit_layout.cc
     std::vector<Placed> with_added(const EditStep& step, bool& smaller) const;
     void add(const EditStep& step);
     void tell_aside(const std::string& id, const EditStep& step);
@@ -179,14 +193,28 @@ class Editor {
     void tell_missing_corners(const EditStep& step, std::size_t added);
     void check_no_pair(const EditStep& step) const;
 
+    // ---- edit_arrange.cc
+    void encircle(const EditStep& step);
+    void space_out(const EditStep& step);
+    void space_seats(int table, const std::vector<int>& seats);
+    void space_in_row(const std::vector<int>& all);
+    void set_poses(const std::vector<int>& things, const std::vector<Pose>& poses, const std::string& already);
+
+    // ---- edit_grid.cc
+    void in_rows_of(const EditStep& step);
+
     // ---- edit_shapes.cc
     void reshape(const EditStep& step);
     void reshape_one(int index, const std::string& shape);
     void gather_about(int index, const Placed& before, const std::vector<int>& seats, float further);
 
-    // ---- edit_exchange.cc
+    // ---- edit_swap.cc
     void swap(const EditStep& step);
-    void swap_two(int a, int b, const std::vector<int>& with_a, const std::vector<int>& with_b);
+    void swap_two(int a, int b, const std::vector<int>& with_a, const std::vector<int>& with_b, bool nearby);
+    std::optional<Placed> in_its_place(Standing& among, const Placed& p, const Placed& place, bool nearby,
+                                       std::vector<Squeezed>& pushed) const;
+
+    // ---- edit_exchange.cc
     void replace(const EditStep& step);
     std::vector<Placed> in_place_of(const std::vector<Placed>& all, const Standing& standing, const EditStep& step,
                                     const Placed& old, int nth, int here) const;
@@ -278,6 +306,26 @@ bool begins_anew(const Words& words);       // "a plant", "two chairs", "another
 std::vector<Words> parts_of(const Words& words);
 std::optional<float> number_said(const std::string& word);  // "3", "two", "half"
 
+// ---- edit_beginnings.cc
+
+struct Beginning {
+    Words words;
+    Verb verb;
+};
+// The longest that stands there; null: none.
+const Beginning* beginning_at(const Words& words, std::size_t at);
+// Whether they begin with what is to be done: "move", "get rid of".
+bool begins_clause(const Words& words);
+// Behind "please", "could you".
+std::size_t past_polite(const Words& words, std::size_t at);
+bool stands_at(const Words& words, std::size_t at, std::string_view phrase);
+
+// ---- edit_phrases.cc
+
+// "Apart from the vase" as "except the vase", "a tad" as "a bit".
+Words in_plain_words(Words words);
+std::string stem_of_gerund(const std::string& word);  // "move" of "moving"; empty: no clause begins so
+
 // ---- edit_corrections.cc
 
 // How many words at `at` say that what was said before is taken back, with the marks behind them; 0: none do.
@@ -295,11 +343,19 @@ std::string singular(const std::string& word);  // "chair" of "chairs"
 PromptSpec read_in_room(const Editor& editor, const std::string& words);
 // All that they may mean; none if nothing is like it.
 std::vector<int> all_named(const Editor& editor, const std::string& words);
+bool says_several(const Words& words, const PromptObject& said);  // "all chairs", "both"
 // Throws UsageError for none, or for several where one is meant.
 std::vector<std::string> named(const Editor& editor, const std::string& words);
 [[noreturn]] void refuse_shell();
-// "The table near the door", where none is close to it: the nearest.
-void nearest_to(const Editor& editor, const std::string& kind, std::vector<int>& found);
+// "The table near the door", where none is close to it: the nearest, or so many.
+void nearest_to(const Editor& editor, const std::string& kind, std::vector<int>& found, std::size_t count);
+
+// ---- edit_pick.cc
+
+// "the second chair", "the last one", "the left nightstand", "the larger plant".
+void pick(const Words& words, const PromptObject& said, const Editor& editor, std::vector<int>& found);
+// Those that were said to look so; where nobody said how they look, the one that looks most like it.
+void with_looks(const PromptObject& said, const Editor& editor, std::vector<int>& found);
 
 // ---- edit_which.cc: by distance; none, or several
 
@@ -393,6 +449,42 @@ std::string noun_of(const std::string& word);  // "corner", "wall", "window" …
 // Where a place's words begin, from the second word on; the number of words: nowhere.
 std::size_t next_place(const Words& words, std::size_t from = 1);
 
+// ---- edit_anchors.cc
+
+// The things at which a place is, and their kind.
+struct Anchor {
+    std::string kind;
+    std::vector<std::string> ids;  // none: any of the kind
+};
+std::string kind_of(const DocumentThing& t);  // as it was asked for
+bool is_table(const std::string& kind);
+bool carries(const Placed& p);
+// Whether something can be so at it: "around" tables, "on" what carries.
+bool fits(const std::string& relation, const Placed& there);
+// What "to" and "at" mean there: a vase goes onto a table, a chair up to it.
+std::string suited(const std::string& relation, const std::string& kind, const Placed& there);
+// Of the things that the words of a place may mean, those of one kind: what suits the relation, else the largest.
+std::vector<int> of_one_kind(const Editor& editor, std::vector<int> found, const std::string& relation);
+Anchor anchor_of(const Editor& editor, std::vector<int> found, const std::string& relation);
+
+// ---- edit_room_parts.cc: parts of the room as the camera sees them
+
+// Left, right, far or near; nothing: none was said.
+std::optional<Vec3f> direction_said(const Editor& editor, const Part& part);
+int wall_towards(const Plan& plan, Vec3f direction);
+std::vector<Vec2f> corners_of_room(const Plan& plan);
+bool has_opening(const Plan& plan, const std::string& kind);
+// A doorway is called a door, too. Throws UsageError where there is none.
+std::string opening_there(const Plan& plan, const std::string& kind);
+// "The left window", "the far door", of several: a point before it.
+std::optional<Vec2f> which_opening(const Editor& editor, const Part& part, const std::string& kind);
+// Of the two corners that lie that way, the one with more free floor before it.
+Vec2f freer_corner(const Editor& editor, Vec2f way, const std::string& mover);
+// Where it would be on the other side of the nearest such opening.
+std::optional<Vec2f> beyond_opening(const Editor& editor, const std::string& kind, const std::string& mover);
+// "The brick wall": the one that looks so; nothing: all do, or it was not said how it looks.
+std::optional<int> wall_that_looks(const Plan& plan, const Part& part);
+
 // ---- edit_places.cc: where words say
 
 // A place's steps: relation, relation_to, at, wall …; nothing where the words are no place. `thing`: what is to stand
@@ -421,19 +513,25 @@ struct Value {
     Vec3f factor{1, 1, 1};
     Vec3f by{};  // metres
     float brighter = 1;
-    bool exactly = false;  // "twice as large", "20 percent", "10 cm": that or nothing
-    std::string shape;     // round oval square rectangular
-    bool shines = false;   // "brighter", "dimmer": of lamps that is their light
-    bool length = false;   // "longer", "shorter": of what is taller than wide that is its height
+    bool exactly = false;             // "twice as large", "20 percent", "10 cm": that or nothing
+    std::string shape;                // round oval square rectangular
+    bool shines = false;              // "brighter", "dimmer": of lamps that is their light
+    bool length = false;              // "longer", "shorter": of what is taller than wide that is its height
+    std::vector<std::string> near{};  // words that have only something like them: "suede"
     bool resizes() const { return !(factor == Vec3f{1, 1, 1}) || !(by == Vec3f{}) || !shape.empty(); }
 };
 // Nothing unless all the words are looks or sizes.
 std::optional<Value> value_of(const Words& words);
+// "tall", "low", "narrow" before a noun: of a new thing's usual width, height and depth; 1: no such word.
+Vec3f usual_factor(const Words& words);
 // "round", "a square shape"; empty: no shape.
 std::string shape_said(const Words& words);
 // "green", "light blue and white": nothing unless all are looks.
 std::optional<PromptObject> looks_of(const std::string& words);
 
+// ---- edit_layout.cc
+// Whether a thing is where its wish says, as people mean it.
+bool is_where_asked(const Plan& plan, const std::vector<Placed>& all, const Placed& piece, const PromptObject& wish);
 // ---- edit_search.cc
 // The wall that is at a thing's back; -1: none.
 int wall_behind(const Plan& plan, const Placed& p);
@@ -446,6 +544,10 @@ std::vector<Footprint> anchors_of(const Plan& plan, const std::vector<Placed>& p
 std::vector<Placed> grown(std::vector<Placed> all, const PromptObject& wish, float by);
 // From the ceiling above a thing: its middle, else along it.
 bool hang_above(Layout& layout, const PromptObject& wish);
+// ---- edit_exchange.cc
+// Where another stood; `on`: what carried that, in the layout. `aside`: metres along it.
+std::optional<int> take_place(Layout& layout, const PieceRequest& request, const PromptObject& wish,
+                              const Placed& place, int on, float aside);
 // ---- edit_shapes.cc
 // round, oval, square or rectangular; empty: none of those.
 std::string shape_of(const Piece& piece);
@@ -458,6 +560,7 @@ struct Talk {
     const RoomDocument was = editor.document();  // before the sentence
     std::vector<std::string> last{};             // the things last spoken of: "it"
     std::string noun{};                          // what they are called: "one"
+    std::string lacks{};                         // what is missing, by a remark: "one" of the clause behind it
     EditStep last_place{};                       // where they were put
     std::string said{};                          // the clause's verb
     bool there = false;                          // the clause ends with "there"
@@ -471,10 +574,12 @@ struct Talk {
     std::vector<std::string> things(const Words& words);
     std::vector<std::string> things_of_parts(const Words& words);
     std::vector<std::string> all_but(const Words& words, Words others);
+    std::optional<std::vector<std::string>> the_rest(const Words& words) const;
     void act(const Clause& clause);
 };
 std::string asked_kind(const Placed& p);  // as it was asked for
 std::size_t find_word(const Words& words, std::initializer_list<std::string_view> any, std::size_t from = 0);
+bool has_word(const Words& words, std::initializer_list<std::string_view> any);
 void add_new(std::vector<std::string>& to, const std::vector<std::string>& more);
 bool is_among(const std::string& id, const std::vector<std::string>& ids);
 // ---- edit_remove.cc
@@ -483,6 +588,8 @@ void remove_all(Talk& talk, const std::vector<std::string>& ids);
 void clear(Talk& talk, const Words& words);  // "the table": what stands on it
 // "everything on the table", "everything but the sofa"; false: the words do not speak of everything.
 bool remove_everything(Talk& talk, const Words& words);
+// "whatever is on the table", "all that stands on the shelf"; nothing: no such words.
+std::optional<std::vector<std::string>> all_that_stands_on(Talk& talk, const Words& words);
 // "all but one chair": of the chairs.
 bool says_all_but_some(const Words& words);
 // "the table together with its chairs": the table, and its chairs.
@@ -495,6 +602,12 @@ void stand_at(Talk& talk, const std::vector<std::string>& ids, Vec2f at);
 // ---- edit_turn.cc
 void turn(Talk& talk, const Words& words);
 void face(Talk& talk, const Words& words);  // "the sofa towards the tv", "the chair at the desk"
+// ---- edit_arrange.cc
+// "the chairs in a circle", "the pictures out evenly"; false: no such words.
+bool arrange(Talk& talk, const Words& words);
+// ---- edit_grid.cc
+// "the chairs in two rows facing the screen"; false: no such words.
+bool set_in_rows(Talk& talk, const Words& words);
 // ---- edit_put.cc
 void put(Talk& talk, const Words& words);
 bool put_where(Talk& talk, const Clause& clause);  // "a plant where the pouf is"; false: no such words
@@ -513,6 +626,9 @@ struct Addition {
 };
 // "another chair", "two more plants", "a few books"
 Words counted_anew(Words words);
+bool is_a_part(const std::string& word);  // "drawers"
+// "Rolled" of "a rolled towel", which no word of the lexicon is.
+bool is_unknown_adjective(const Words& words, const std::string& said);
 // What words ask for, beside each other in them: "a desk with a lamp".
 std::vector<PromptObject> wishes_of(const Editor& editor, const Words& words);
 // The shape that words ask for. Throws UsageError for one that nothing has: "star shaped".
@@ -541,6 +657,21 @@ void swap(Talk& talk, Words words);
 // ---- edit_center.cc
 // "the rug under the table": their middles in line; false: the words say no such thing.
 bool center(Talk& talk, const Words& words);
+// ---- edit_groups.cc
+
+// What is to be so, and how; either may be empty.
+struct Group {
+    std::vector<Words> subjects;
+    std::vector<Words> values;  // "larger" and "black"
+    Words by;                   // "into a rocking chair": another thing
+};
+// "the chairs white and the table black", "the sofa and the armchair green", "the sofa black and white"
+// `unshown`: "with brass handles", which no look has.
+std::vector<Group> groups_of(const Words& words, std::vector<Words>& unshown);
+// "The color of the sofa", "the sofa's color" speak of the sofa.
+Words bare_subject(Words words);
+bool names_things(const Words& words);  // "a rocking chair", "brass lanterns"
+Words as_made(Words words);             // "the sofa a green cover" -> "the sofa green"
 // ---- edit_make.cc
 // "the sofa green", "it night", "the walls sage", "the rug larger", "the style to japandi"
 void make(Talk& talk, const Words& words);

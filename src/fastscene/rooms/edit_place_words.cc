@@ -11,7 +11,7 @@ namespace {
 
 // Beginnings of places that the lexicon does not have, or that an edit means in its own way. "to", "at" and "in" mean
 // what suits the thing and the place.
-constexpr std::array<std::pair<std::string_view, std::string_view>, 37> kRelations{{
+constexpr std::array<std::pair<std::string_view, std::string_view>, 40> kRelations{{
     {"to", "to"},
     {"into", "to"},
     {"over to", "to"},
@@ -49,6 +49,9 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 37> kRelatio
     {"each side of", "on both sides of"},
     {"in between", "between"},
     {"on top of", "on"},
+    {"parallel to", "next to"},
+    {"in line with", "next to"},
+    {"across from", "opposite"},
 }};
 
 }  // namespace
@@ -108,13 +111,13 @@ std::optional<Part> room_part(const Words& words, std::size_t at) {
 }
 
 std::size_t next_place(const Words& words, std::size_t from) {
-    static constexpr std::array<std::string_view, 49> kPlaces{
+    static constexpr std::array<std::string_view, 50> kPlaces{
         "to",      "into",      "onto",      "on",        "in",         "next",      "beside",  "near",    "under",
         "below",   "beneath",   "above",     "over",      "behind",     "by",        "between", "against", "opposite",
         "facing",  "around",    "along",     "at",        "before",     "left",      "right",   "towards", "toward",
         "across",  "close",     "closer",    "nearer",    "underneath", "alongside", "inside",  "off",     "away",
         "further", "farther",   "back",      "backwards", "forward",    "forwards",  "up",      "down",    "higher",
-        "lower",   "somewhere", "elsewhere", "from"};
+        "lower",   "somewhere", "elsewhere", "from",      "parallel"};
     for (std::size_t i = std::max<std::size_t>(1, from); i < words.size(); ++i) {
         // "the left nightstand", "the right one", "the back wall"
         const bool named = is_one_of(words[i], {"left", "right", "back"}) && is_definite(words[i - 1]) &&

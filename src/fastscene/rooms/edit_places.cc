@@ -17,103 +17,6 @@
 namespace fastscene::editing {
 namespace {
 
-// Left, right, far or near as the camera sees them; nothing: none was said.
-std::optional<Vec3f> direction_said(const Editor& editor, const Part& part) {
-    const Vec3f ahead = editor.room().furnished.looks, right = cross(ahead, Vec3f{0, 1, 0});
-    Vec3f out{};
-    if (part.says({"left"})) out += right * -1.f;
-    if (part.says({"right"})) out += right;
-    if (part.says({"far", "back"})) out += ahead;
-    if (part.says({"near", "front"})) out += ahead * -1.f;
-    return out == Vec3f{} ? std::nullopt : std::optional(out);
-}
-
-int wall_towards(const Plan& plan, Vec3f direction) {
-    int best = 0;
-    for (int w = 1; w < 4; ++w)
-        if (dot(plan.wall(w).inward, direction) < dot(plan.wall(best).inward, direction)) best = w;
-    return best;
-}
-
-std::vector<Vec2f> corners_of_room(const Plan& plan) {
-    return {{plan.width / 2, plan.depth / 2},
-            {-plan.width / 2, plan.depth / 2},
-            {plan.width / 2, -plan.depth / 2},
-            {-plan.width / 2, -plan.depth / 2}};
-}
-
-bool has_opening(const Plan& plan, const std::string& kind) {
-    return std::any_of(plan.openings.begin(), plan.openings.end(),
-                       [&](const Opening& o) { return is_opening_of(o, kind); });
-}
-// A doorway is called a door, too.
-std::string opening_there(const Plan& plan, const std::string& kind) {
-    if (has_opening(plan, kind)) return kind;
-    if (kind == "door" && has_opening(plan, "doorway")) return "doorway";
-    throw UsageError("there is no {} in the room", kind);
-}
-
-std::string kind_of(const DocumentThing& t) { return t.asked && !t.asked->kind.empty() ? t.asked->kind : t.kind; }
-
-bool is_table(const std::string& kind) {
-    return has_role(kind, Role::lamp_above) || has_role(kind, Role::work_place) || kind.ends_with("table");
-}
-
-bool carries(const Placed& p) { return !p.piece.surfaces.empty() || flat_top(p.piece).has_value(); }
-
-// What "to" and "at" mean there: a vase goes onto a table, a chair up to it.
-std::string suited(const std::string& relation, const std::string& kind, const Placed& there) {
-    const bool small = furnishing::is_small(kind) || furnishing::lies_on_seats(kind);
-    if (relation == "in") return "on";
-    if (relation == "to" && small && carries(there)) return "on";
-    if (has_role(kind, Role::seat) && !has_role(kind, Role::sofa) && !has_role(kind, Role::easy_chair)) {
-        if (has_role(there.piece.kind, Role::laid)) return "around";
-        if (has_role(there.piece.kind, Role::work_place)) return "in front of";
-        if (has_role(there.piece.kind, Role::lamp_above)) return "around";
-    }
-    return "next to";
-}
-
-bool fits(const std::string& relation, const Placed& there) {
-    if (relation == "on") return carries(there) || there.flat;
-    if (relation == "around") return is_table(there.piece.kind);
-    if (relation == "under") return there.piece.mount != Mount::ceiling && !there.flat;
-    return true;
-}
-
-float floor_of(const Placed& p) { return p.piece.size_m.x * p.piece.size_m.z; }
-
-// Of the things that the words of a place may mean, those of one kind: what suits the relation, else the largest.
-std::vector<int> of_one_kind(const Editor& editor, std::vector<int> found, const std::string& relation) {
-    const std::vector<Placed>& all = editor.room().furnished.placed;
-    const auto at = [&](int i) -> const Placed& { return all[static_cast<std::size_t>(i)]; };
-    if (std::any_of(found.begin(), found.end(), [&](int i) { return fits(relation, at(i)); }))
-        std::erase_if(found, [&](int i) { return !fits(relation, at(i)); });
-    const int largest = *std::max_element(found.begin(), found.end(),
-                                          [&](int a, int b) { return floor_of(at(a)) < floor_of(at(b)); });
-    const std::string kind = at(largest).piece.kind;
-    std::erase_if(found, [&](int i) { return at(i).piece.kind != kind; });
-    return found;
-}
-
-// The things at which it is, and their kind.
-struct Anchor {
-    std::string kind;
-    std::vector<std::string> ids;  // none: any of the kind
-};
-
-Anchor anchor_of(const Editor& editor, std::vector<int> found, const std::string& relation) {
-    found = of_one_kind(editor, found, relation);
-    const std::vector<DocumentThing>& things = editor.document().things;
-    Anchor out{kind_of(things[static_cast<std::size_t>(found.front())]), {}};
-    const auto alike = std::count_if(things.begin(), things.end(), [&](const DocumentThing& t) {
-        return t.kind == out.kind || kind_of(t) == out.kind;
-    });
-    if (alike != static_cast<std::ptrdiff_t>(found.size()))
-        for (const int i : found) out.ids.push_back(things[static_cast<std::size_t>(i)].id);
-    return out;
-}
-
 // "it", "them", "each of them"
 bool is_pronoun(const Words& words) {
     return std::all_of(words.begin(), words.end(),
@@ -202,6 +105,15 @@ class Reader {
         if (part.noun == "side" && rest.empty() && part.says({"each", "both", "either", "sides"})) return {};
         if (part.noun == "side" && of_room) return at_wall(part, {});
         // "on the other side of the sofa"
+        if (const auto opening = part.noun == "side" && rest.size() > 1 && rest.front() == "of" ? room_part(rest, 1)
+                                                                                                : std::nullopt;
+            opening && opening->next == rest.size() && is_one_of(opening->noun, {"window", "door", "doorway"})) {
+            auto beside = at_opening(part.says({"each", "both", "either", "sides"}) ? "on both sides of" : "next to",
+                                     *opening);
+            if (beside && moving_ && part.is_other())
+                beside->step.position = beyond_opening(editor_, beside->step.wish.relation_to, mover_);
+            return beside;
+        }
         if (part.noun == "side" && rest.size() > 1 && rest.front() == "of" && !part.says({"left", "right"})) {
             auto beside = at_thing({"next to", part.next + 1});
             if (beside && part.is_other()) free_side(*beside);
@@ -233,24 +145,9 @@ class Reader {
             return place("on", "window");
         const bool at_it = is_one_of(relation, {"to", "at", "in", "on", "from", "against", "along"});
         Place out = place(at_it ? "next to" : relation, kind);
-        out.step.position = which_opening(part, kind);
+        out.step.position = which_opening(editor_, part, kind);
         if (relation == "on both sides of") out.count = 2;
         return out;
-    }
-
-    // "The left window", "the far door", of several: a point before it.
-    std::optional<Vec2f> which_opening(const Part& part, const std::string& kind) const {
-        const auto direction = direction_said(editor_, part);
-        std::vector<Vec2f> points;
-        for (const Opening& o : editor_.plan().openings) {
-            constexpr float kBefore = 0.4f;  // metres
-            const WallFace face = editor_.plan().wall(o.wall);
-            if (is_opening_of(o, kind))
-                points.push_back(flat(face.point((o.u0 + o.u1) / 2, 0) + face.inward * kBefore));
-        }
-        if (!direction || points.size() < 2) return {};
-        return *std::max_element(points.begin(), points.end(),
-                                 [&](Vec2f a, Vec2f b) { return dot(a, flat(*direction)) < dot(b, flat(*direction)); });
     }
 
     std::optional<Place> at_corner(const Part& part, const Words& rest) {
@@ -261,7 +158,7 @@ class Reader {
         if (const auto direction = direction_said(editor_, part)) near = flat(*direction) * 100.f;
         // "The far corner" is the freer of two.
         if (near && rest.empty() && part.says({"left", "right"}) != part.says({"far", "back", "near", "front"}))
-            near = freer_corner(*near);
+            near = freer_corner(editor_, *near, mover_);
         const bool off = is_one_of(rest.empty() ? "" : rest.front(), {"furthest", "farthest", "away", "far"});
         if (rest.size() > 2 && (off || is_one_of(rest.front(), {"closest", "nearest"}))) {
             Words at = rest;
@@ -279,24 +176,6 @@ class Reader {
             });
         }
         return out;
-    }
-    // Of the two corners that lie that way, the one with more free floor before it.
-    Vec2f freer_corner(Vec2f way) const {
-        std::vector<Vec2f> corners = corners_of_room(editor_.plan());
-        std::stable_sort(corners.begin(), corners.end(), [&](Vec2f a, Vec2f b) { return dot(a, way) > dot(b, way); });
-        const auto free = [&](Vec2f corner) {
-            constexpr float kInwards = 0.5f;  // metres into the room
-            const Vec2f at = corner - Vec2f{std::copysign(kInwards, corner.x), std::copysign(kInwards, corner.y)};
-            float least = 1e9f;
-            for (const Placed& p : editor_.room().furnished.placed)
-                if (p.piece.mount == Mount::floor && !p.flat && p.id != mover_)
-                    least = std::min(least, distance_to(footprint_of(p), at));
-            for (const Opening& o : editor_.plan().openings)
-                if (o.kind != Opening::Kind::window)
-                    least = std::min(least, length(flat(editor_.plan().wall(o.wall).point((o.u0 + o.u1) / 2, 0)) - at));
-            return least;
-        };
-        return free(corners[0]) >= free(corners[1]) ? corners[0] : corners[1];
     }
     // Where "by the window", "next to the bed" is.
     std::optional<Vec2f> point_of(const Words& words) {
@@ -336,25 +215,10 @@ class Reader {
             if ((part.says({"window"}) && o.kind == Opening::Kind::window) ||
                 (part.says({"door"}) && o.kind != Opening::Kind::window))
                 out.step.wall = o.wall;
-        if (const auto wall = wall_that_looks(part)) out.step.wall = *wall;
+        if (const auto wall = wall_that_looks(editor_.plan(), part)) out.step.wall = *wall;
         out.step.elsewhere = moving_ && part.is_other();
         out.step.opposite = part.says({"opposite"}) || (part.noun == "side" && part.is_other());
         return out;
-    }
-
-    // "The brick wall": the one that looks so; nothing: all do, or it was not said how it looks.
-    std::optional<int> wall_that_looks(const Part& part) const {
-        const Plan& plan = editor_.plan();
-        for (const std::string& word : part.modifiers) {
-            const auto look = is_definite(word) ? std::nullopt : looks_of(word);
-            if (!look || is_one_of(word, {"a", "an"})) continue;
-            std::vector<int> walls;
-            for (int w = 0; w < 4; ++w)
-                if (plan.wall_material(w).name.find(word) != std::string::npos) walls.push_back(w);
-            if (walls.empty()) throw UsageError("there is no {} wall in the room", word);
-            if (walls.size() == 1) return walls.front();
-        }
-        return {};
     }
 
     std::optional<Place> at_thing(const Relation& relation) {
@@ -388,6 +252,8 @@ class Reader {
         const Placed& first = editor_.room().furnished.placed[static_cast<std::size_t>(found.front())];
         if (looked.empty()) out.step.wish.relation = suited(name, kind_, first);
         if (name == "along" || name == "against") out.step.wish.relation = "next to";
+        // Candles around a bathtub stand on its edge.
+        if (name == "around" && furnishing::is_small(kind_)) out.step.wish.relation = carries(first) ? "on" : "next to";
         // A blanket over a sofa lies on it.
         if (name == "above" && find_word(words_, {"over", "across"}) < relation.next &&
             furnishing::lies_on_seats(kind_))
@@ -455,6 +321,8 @@ class Reader {
     std::optional<Place> between(const Words& words) {
         const auto joint = std::find(words.begin(), words.end(), "and");
         const auto side = [&](const Words& part) {
+            if (!part.empty() && is_one_of(noun_of(part.back()), {"wall", "floor", "ceiling", "corner"}))
+                throw UsageError("expected things or openings to be between, found \"{}\"", text_of(part));
             if (const auto known = room_part(part, 0); known && known->next == part.size())
                 return Anchor{opening_there(editor_.plan(), known->noun), {}};
             return anchor_of(editor_, those(part), "");

@@ -1,4 +1,4 @@
-// Things moved and turned by so much, and made larger, where they stand.
+// Things moved and turned by so much.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -209,13 +209,18 @@ void Editor::shift(const EditStep& step) {
 }
 
 void Editor::shift_one(int i, const EditStep& step) {
+    if (placed(i).piece.mount == Mount::ceiling && step.by.y > 0)
+        throw Error("{}: it hangs from the ceiling, and no higher than it does", thing(i).id);
     std::string fault;
     const std::vector<int> seats = seats_at(i);
     for (const Vec3f way : ways_of(step))
         for (const std::vector<int>& along : {seats, std::vector<int>{}}) {
             const Pose to{placed(i).position + along_its_wall(placed(i), way), placed(i).yaw};
             fault = new_fault(with_pose(i, to, along));
-            if (fault.empty()) return checked([&] { set_pose(i, to, along); });
+            if (fault.empty()) {
+                checked([&] { set_pose(i, to, along); });
+                return along.empty() ? bring_seats(i, seats) : void();
+            }
             if (seats.empty()) break;
         }
     throw Error("{}: there is no room for it there: {}", thing(i).id, fault);
@@ -322,111 +327,6 @@ void Editor::face_one(int i, const EditStep& step) {
         }
         if (!done) throw Error("{}: there is no room to turn it: {}", id, fault);
     }
-}
-
-namespace {
-
-// Its back stays at its wall, what hangs keeps its middle, curtains their rod.
-Vec3f after_resize(const Placed& p, Vec3f size) {
-    Vec3f at = p.position;
-    const Vec3f more = size - p.piece.size_m;
-    if (p.piece.mount == Mount::wall) at.y -= has_role(p.piece.kind, Role::soft) ? more.y : more.y / 2;
-    else if (p.piece.mount == Mount::floor && p.piece.against_wall) at += front_of(p.yaw) * (more.z / 2);
-    return at;
-}
-
-}  // namespace
-
-// What stands on a thing of another size keeps its place on the top.
-void Editor::carry_riders(int index, const Placed& before, Vec3f factor) {
-    const Placed& after = placed(index);
-    const Vec3f right = right_of(before.yaw), front = front_of(before.yaw);
-    for (const int i : with_riders({index})) {
-        if (placed(i).on != index) continue;
-        const Vec3f d = placed(i).position - before.position;
-        Vec3f to = after.position + right * (dot(d, right) * factor.x) + front * (dot(d, front) * factor.z);
-        to.y = placed(i).position.y;
-        const auto& tops = before.piece.surfaces;
-        for (std::size_t k = 0; k < std::min(tops.size(), after.piece.surfaces.size()); ++k)
-            if (std::abs(tops[k].center.y - d.y) < 0.02f) to.y = after.position.y + after.piece.surfaces[k].center.y;
-        const Vec3f step = to - placed(i).position;
-        for (const int k : with_riders({i})) thing(k).position += step;
-    }
-}
-
-// Chairs keep their distance from the edges of their table.
-void Editor::keep_seats(int index, const Placed& before) {
-    const Placed& after = placed(index);
-    const Vec3f right = right_of(before.yaw), front = front_of(before.yaw);
-    const Vec3f old = before.piece.size_m * 0.5f, more = after.piece.size_m * 0.5f - old;
-    for (const int i : seats_at(index)) {
-        const Vec3f d = placed(i).position - before.position;
-        const float x = dot(d, right), z = dot(d, front);
-        const auto moved = [](float at, float half, float by) {
-            return std::abs(at) > half ? std::copysign(by, at) : at * by / half;
-        };
-        thing(i).position += after.position - before.position + right * moved(x, old.x, more.x) +
-                             front * moved(z, old.z, more.z);
-    }
-}
-
-// Where it stands, else shifted a little. What is wrong with it in that size; empty: done.
-std::string Editor::resize_to(int index, Vec3f factor) {
-    const Placed before = placed(index);
-    Vec3f size = before.piece.size_m;
-    for (std::size_t a = 0; a < 3; ++a) size[a] *= factor[a];
-    // Some builders keep an extent: a sofa is as deep as sofas are.
-    PieceRequest request = *before.piece.made_from;
-    if (!request.style) request.style = &plan().style;
-    request.size_m = size, request.size_factor = 1;
-    const Vec3f made = make_piece(request).size_m;
-    std::string fault;
-    for (const float aside : {0.f, 0.1f, -0.1f, 0.2f, -0.2f, 0.35f, -0.35f, 0.5f, -0.5f})
-        for (const float ahead : {0.f, 0.1f, -0.1f, 0.2f, -0.2f, 0.3f, -0.3f}) {
-            const bool here = aside == 0 && ahead == 0;
-            if (!here && before.flat) return fault;
-            if (ahead != 0 && (before.piece.mount != Mount::floor || before.piece.against_wall)) continue;
-            const Vec3f at = after_resize(before, made) + right_of(before.yaw) * aside + front_of(before.yaw) * ahead;
-            Placed larger = before;
-            larger.position = at, larger.piece.size_m = made;
-            if (!here && before.piece.mount == Mount::floor &&
-                !stands_clear(index, footprint_of(larger), seats_at(index)))
-                continue;
-            try {
-                checked([&] {
-                    thing(index).size_m = size;
-                    thing(index).position = at;
-                    build();
-                    carry_riders(index, before, factor);
-                    keep_seats(index, before);
-                    const Vec3f is = placed(index).piece.size_m;
-                    tell(thing(index).id, fmt::format("size: {:.2f} x {:.2f} x {:.2f} m", is.x, is.y, is.z));
-                });
-                return {};
-            } catch (const Error& e) {
-                if (fault.empty()) fault = e.what();
-            }
-        }
-    return fault;
-}
-
-// "Larger" is as much larger as there is room for, down to what is still seen; "twice as large" is that or nothing.
-void Editor::resize_one(int index, Vec3f factor, bool exactly) {
-    std::string fault;
-    for (const float part : {1.f, 0.75f, 0.5f, 0.35f}) {
-        if (part < 1 && exactly) break;
-        Vec3f some = factor;
-        for (std::size_t a = 0; a < 3; ++a) some[a] = 1 + (factor[a] - 1) * part;
-        const std::string wrong = resize_to(index, some);
-        if (wrong.empty()) return;
-        if (fault.empty()) fault = wrong;
-    }
-    throw Error("{}: there is no room for it in that size: {}", thing(index).id, fault);
-}
-
-void Editor::resize(const EditStep& step) {
-    do_each(*this, step.ids.size(),
-            [&](std::size_t k) { resize_one(index_of(step.ids[k]), step.factor, step.exactly); });
 }
 
 }  // namespace fastscene::editing

@@ -99,6 +99,20 @@ bool put_where_it_was(Talk& talk, const Words& other, const Words& thing) {
 bool put_where(Talk& talk, const Clause& clause) {
     const Words& words = clause.words;
     const std::size_t where = find_word(words, {"where"}, 1);
+    // "The bed to the other side and the toy box where the bed was": one after the other.
+    if (const std::vector<Words> parts = parts_of(words);
+        parts.size() > 1 && find_word(parts.back(), {"where"}, 1) < parts.back().size() &&
+        std::all_of(parts.begin(), parts.end() - 1, [](const Words& w) { return next_place(w) < w.size(); })) {
+        do_each(
+            talk.editor, parts.size(),
+            [&](std::size_t k) {
+                Clause one = clause;
+                one.words = parts[k];
+                talk.act(one);
+            },
+            [&](std::size_t k) { return text_of(parts[k]); });
+        return true;
+    }
     if (where + 2 >= words.size() || (clause.verb != Verb::put && clause.verb != Verb::add &&
                                       clause.verb != Verb::want && clause.verb != Verb::move))
         return false;
@@ -114,6 +128,7 @@ bool put_where(Talk& talk, const Clause& clause) {
     there.pop_back();
     if (thing.size() > 1 && is_one_of(thing.back(), {"to", "at"})) thing.pop_back();
     if (was && put_where_it_was(talk, there, thing)) return true;
+    if (was && !begins_anew(thing)) throw Error("{}: it is where it was", talk.things(there).front());
     if (begins_anew(thing)) return replace(talk, there, thing), true;
     thing.push_back("and");
     thing.insert(thing.end(), there.begin(), there.end());

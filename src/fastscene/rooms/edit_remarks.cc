@@ -25,9 +25,18 @@ std::optional<Word> stand_in_word(const PromptObject& wish) {
 
 // What a remark speaks of is "them" in the clauses that follow.
 void remark(Talk& talk, const Words& words) {
-    // "The rug is missing, add a red one": a red rug.
-    if (words.size() > 3 && words.front() == "the" && words.back() == "missing")
-        talk.last.clear(), talk.noun = words[1];
+    // "A rug is missing, add a red one": a red rug.
+    if (const std::size_t lacks = find_word(words, {"is", "are"}, 1);
+        lacks + 2 == words.size() && words.back() == "missing")
+        talk.last.clear(), talk.lacks = text_of(words, number_said(words.front()) || is_definite(words.front()), lacks);
+    // "There is no clock here, add one"
+    if (const std::size_t no = find_word(words, {"no"}); no + 1 < words.size() && no < 4)
+        talk.last.clear(), talk.lacks = text_of(words, no + 1, words.size() - (words.back() == "here" ? 1 : 0));
+    // "The table needs a vase, put a blue one on it"
+    if (const std::size_t needs = find_word(words, {"needs", "need", "lacks"}, 1); needs + 2 < words.size()) {
+        talk.lacks = text_of(words, needs + (number_said(words[needs + 1]) ? 2 : 1));
+        if (is_definite(words.front())) talk.things_of_parts(part_of(words, 0, needs));
+    }
     const std::size_t end = find_word(
         words, {"is", "isn't", "isnt", "are", "aren't", "arent", "don't", "dont", "doesn't", "doesnt", "look", "looks",
                 "feel", "feels", "seem", "seems", "blocks", "clash", "clashes"});
@@ -95,11 +104,15 @@ void tell_unshown(Talk& talk, const std::vector<std::string>& ids, const PromptO
         talk.editor.note(ids.front(), fmt::format("the nearest thing there is to \"{}\"", wish.words));
     std::vector<std::string> unshown;
     for (const PromptWord& word : read_in_room(talk.editor, text_of(words, 0, next_place(words))).words)
-        if (const auto known = look_up(word.words);
-            word.fate == PromptWord::Fate::approximated && word.words != wish.words && !number_said(word.words) &&
-            known && known->kind != WordKind::object && shape_said({word.words}).empty() &&
-            known->kind != WordKind::relation && !known->meaning.empty())
+        if (word.fate == PromptWord::Fate::not_understood && is_unknown_adjective(words, word.words))
             unshown.push_back(word.words);
+        else if (const auto known = look_up(word.words);
+                 word.fate == PromptWord::Fate::approximated && word.words != wish.words && !number_said(word.words) &&
+                 known && known->kind != WordKind::object && shape_said({word.words}).empty() &&
+                 known->kind != WordKind::relation && !known->meaning.empty())
+            unshown.push_back(word.words);
+    if (const std::size_t with = find_word(words, {"with"}, 1); with + 1 < words.size() && is_a_part(words[with + 1]))
+        unshown.push_back("with " + words[with + 1]);
     // "A space poster" with no print of space
     const Words nouns = tokens_of(wish.words);
     const std::size_t noun = nouns.empty() ? words.size() : find_word(words, {nouns.back()});

@@ -5,7 +5,9 @@
 
 #include "fastscene/base/error.h"
 #include "fastscene/base/is_one_of.h"
+#include "fastscene/rooms/catalogue.h"
 #include "fastscene/rooms/edit_parts.h"
+#include "fastscene/rooms/lexicon.h"
 
 namespace fastscene::editing {
 namespace {
@@ -52,6 +54,20 @@ bool is_among(const std::string& id, const std::vector<std::string>& ids) {
     return std::find(ids.begin(), ids.end(), id) != ids.end();
 }
 
+std::optional<std::vector<std::string>> all_that_stands_on(Talk& talk, const Words& words) {
+    if (words.size() < 3 || !is_one_of(words.front(), {"whatever", "what", "what's", "everything", "anything", "all"}))
+        return {};
+    std::size_t next = 1;
+    while (next + 1 < words.size() && is_one_of(words[next], {"that", "that's", "which", "is", "are", "stands", "stand",
+                                                              "lies", "sits", "s", "the", "things", "stuff"}))
+        ++next;
+    if (!is_one_of(words[next], {"on", "off", "from"}) || next + 1 == words.size()) return {};
+    const auto tops = talk.things(part_of(words, next + 1));
+    auto riders = riders_of(talk.editor, tops);
+    if (riders.empty()) throw UsageError("nothing stands on {}", tops.front());
+    return riders;
+}
+
 bool remove_everything(Talk& talk, const Words& words) {
     std::size_t next = 1;
     if (words.size() > 2 && words[0] == "all" && words[1] == "the" && is_one_of(words[2], {"things", "stuff"}))
@@ -65,6 +81,10 @@ bool remove_everything(Talk& talk, const Words& words) {
     if (words.size() > next + 1 && words[next] == "else") ++next;
     while (words.size() > next + 1 && is_one_of(words[next], {"that", "which", "stands", "stand", "is", "are", "lies"}))
         ++next;
+    // "… and the candles on the shelf" go by themselves.
+    if (const std::vector<Words> parts = parts_of(words);
+        parts.size() > 1 && is_one_of(words[next], {"on", "from", "off"}) && next_place(parts[1]) < parts[1].size())
+        return false;
     const Words rest = part_of(words, next);
     if (rest.empty()) {
         std::vector<std::string> ids;
@@ -113,11 +133,26 @@ bool remove_everything(Talk& talk, const Words& words) {
 
 Words with_its(const Words& words) {
     Words out;
+    const auto is_seats = [](const std::string& word) {
+        const auto known = look_up(word);
+        return known && known->kind == WordKind::object && has_role(known->meaning, Role::seat);
+    };
     for (std::size_t i = 0; i < words.size(); ++i) {
         const bool joint = words[i] == "with" && i + 1 < words.size() && i > 0;
+        // "with all its chairs", "with all of the chairs"
+        std::size_t next = i + 1;
+        while (joint && next + 1 < words.size() && is_one_of(words[next], {"all", "both", "of"})) ++next;
+        const bool its = joint && is_one_of(words[next], {"its", "their"});
+        const bool seats = joint && next + 1 < words.size() && words[next] == "the" && words[next + 1].ends_with("s") &&
+                           is_seats(words[next + 1]);
+        if (its || seats) {
+            if (is_one_of(out.back(), {"together", "along"})) out.pop_back();
+            out.push_back(","), out.push_back("its");
+            i = next;
+            continue;
+        }
         const bool together = i > 0 && is_one_of(words[i - 1], {"together", "along"});
         if (joint && together) out.back() = ",";
-        else if (joint && is_one_of(words[i + 1], {"its", "their"})) out.push_back(",");
         else out.push_back(words[i]);
     }
     return out;

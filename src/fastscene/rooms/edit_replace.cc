@@ -1,5 +1,6 @@
 // "The sofa with two armchairs", "the bench and the pouf": what comes for what was there, and what changes places.
 #include <algorithm>
+#include <array>
 
 #include "fastscene/base/error.h"
 #include "fastscene/base/is_one_of.h"
@@ -96,7 +97,7 @@ void replace(Talk& talk, const Words& old, const Words& by) {
         if (const EditChange& change = changes[i]; change.what.starts_with("added in place of"))
             talk.last.push_back(change.id);
     shape_as_asked(talk, talk.last, shape_asked(parts.front()));
-    tell_unshown(talk, talk.last, step.wish, parts.front());
+    tell_unshown(talk, talk.last, step.wish, counted_anew(parts.front()));
     const std::vector<std::string> fresh = talk.last;
     for (std::size_t k = 1; k < parts.size(); ++k) {
         talk.last = fresh;
@@ -108,6 +109,21 @@ void replace(Talk& talk, const Words& old, const Words& by) {
         wish.relation = "next to", wish.relation_to = step.wish.kind;
         add_wish(talk, wish, {});
     }
+}
+
+bool swap_colors(Talk& talk, const Words& words) {
+    const std::size_t colors = find_word(words, {"colors", "color", "colours"});
+    if (colors + 2 >= words.size() || words[colors + 1] != "of") return false;
+    const std::vector<std::string> ids = talk.things_of_parts(part_of(words, colors + 2));
+    if (ids.size() != 2) throw UsageError("expected two things to exchange their colors, found {}", ids.size());
+    std::array<std::string, 2> seen{talk.editor.color_seen(ids[1]), talk.editor.color_seen(ids[0])};
+    for (const std::size_t k : {0u, 1u}) {
+        EditStep step;
+        step.kind = EditStep::Kind::recolor;
+        step.ids = {ids[k]}, step.wish.color = seen[k];
+        talk.editor.apply(step);
+    }
+    return true;
 }
 
 void swap(Talk& talk, Words words) {

@@ -30,114 +30,6 @@ namespace {
 
 }  // namespace
 
-// ---- shared
-
-std::string asked_kind(const Placed& p) { return p.wish.kind.empty() ? p.piece.kind : p.wish.kind; }
-
-std::size_t find_word(const Words& words, std::initializer_list<std::string_view> any, std::size_t from) {
-    for (std::size_t i = from; i < words.size(); ++i)
-        if (std::find(any.begin(), any.end(), words[i]) != any.end()) return i;
-    return words.size();
-}
-
-void add_new(std::vector<std::string>& to, const std::vector<std::string>& more) {
-    for (const std::string& id : more)
-        if (std::find(to.begin(), to.end(), id) == to.end()) to.push_back(id);
-}
-
-std::vector<std::string> Talk::things(const Words& said_words) {
-    Words words = said_words;
-    // "them all", "both of them", "all of those"
-    if (words.size() > 1 && words.size() < 4 && find_word(words, {"them", "it", "those", "these"}) < words.size() &&
-        std::all_of(words.begin(), words.end(), [](const std::string& w) {
-            return is_one_of(w, {"them", "it", "those", "these", "all", "both", "of", "each"});
-        }))
-        words = {"them"};
-    if (words.size() == 1 && is_one_of(words.front(), {"it", "them", "they", "that", "those", "these"})) {
-        if (last.empty() && !unclear.empty()) throw UsageError("{}", unclear);
-        if (last.empty()) throw UsageError("what is \"{}\"? nothing was named before", words.front());
-        return last;
-    }
-    // "the shelf next to it"
-    if (words.size() > 2 && is_one_of(words.back(), {"it", "them"}) && next_place(words) + 1 < words.size() &&
-        last.size() == 1) {
-        words.back() = last.front();
-        return things(words);
-    }
-    // "its chairs": those that stand at it or on it.
-    if (words.size() > 1 && is_one_of(words.front(), {"its", "their"})) {
-        if (last.empty()) throw UsageError("whose is \"{}\"? nothing was named before", text_of(words));
-        std::vector<std::string> ids;
-        for (const int i : all_named(editor, "all " + text_of(words, 1))) {
-            const DocumentThing& t = editor.document().things[static_cast<std::size_t>(i)];
-            if (is_among(t.on, last) || is_among(t.with, last)) ids.push_back(t.id);
-        }
-        if (ids.empty()) throw UsageError("nothing at {} is \"{}\"", last.front(), text_of(words, 1));
-        return last = ids;
-    }
-    // "the first one"
-    const bool but_one = words.size() > 1 && is_one_of(words[words.size() - 2], {"except", "but"});
-    if (words.size() > 1 && is_one_of(words.back(), {"one", "ones"}) && !noun.empty() && !but_one) {
-        Words all = words;
-        all.back() = noun;
-        return things(all);
-    }
-    if (says_all_but_some(words)) {
-        Words all{"all"};
-        all.insert(all.end(), words.begin() + 3, words.end());
-        return last = all_but(all, {words[2]});
-    }
-    const std::size_t except = find_word(words, {"except", "but", "excluding", "besides"}, 1);
-    if (except + 1 < words.size()) return last = all_but(part_of(words, 0, except), part_of(words, except + 1));
-    // "the other lights": all that shine, but those that were spoken of.
-    if (find_word(words, {"other"}) < words.size() && is_one_of(words.back(), {"lights", "lamps"})) {
-        std::vector<std::string> ids;
-        for (const Placed& p : editor.room().furnished.placed)
-            if (has_role(p.piece.kind, Role::light) && can_shine(p) && !is_among(p.id, last)) ids.push_back(p.id);
-        if (!ids.empty()) return last = ids;
-    }
-    // "the other armchair": not that one which was spoken of.
-    if (const std::size_t other = find_word(words, {"other"}); other < words.size() && !last.empty()) {
-        std::vector<std::string> ids;
-        for (const int i : all_named(editor, text_of(words)))
-            ids.push_back(editor.document().things[static_cast<std::size_t>(i)].id);
-        std::erase_if(ids,
-                      [&](const std::string& id) { return std::find(last.begin(), last.end(), id) != last.end(); });
-        if (ids.size() == 1) return last = ids;
-    }
-    last = named(editor, text_of(words));
-    noun = in_words(asked_kind(editor.placed(last.front())));
-    return last;
-}
-
-// "all pictures except the largest one"
-std::vector<std::string> Talk::all_but(const Words& words, Words others) {
-    std::vector<std::string> ids = things(words);
-    if (!others.empty() && is_one_of(others.front(), {"for", "not"})) others.erase(others.begin());
-    // "all chairs but one", "… but two of them": "a chair" is the last one, and the first ones stay.
-    if (const auto some = others.empty() ? std::nullopt : number_said(others.front());
-        some && *some >= 1 && (others.size() == 1 || text_of(others, 1) == "of them")) {
-        const auto left = static_cast<std::size_t>(*some);
-        if (left >= ids.size()) throw AlreadySo(fmt::format("there are only {} of \"{}\"", ids.size(), text_of(words)));
-        return {ids.begin() + static_cast<std::ptrdiff_t>(left), ids.end()};
-    }
-    // "the largest one", "the one above the bed"
-    if (const std::size_t one = find_word(others, {"one", "ones"}, others.size() > 1 ? 1 : 0);
-        one < others.size() && !(one + 1 < others.size() && others[one + 1] == "of"))
-        others[one] = others[one] == "one" ? singular(words.back()) : words.back();
-    const std::vector<std::string> left = things_of_parts(others);
-    std::erase_if(ids, [&](const std::string& id) { return std::find(left.begin(), left.end(), id) != left.end(); });
-    if (ids.empty()) throw UsageError("nothing but {} is meant by \"{}\"", left.front(), text_of(words));
-    return ids;
-}
-
-std::vector<std::string> Talk::things_of_parts(const Words& words) {
-    std::vector<std::string> ids;
-    for (const Words& part : parts_of(with_its(words))) add_new(ids, things(part));
-    if (ids.empty()) throw UsageError("expected a thing of the room, found the end of the sentence");
-    return last = ids;
-}
-
 namespace {
 
 // "lower the lamp": down.
@@ -149,6 +41,22 @@ Words lowered(const Clause& clause) {
     if (is_one_of(clause.said, {"lower", "raise", "lift"}) && next_place(bare) == bare.size())
         out.push_back(clause.said == "lower" ? "down" : "up");
     return out;
+}
+
+// "Raise the desk by 20 cm": what stands on the floor is taller by that; false: no such words.
+bool made_taller(Talk& talk, const Clause& clause) {
+    Words bare = clause.words;
+    const bool by_length = take_length(bare).has_value();
+    if (by_length && !bare.empty() && bare.back() == "by") bare.pop_back();
+    if (!is_one_of(clause.said, {"lower", "raise", "lift"}) || bare.empty() || next_place(bare) < bare.size())
+        return false;
+    const std::vector<std::string> ids = talk.things_of_parts(bare);
+    if (!std::all_of(ids.begin(), ids.end(),
+                     [&](const std::string& id) { return talk.editor.placed(id).piece.mount == Mount::floor; }))
+        return false;
+    bare.push_back(clause.said == "lower" ? "lower" : "taller");
+    const Words length = part_of(clause.words, bare.size() - 1);
+    return make(talk, joined_words(bare, length)), true;
 }
 
 // What lies about on the floor, or of what is named that which does; a sentence does not guess what else is too much.
@@ -258,7 +166,8 @@ namespace {
 // "Bigger so six people fit": why, which changes nothing. Where it begins.
 std::size_t purpose_at(const Clause& clause) {
     const bool states = clause.verb == Verb::make || clause.verb == Verb::larger || clause.verb == Verb::smaller ||
-                        clause.verb == Verb::add || clause.verb == Verb::replace || clause.verb == Verb::color;
+                        clause.verb == Verb::add || clause.verb == Verb::replace || clause.verb == Verb::color ||
+                        clause.verb == Verb::remove;
     const std::size_t so = find_word(clause.words, {"so", "because"}, 2);
     return states && so + 2 < clause.words.size() ? so : clause.words.size();
 }
@@ -272,6 +181,9 @@ void Talk::act(const Clause& whole) {
         clause.words.resize(why);
     }
     const Words& words = clause.words;
+    // "Rearrange the chairs in a circle" says how.
+    if (clause.said == "rearrange" && (says_so_that(words) || next_place(words) < words.size()))
+        clause.verb = Verb::put, clause.said = "arrange";
     if (clause.verb == Verb::refuse) refuse(clause);
     if (clause.verb == Verb::tidy) return tidy(*this, clause);
     if (clause.verb == Verb::remark) return remark(*this, clause.words);
@@ -302,6 +214,9 @@ void Talk::act(const Clause& whole) {
             add(*this, by);
         });
     }
+    const bool stands = clause.verb == Verb::put || clause.verb == Verb::move || clause.verb == Verb::line;
+    if (stands && arrange(*this, words)) return;
+    if ((stands || clause.verb == Verb::add) && set_in_rows(*this, words)) return;
     if (put_where(*this, clause) || done_with(*this, clause)) return;
     switch (clause.verb) {
         case Verb::remove:
@@ -319,6 +234,7 @@ void Talk::act(const Clause& whole) {
             // "Move the bicycle out": it goes.
             if (words.size() > 1 && words.back() == "out" && is_one_of(said, {"move", "carry", "bring"}))
                 return remove(*this, words);
+            if (made_taller(*this, clause)) return;
             return move(*this, lowered(clause));
         case Verb::put:
             if (says_so_that(words)) return turn(*this, words);
@@ -388,6 +304,8 @@ EditResult edit_by_sentence(const RoomDocument& document, const std::string& sen
         [&](std::size_t i) {
             if (i + 1 < clauses.size() && editing::picked_up(talk, clauses[i], clauses[i + 1])) return;
             if (clauses[i].taken_back) return editing::take_back(talk, clauses[i]);
+            // "Declutter: remove the books"
+            if (clauses[i].verb == editing::Verb::tidy && clauses[i].words.empty() && i + 1 < clauses.size()) return;
             const std::vector<std::string> spoken = talk.last;
             try {
                 talk.act(clauses[i]);
@@ -399,7 +317,11 @@ EditResult edit_by_sentence(const RoomDocument& document, const std::string& sen
                 throw;
             }
         },
-        [&](std::size_t i) { return clauses[i].said + " " + editing::text_of(clauses[i].words); });
+        [&](std::size_t i) {
+            // "The lamp is too low" is said so.
+            const bool bare = clauses[i].verb == editing::Verb::want && clauses[i].said == "want";
+            return (bare ? "" : clauses[i].said + " ") + editing::text_of(clauses[i].words);
+        });
     editing::check_kept(talk, document);
     for (const EditChange& change : editor.result().changes)
         if (change.id == kNotDone) run.warn(fmt::format("{}: {}", change.id, change.what));

@@ -288,8 +288,9 @@ bool Editor::place_squeezed(int index, const EditStep& step, const std::vector<i
     const std::string id = thing(index).id;
     const auto stands = [&](const Squeezed& found, const Squeeze& how) {
         // Nearer than it is, or it stays.
-        constexpr float kThere = 0.05f;  // metres
-        if (length(found.all.back().position - was.position) < kThere) return false;
+        constexpr float kThere = 0.05f, kWorthIt = 0.4f;  // metres
+        const float least = how.further > 0 ? kWorthIt : kThere;
+        if (length(found.all.back().position - was.position) < least) return false;
         try {
             checked(
                 [&] {
@@ -348,8 +349,8 @@ bool Editor::add_squeezed(const EditStep& step) {
         if (!found) break;
     }
     if (done > 0 && done < count && step.wish.counted)
-        note(kNotDone, fmt::format("{} of {} {}: there is no free place for them{}", count - done, count,
-                                   in_words(step.wish.kind), place_in_words(step)));
+        note(kNotDone, fmt::format("{}: there is a free place for {} of {}{}", step.wish.words, done, count,
+                                   place_in_words(step)));
     return done > 0;
 }
 

@@ -90,6 +90,17 @@ void turn(Talk& talk, const Words& words) {
 }
 
 void face(Talk& talk, const Words& words) {
+    // "The sofa to face the fire, and a table on either side of it": that comes as well.
+    const std::vector<Words> all = parts_of(words);
+    if (all.size() > 1 && begins_anew(all.back()) && number_said(all.back().front()) &&
+        next_place(all.back()) < all.back().size()) {
+        const std::size_t end = words.size() - all.back().size();
+        Words first = part_of(words, 0, end);
+        while (is_joint(first.back())) first.pop_back();
+        return do_each(
+            talk.editor, 2, [&](std::size_t k) { k == 0 ? face(talk, first) : add(talk, all.back()); },
+            [&](std::size_t k) { return text_of(k == 0 ? first : all.back()); });
+    }
     std::size_t end = find_word(words, {"towards", "toward", "facing", "face"}, 1);
     if (end == words.size()) end = find_word(words, {"to", "at", "into"}, 1);
     std::size_t next = end;
@@ -108,6 +119,18 @@ void face(Talk& talk, const Words& words) {
     // "The second desk to face the first"
     if (is_one_of(target.back(), {"first", "second", "third", "last"}) && !talk.noun.empty())
         target.push_back(talk.noun);
+    // "Each other across the coffee table": at both sides of that.
+    if (target.size() > 3 && is_one_of(text_of(target, 0, 2), {"each other", "one another"})) {
+        std::size_t across = 2;
+        while (across + 1 < target.size() && !is_definite(target[across])) ++across;
+        Words there = thing;
+        for (const char* word : {"on", "both", "sides", "of"}) there.emplace_back(word);
+        try {
+            move(talk, joined_words(there, part_of(target, across)));
+        } catch (const AlreadySo&) {
+        }
+        target.resize(2);
+    }
     const std::string text = text_of(target);
     if (text == "each other" || text == "one another") {
         if (step.ids.size() != 2)
@@ -120,6 +143,11 @@ void face(Talk& talk, const Words& words) {
         }
         return;
     }
+    // "The garden", "the view" are before the window.
+    if (is_one_of(target.back(), {"garden", "yard", "view", "outside", "outdoors", "sea", "ocean", "street", "sunset",
+                                  "mountains", "forest", "lake", "city"}) &&
+        all_named(talk.editor, text_of(target)).empty())
+        target = {"the", "window"};
     const std::string noun = target.back();
     // "move it before the fire, facing it"; "move the tv to the window and turn the sofa towards it"
     const bool placed_there = spoken.empty() || spoken == step.ids;

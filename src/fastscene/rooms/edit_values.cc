@@ -167,6 +167,44 @@ std::size_t take_look(const Words& tokens, std::size_t i, PromptObject& out) {
 
 }  // namespace
 
+namespace {
+
+// The looks among the words that have only something like them.
+std::vector<std::string> stand_ins(const Words& words) {
+    std::vector<std::string> out;
+    constexpr std::size_t kLongest = 3;  // words of a look
+    for (std::size_t i = 0; i < words.size(); ++i)
+        for (std::size_t length = std::min(kLongest, words.size() - i); length > 0; --length) {
+            const std::string term = text_of(words, i, i + length);
+            const auto word = look_up(term);
+            if (!word || (word->kind != WordKind::material && word->kind != WordKind::pattern)) continue;
+            if (!word->exact) out.push_back(term);
+            i += length - 1;
+            break;
+        }
+    return out;
+}
+
+}  // namespace
+
+Vec3f usual_factor(const Words& words) {
+    constexpr float kSaid = 1.35f, kLow = 0.65f;  // to be seen without the usual one beside it
+    Vec3f out{1, 1, 1};
+    for (const std::string& w : words) {
+        Vec3f axes{};
+        float factor = kSaid;
+        for (const SizeWord& s : kSizeWords)
+            if (!(s.axes == Vec3f{1, 1, 1}) && is_one_of(w, {s.plain, s.more, s.less}))
+                axes = s.axes, factor = w == s.less ? kLow : kSaid;
+        if (w == "low") axes = {0, 1, 0}, factor = kLow;
+        else if (is_one_of(w, {"narrow", "slim"})) axes = {1, 0, 0}, factor = kLow;
+        else if (is_one_of(w, {"shallow", "thin"})) axes = {0, 0, 1}, factor = kLow;
+        for (std::size_t a = 0; a < 3; ++a)
+            if (axes[a] > 0) out[a] = factor;
+    }
+    return out;
+}
+
 std::string shape_said(const Words& words) {
     std::string out;
     for (const std::string& w : words) {
@@ -240,6 +278,7 @@ std::optional<Value> value_of(const Words& words) {
     }
     if (!looks) return {};
     out.looks = *looks;
+    out.near = stand_ins(words);
     return out;
 }
 

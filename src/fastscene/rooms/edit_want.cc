@@ -151,6 +151,10 @@ bool add_to_those(Talk& talk, const Words& words) {
 
 void want(Talk& talk, const Words& words) {
     if (words.empty()) throw UsageError("expected what to change, found the end of the sentence");
+    // "A rug is missing under the table"
+    if (const std::size_t is = find_word(words, {"is", "are"}, 1);
+        is + 1 < words.size() && words[is + 1] == "missing" && !is_definite(words.front()))
+        return add(talk, joined_words(part_of(words, 0, is), part_of(words, is + 2)));
     if (complained(talk, words)) return;
     if (!lamps_said(words).empty()) return make(talk, words);
     const bool of_those = is_definite(words.front()) || is_one_of(words.front(), {"all", "both", "every", "each"});

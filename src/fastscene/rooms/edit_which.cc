@@ -85,7 +85,7 @@ std::optional<std::vector<int>> by_distance(const Editor& editor, const Words& w
     return found;
 }
 
-void nearest_to(const Editor& editor, const std::string& kind, std::vector<int>& found) {
+void nearest_to(const Editor& editor, const std::string& kind, std::vector<int>& found, std::size_t count) {
     const FurnishedRoom& room = editor.room().furnished;
     std::vector<Vec2f> places;
     for (const Opening& o : room.plan.openings)
@@ -98,8 +98,10 @@ void nearest_to(const Editor& editor, const std::string& kind, std::vector<int>&
             least = std::min(least, distance_to(footprint_of(room.placed[static_cast<std::size_t>(i)]), at));
         return least;
     };
-    if (!places.empty())
-        found = {*std::min_element(found.begin(), found.end(), [&](int a, int b) { return far(a) < far(b); })};
+    if (places.empty() || found.size() <= count) return;
+    std::stable_sort(found.begin(), found.end(), [&](int a, int b) { return far(a) < far(b); });
+    found.resize(count);
+    std::sort(found.begin(), found.end());
 }
 
 void refuse_shell() {

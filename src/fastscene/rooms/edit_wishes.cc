@@ -127,6 +127,59 @@ Words counted_anew(Words words) {
     return words;
 }
 
+namespace {
+
+// What stands on the floor with neither a back nor a top.
+bool is_slender(const Editor& editor, const PromptObject& wish) {
+    PromptSpec spec = editor.room().spec;
+    Random rng(0, "slender");
+    Layout layout(editor.plan(), spec, rng);
+    if (!layout.why_not(wish.kind).empty()) return true;
+    const Piece piece = make_piece(layout.request(wish.kind, &wish));
+    return piece.mount != Mount::wall && !piece.against_wall && piece.surfaces.empty();
+}
+
+// "A tall cabinet", "a low, narrow shelf": as the usual one, but for that. Plants and lamps are taller as a whole.
+void size_as_said(const Editor& editor, const Words& words, PromptObject& wish) {
+    const Words noun = tokens_of(wish.words);
+    const std::size_t at = noun.empty() ? words.size() : find_word(words, {noun.front(), noun.front() + "s"});
+    const Vec3f factor = usual_factor(part_of(words, 0, at));
+    if (at >= words.size() || factor == Vec3f{1, 1, 1} || !(wish.size_m == Vec3f{})) return;
+    PromptObject usual = wish;
+    usual.size.clear();
+    if (is_slender(editor, usual)) return;
+    const Vec3f size = editor.usual_size(usual);
+    if (size == Vec3f{}) return;
+    constexpr float kBelowCeiling = 0.1f;  // metres
+    wish.size.clear();
+    for (std::size_t a = 0; a < 3; ++a) wish.size_m[a] = size[a] * factor[a];
+    wish.size_m.y = std::min(wish.size_m.y, editor.plan().height - kBelowCeiling);
+}
+
+}  // namespace
+
+// What things have, and no thing beside them: "an island with drawers".
+bool is_a_part(const std::string& word) {
+    return is_one_of(word,
+                     {"drawers", "doors", "shelves", "wheels", "handles", "legs", "armrests", "storage", "casters"});
+}
+
+bool is_unknown_adjective(const Words& words, const std::string& said) {
+    const Words phrase = tokens_of(said);
+    if (phrase.size() != 1) return false;
+    const std::size_t at = find_word(words, {phrase.front()});
+    if (at == 0 || at + 1 >= words.size()) return false;
+    // Between an article, a number or an adjective and the noun.
+    const auto known = look_up(words[at + 1]);
+    const auto two = at + 2 < words.size() ? look_up(words[at + 1] + " " + words[at + 2]) : std::nullopt;
+    const bool noun = (known && known->kind == WordKind::object) || (two && two->kind == WordKind::object);
+    const auto before = look_up(words[at - 1]);
+    const bool opens = number_said(words[at - 1]) || is_one_of(words[at - 1], {"some", "more", "another", "with"}) ||
+                       (before && (before->kind == WordKind::size || before->kind == WordKind::color ||
+                                   before->kind == WordKind::material));
+    return noun && opens;
+}
+
 std::vector<PromptObject> wishes_of(const Editor& editor, const Words& words) {
     std::string text = text_of(counted_anew(words));
     PromptSpec spec = read_in_room(editor, text);
@@ -138,6 +191,8 @@ std::vector<PromptObject> wishes_of(const Editor& editor, const Words& words) {
         spec = read_in_room(editor, text);
         unknown = spec.words_with(PromptWord::Fate::not_understood);
     }
+    // "A rolled towel" is a towel, and that nothing shows it is told.
+    std::erase_if(unknown, [&](const PromptWord& word) { return is_unknown_adjective(words, word.words); });
     if (!unknown.empty()) throw UsageError("expected a thing to add, found \"{}\"", unknown.front().words);
     if (spec.objects.empty() && std::any_of(words.begin(), words.end(), is_known_detail))
         throw UsageError("there is no \"{}\" to add: no thing of a room is one", text);
@@ -155,6 +210,7 @@ std::vector<PromptObject> wishes_of(const Editor& editor, const Words& words) {
         check_new(words, spec.objects[k]);
     for (PromptObject& o : spec.objects) {
         check_stand_in(o);
+        size_as_said(editor, words, o);
         if (is_shell(o.kind) || has_role(o.kind, Role::opening)) refuse_shell();
         o.relation = o.relation_to = o.relation_and = "";
         // "Books" are a stack of them.
@@ -163,6 +219,8 @@ std::vector<PromptObject> wishes_of(const Editor& editor, const Words& words) {
         const bool heap = has_role(o.kind, Role::heap) || (thing && has_role(thing->small_form, Role::heap));
         if (heap && find_word(words, {"stack", "pile"}) < words.size()) o.count = 1;
     }
+    if (const std::size_t with = find_word(words, {"with"}, 1); with + 1 < words.size() && is_a_part(words[with + 1]))
+        std::erase_if(spec.objects, [&](const PromptObject& o) { return o.words == words[with + 1]; });
     PromptObject& first = spec.objects.front();
     for (std::size_t k = 1; k < spec.objects.size(); ++k) {
         PromptObject& o = spec.objects[k];
@@ -230,7 +288,8 @@ Addition read_addition(const Talk& talk, const Words& said, const std::vector<st
         // "a table in oak"
         if (value_of(part_of(there, 1))) continue;
         // "a side table next to the sofa with a lamp on it"
-        if (const std::size_t with = find_word(there, {"with"}, 1); with < there.size()) {
+        if (const std::size_t with = find_word(there, {"with"}, 1);
+            with + 1 < there.size() && begins_anew(part_of(there, with + 1))) {
             Words all = part_of(words, 0, end);
             Words rest = part_of(there, with);
             if (rest.size() > 2 && rest.back() == "it") rest.resize(rest.size() - 2);
@@ -263,8 +322,8 @@ Addition addition_of(const Talk& talk, const Words& said, const std::vector<std:
     const std::size_t with = find_word(words, {"with"}, 1);
     // "… with two chairs each by the window"
     const std::size_t every = find_word(words, {"each"}, std::min(words.size(), with + 2));
-    const bool each = every < words.size() && !is_one_of(words[every - 1], {"on", "at", "to"}) &&
-                      !(every + 1 < words.size() && is_one_of(words[every + 1], {"side", "end", "other", "of"}));
+    const bool each = every < words.size() && !relation_at(words, every - 1) &&
+                      (every + 1 == words.size() || next_place(words, every + 1) == every + 1);
     if (each) words.erase(words.begin() + static_cast<std::ptrdiff_t>(every));
     // "… with six plants on it"
     const std::size_t n = words.size();

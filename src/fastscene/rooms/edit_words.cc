@@ -20,10 +20,6 @@ namespace {
 
 std::string joined(const std::vector<std::string>& words) { return fmt::format("{}", fmt::join(words, " ")); }
 
-bool has_word(const Words& words, std::initializer_list<std::string_view> any) {
-    return find_word(words, any) < words.size();
-}
-
 // "coffee_table" and "dining_table_round" are tables, "table_lamp" and "picture_ledge" are no table and no picture.
 bool is_a(const std::string& kind, const std::string& word) {
     if (kind == word || kind.ends_with("_" + word) || kind.ends_with("_" + word + "s")) return true;
@@ -31,10 +27,6 @@ bool is_a(const std::string& kind, const std::string& word) {
     const auto at = all.find("_" + word + "_");
     return at != std::string::npos && is_one_of(all.substr(at + word.size() + 2), {"round", "small", "tree", "blocks",
                                                                                    "single", "tall", "low", "corner"});
-}
-
-bool says_several(const std::vector<std::string>& words, const PromptObject& said) {
-    return has_word(words, {"all", "both", "every", "each"}) || said.count > 1 || said.words.ends_with("s");
 }
 
 // Things of the kind that words name: of that very kind, else of one that the word is a part of ("table" of a coffee
@@ -62,113 +54,6 @@ std::vector<int> alike(const RoomDocument& document, const PromptObject& said, b
         });
     if (!one_word && by_name) return near;
     return near.empty() ? ending : near;
-}
-
-float to_the_right(const DocumentRoom& room, const DocumentThing& t) {
-    const Vec3f looks = room.furnished.looks, d = t.position - room.furnished.camera;
-    return dot(d, cross(looks, Vec3f{0, 1, 0}));
-}
-
-float volume_of(const Placed& p) { return p.piece.size_m.x * p.piece.size_m.y * p.piece.size_m.z; }
-
-// "every second chair", "every other chair"
-void every_second(const std::vector<std::string>& words, std::vector<int>& found) {
-    for (std::size_t i = 0; i + 1 < words.size(); ++i) {
-        const std::size_t step = words[i] != "every"                            ? 0
-                                 : is_one_of(words[i + 1], {"second", "other"}) ? 2
-                                 : words[i + 1] == "third"                      ? 3
-                                                                                : 0;
-        if (step == 0) continue;
-        std::vector<int> out;
-        for (std::size_t k = step - 1; k < found.size(); k += step) out.push_back(found[k]);
-        found = out;
-    }
-}
-
-// "the second chair", "the last one", "the left nightstand", "the larger plant".
-void pick(const std::vector<std::string>& words, const PromptObject& said, const Editor& editor,
-          std::vector<int>& found) {
-    // "The extra chairs" stand at no table.
-    const auto is_apart = [&](int i) {
-        const Placed& p = editor.room().furnished.placed[static_cast<std::size_t>(i)];
-        return p.with < 0 && p.on < 0;
-    };
-    if (find_word(words, {"extra", "spare", "stray", "loose", "leftover"}) < next_place(words) &&
-        std::any_of(found.begin(), found.end(), is_apart))
-        std::erase_if(found, [&](int i) { return !is_apart(i); });
-    static constexpr std::array<std::string_view, 5> kOrdinals{"first", "second", "third", "fourth", "fifth"};
-    // "the first two chairs", "the last two chairs": the last ones are taken anyhow
-    const auto several = static_cast<std::size_t>(said.counted ? std::max(1, said.count) : 1);
-    if (several > 1 && several < found.size() && has_word(words, {"first"})) found.resize(several);
-    if (several > 1 && has_word(words, {"first", "last"})) return;
-    for (std::size_t k = 0; k < kOrdinals.size() && found.size() > 1 && !has_word(words, {"every", "each"}); ++k)
-        if (has_word(words, {kOrdinals[k]}) && k < found.size()) found = {found[k]};
-    every_second(words, found);
-    if (found.size() < 2) return;
-    if (has_word(words, {"last"})) found = {found.back()};
-    const auto extreme = [&](const auto& measure, bool most) {
-        const auto less = [&](int a, int b) { return measure(a) < measure(b); };
-        found = {most ? *std::max_element(found.begin(), found.end(), less)
-                      : *std::min_element(found.begin(), found.end(), less)};
-    };
-    const bool left = has_word(words, {"left", "leftmost"}), right = has_word(words, {"right", "rightmost"});
-    const auto all = [&](int i) -> const DocumentThing& {
-        return editor.document().things[static_cast<std::size_t>(i)];
-    };
-    if (left != right && several > 1 && several < found.size()) {  // "the two shelves on the right"
-        std::stable_sort(found.begin(), found.end(), [&](int a, int b) {
-            const float by = to_the_right(editor.room(), all(a)) - to_the_right(editor.room(), all(b));
-            return right ? by > 0 : by < 0;
-        });
-        found.resize(several);
-        std::sort(found.begin(), found.end());
-    } else if (find_word(words, {"middle"}) < next_place(words) && found.size() % 2 != 0) {
-        std::stable_sort(found.begin(), found.end(), [&](int a, int b) {
-            return to_the_right(editor.room(), all(a)) < to_the_right(editor.room(), all(b));
-        });
-        found = {found[found.size() / 2]};
-    } else if (left != right) extreme([&](int i) { return to_the_right(editor.room(), all(i)); }, right);
-    else if (said.size == "large" && says_several(words, said) && !has_word(words, {"biggest", "largest"})) {
-        float most = 0;
-        for (const int i : found) most = std::max(most, volume_of(editor.placed(all(i).id)));
-        std::erase_if(found, [&](int i) { return volume_of(editor.placed(all(i).id)) < 0.5f * most; });
-    } else if (said.size == "small" && says_several(words, said) && !has_word(words, {"smallest", "tiniest"})) {
-        float most = 0;
-        for (const int i : found) most = std::max(most, volume_of(editor.placed(all(i).id)));
-        std::erase_if(found, [&](int i) { return volume_of(editor.placed(all(i).id)) > 0.7f * most; });
-    } else if (said.size == "large" || said.size == "small")
-        extreme([&](int i) { return volume_of(editor.placed(all(i).id)); }, said.size == "large");
-}
-
-bool has_looks(const DocumentThing& t, const PromptObject& said) {
-    const auto is = [](const std::string& one, const std::string& other) {
-        return plain_name(one) == plain_name(other);
-    };
-    return (said.color.empty() || is(t.color, said.color) || (t.asked && is(t.asked->color, said.color))) &&
-           (said.material.empty() || is(t.material, said.material) ||
-            (t.asked && is(t.asked->material, said.material)));
-}
-
-// The color of a thing that was made in the style's.
-float difference(const Placed& p, const std::string& color) {
-    const auto named = color_named(plain_name(color));
-    const auto main = static_cast<std::size_t>(p.piece.main_material);
-    return named && main < p.piece.materials.size() ? length(p.piece.materials[main].color_a - *named) : 0.f;
-}
-
-// Those that were said to look so; where nobody said how they look, the one that looks most like it.
-void with_looks(const PromptObject& said, const Editor& editor, std::vector<int>& found) {
-    std::vector<int> out;
-    for (const int i : found)
-        if (has_looks(editor.document().things[static_cast<std::size_t>(i)], said)) out.push_back(i);
-    if (!out.empty() || found.size() < 2) {
-        if (!out.empty()) found = out;
-        return;
-    }
-    constexpr float kLike = 0.25f;  // of linear albedos
-    const auto& all = editor.room().furnished.placed;
-    const auto off = [&](int i) { return difference(all[static_cast<std::size_t>(i)], said.color); };
-    std::erase_if(found, [&](int i) { return !said.color.empty() && off(i) > kLike; });
 }
 
 // "Two of the chairs" are chairs.
@@ -248,8 +133,14 @@ void with_place(const Editor& editor, const PromptSpec& spec, std::vector<int>& 
         if (stands_as_asked(furnished.plan, furnished.placed, furnished.placed[static_cast<std::size_t>(i)], where)
                 .value_or(false))
             there.push_back(i);
-    if (!there.empty()) found = there;
-    else if (where.relation == "next to" && !several) nearest_to(editor, where.relation_to, found);
+    // "The two tables by the window", where one is close to it: the two nearest.
+    const PromptObject& said = spec.objects.front();
+    const auto count = static_cast<std::size_t>(said.counted ? std::max(1, said.count) : 1);
+    if (where.relation == "next to" && (there.empty() ? !several : several && there.size() < count))
+        nearest_to(editor, where.relation_to, found, count);
+    else if (!there.empty()) found = there;
+    if (several && where.relation == "next to" && is_shell(where.relation_to))
+        nearest_to(editor, where.relation_to, found, count);
 }
 
 // The very things of a place: "at the second table", "on the left nightstand". Nothing: it is at any such thing, at a
@@ -377,6 +268,10 @@ std::optional<int> id_said(const RoomDocument& document, const std::string& word
 
 }  // namespace
 
+bool says_several(const std::vector<std::string>& words, const PromptObject& said) {
+    return has_word(words, {"all", "both", "every", "each"}) || said.count > 1 || said.words.ends_with("s");
+}
+
 std::string singular(const std::string& word) {
     for (const std::string& form : base_forms(word))
         if (form != word && look_up(form)) return form;
@@ -402,6 +297,8 @@ std::vector<std::string> named(const Editor& editor, const std::string& words) {
     if (const auto id = id_said(editor.document(), words))
         return {editor.document().things[static_cast<std::size_t>(*id)].id};
     const std::vector<std::string> tokens = tokens_of(words);
+    if (has_word(tokens, {"except", "unless", "not", "minus", "excluding"}))
+        throw UsageError("expected the things that are meant, found \"{}\"", words);
     auto near = by_distance(editor, tokens);
     if (!near) near = in_rows(editor, tokens);
     if (const auto those = near ? std::nullopt : by_what_they_carry(editor, tokens)) {

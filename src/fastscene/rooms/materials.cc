@@ -184,6 +184,16 @@ std::optional<Material> material_named(std::string_view name) {
     if (n == "brick" || n == "bricks") return red_brick();
     if (n == "tile" || n == "tiles" || n == "tiled" || n == "ceramic" || n == "porcelain")
         return make("tiles", Pattern::tile, named("white"), named("silver"), 0.2f, 0.2f, 0.002f);
+    if (n == "cork") {
+        Material m = make("cork", Pattern::terrazzo, named("tan"), named("brown"), 0.008f, 0.8f);
+        m.color_c = named("sand");
+        return m;
+    }
+    // In grains, as floors of gyms have it.
+    if (n == "rubber")
+        return make("rubber", Pattern::terrazzo, {0.05f, 0.05f, 0.055f}, {0.08f, 0.08f, 0.09f}, 0.015f, 0.8f);
+    if (n == "linoleum" || n == "vinyl")
+        return make(n, Pattern::terrazzo, named("stone"), named("stone") * 0.85f, 0.02f, n == "vinyl" ? 0.25f : 0.35f);
     if (n == "carpet") return carpet(Pattern::carpet, "ash", "silver", "white");
     if (n == "planks") return boards(Pattern::planks, "oak", 0.12f);
     if (n == "parquet") return boards(Pattern::herringbone, "oak", 0.08f);

@@ -1,0 +1,155 @@
+// What people say otherwise, in the words that the rest reads: "apart from the vase", "a tad", "how about moving it".
+#include <algorithm>
+#include <array>
+
+#include "fastscene/base/is_one_of.h"
+#include "fastscene/rooms/edit_parts.h"
+#include "fastscene/rooms/prompt_text.h"
+
+namespace fastscene::editing {
+namespace {
+
+struct Phrase {
+    std::string_view said, means;
+};
+// Longer ones before those that they begin with.
+constexpr std::array<Phrase, 61> kPhrases{{
+    {"infront", "in front"},
+    {"ontop", "on top"},
+    {"inbetween", "in between"},
+    {"nextto", "next to"},
+    {"abit", "a bit"},
+    {"aswell", "as well"},
+    {"alot", "a lot"},
+    {"a little bit", "a bit"},
+    {"a wee bit", "a bit"},
+    {"a tiny bit", "a bit"},
+    {"a tad bit", "a bit"},
+    {"a tad", "a bit"},
+    {"a touch", "a bit"},
+    {"a smidge", "a bit"},
+    {"a hair", "a bit"},
+    {"ever so slightly", "a bit"},
+    {"with the exception of", "except"},
+    {"apart from", "except"},
+    {"aside from", "except"},
+    {"other than", "except"},
+    {"save for", "except"},
+    {"rather than", "instead of"},
+    {"looks out of the window", "faces the window"},
+    {"looks out the window", "faces the window"},
+    {"look out of the window", "face the window"},
+    {"look out the window", "face the window"},
+    {"looking out of the window", "facing the window"},
+    {"looking out the window", "facing the window"},
+    {"looking at", "facing"},
+    {"looking towards", "facing"},
+    {"looking toward", "facing"},
+    {"on the left and right of", "on both sides of"},
+    {"to the left and right of", "on both sides of"},
+    {"left and right of", "on both sides of"},
+    {"on the left and the right of", "on both sides of"},
+    {"on the left and right side of", "on both sides of"},
+    {"to the left and to the right of", "on both sides of"},
+    {"on either end of", "on both ends of"},
+    {"at either end of", "on both ends of"},
+    {"left hand side", "left side"},
+    {"right hand side", "right side"},
+    {"left hand", "left"},
+    {"right hand", "right"},
+    {"smack in the middle", "in the middle"},
+    {"right in the middle", "in the middle"},
+    {"dead center", "in the middle"},
+    {"in the dead center", "in the middle"},
+    {"bang in the middle", "in the middle"},
+    {"that is standing on", "on"},
+    {"that are standing on", "on"},
+    {"that stand on", "on"},
+    {"that's standing on", "on"},
+    {"standing on", "on"},
+    {"sitting on", "on"},
+    {"lying on", "on"},
+    {"located", ""},
+    {"the whole lot", "them all"},
+    {"kind of", ""},
+    {"sort of", ""},
+    {"a bunch of", "some"},
+    {"a pair of", "two"},
+}};
+
+// Said of what comes: "a lava lamp here would be cool".
+bool is_praise(const std::string& word) {
+    return is_one_of(word, {"nice", "great", "cool", "good", "lovely", "perfect", "awesome", "fantastic", "amazing",
+                            "ideal", "better", "wonderful", "sweet"});
+}
+
+void say(Words& words, std::string_view said, std::string_view means) {
+    const Words phrase = tokens_of(said), by = tokens_of(means);
+    for (std::size_t i = 0; i + phrase.size() <= words.size(); ++i) {
+        if (part_of(words, i, i + phrase.size()) != phrase) continue;
+        words.erase(words.begin() + static_cast<std::ptrdiff_t>(i),
+                    words.begin() + static_cast<std::ptrdiff_t>(i + phrase.size()));
+        words.insert(words.begin() + static_cast<std::ptrdiff_t>(i), by.begin(), by.end());
+    }
+}
+
+// "A plant by the window would be nice": add it.
+Words as_wishes(const Words& words) {
+    Words out;
+    for (std::size_t from = 0; from < words.size();) {
+        std::size_t end = from;
+        while (end < words.size() && !is_one_of(words[end], {",", ".", ";"})) ++end;
+        Words part = part_of(words, from, end);
+        if (const std::size_t would = find_word(part, {"would"}, 1);
+            would + 2 < part.size() && part[would + 1] == "be" && is_praise(part.back())) {
+            // Behind the last "and": "…, and a lamp here would be nice".
+            std::size_t begins = would;
+            while (begins > 0 && part[begins - 1] != "and") --begins;
+            Words wish = part_of(part, begins, would);
+            if (!wish.empty() && begins_anew(wish)) wish.insert(wish.begin(), "add");
+            part = joined_words(part_of(part, 0, begins), wish);
+        }
+        out = joined_words(out, part);
+        if (end < words.size()) out.push_back(words[end]);
+        from = end + 1;
+    }
+    return out;
+}
+
+// "Could the sofa and the armchair swap places": swap them.
+Words as_swap(const Words& words) {
+    const std::size_t swap = find_word(words, {"swap", "switch", "trade", "exchange", "change"}, 3);
+    if (!is_one_of(words.front(), {"can", "could", "may", "let", "have"}) || swap + 1 >= words.size() ||
+        !is_definite(words[1]) || !is_one_of(words[swap + 1], {"places", "sides", "positions", "spots", "seats"}))
+        return words;
+    Words out{"swap"};
+    out = joined_words(out, part_of(words, 1, swap));
+    return joined_words(out, part_of(words, swap + 2));
+}
+
+}  // namespace
+
+std::string stem_of_gerund(const std::string& word) {
+    constexpr std::size_t kLeast = 5;  // letters
+    if (word.size() < kLeast || !word.ends_with("ing")) return {};
+    std::string stem = word.substr(0, word.size() - 3);
+    const auto begins = [](const std::string& verb) { return begins_clause({verb}); };
+    if (begins(stem)) return stem;                                                 // "hanging"
+    if (begins(stem + "e")) return stem + "e";                                     // "moving"
+    if (stem.size() > 2 && stem.back() == stem[stem.size() - 2]) stem.pop_back();  // "putting"
+    return begins(stem) ? stem : "";
+}
+
+Words in_plain_words(Words words) {
+    for (const Phrase& p : kPhrases) say(words, p.said, p.means);
+    if (words.empty()) return words;
+    words = as_swap(as_wishes(words));
+    // "How about moving the sofa and adding a lamp"
+    const std::size_t asked = find_word(words, {"about", "mind", "try", "consider", "start", "begin"});
+    for (std::size_t i = asked + 1; i < words.size(); ++i)
+        if ((i == asked + 1 || is_one_of(words[i - 1], {"by", "and", ","})) && words[i] != "facing")
+            if (const std::string stem = stem_of_gerund(words[i]); !stem.empty()) words[i] = stem;
+    return words;
+}
+
+}  // namespace fastscene::editing
