@@ -65,6 +65,10 @@ std::optional<std::size_t> remark_ends(const Words& words, std::size_t at) {
     while (next < words.size() && is_joint(words[next])) ++next;
     next = next < words.size() ? past_polite(words, next) : next;
     if (!states || next >= words.size() || !beginning_at(words, next)) return {};
+    // "The tv is too small, and put …": to be mended, where nothing that follows is about it.
+    if (find_word(words, {"too"}, at) < end &&
+        find_word(words, {"it", "its", "them", "they", "one", "ones"}, next) == words.size())
+        return {};
     return end;
 }
 
@@ -291,7 +295,8 @@ std::vector<Clause> clauses_of(const std::string& sentence) {
                 continue;
             }
             const bool says = from < words.size() && is_statement(words, from);
-            const bool asks = out.empty() && from < words.size() &&
+            const bool also = i > 0 && is_one_of(words[i - 1], {"also", "plus"});
+            const bool asks = (out.empty() || also) && from < words.size() &&
                               (number_said(words[from]) || is_one_of(words[from], {"another", "some", "more"}));
             if (says || (out.empty() && from < words.size() && says_what(words, from)))
                 out.push_back({Verb::want, "want", {}});
