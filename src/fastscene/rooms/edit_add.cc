@@ -79,7 +79,10 @@ Addition at_what_is_meant(Talk& talk, const Words& words) {
     // "On it" of a rug or a stool means the table or island there, for what does not stand on floors or seats.
     const bool rug = it && std::all_of(talk.last.begin(), talk.last.end(), [&](const std::string& id) {
                          const Placed& p = talk.editor.placed(id);
-                         return p.flat || has_role(p.piece.kind, Role::seat);
+                         constexpr float kStool =
+                             0.55f;  // metres: what is lower and has no back carries things as well
+                         const bool stool = talk.last.size() == 1 && p.piece.size_m.y < kStool;
+                         return p.flat || (has_role(p.piece.kind, Role::seat) && !stool);
                      });
     if (rug && out.place && out.place->step.wish.relation == "on" && furnishing::is_small(out.wishes.front().kind) &&
         !furnishing::lies_on_seats(out.wishes.front().kind))
@@ -184,6 +187,13 @@ void add(Talk& talk, const Words& words) {
         for (const std::string& w : tokens_of(std::exchange(talk.lacks, {}))) all.push_back(w);
         return add(talk, joined_words(all, part_of(words, one + 1)));
     }
+    // "Take the lamp away and hang two smaller ones over the table"
+    if (const std::size_t place = next_place(words);
+        place > 1 && is_one_of(words[place - 1], {"one", "ones"}) && talk.last.empty() && !talk.noun.empty()) {
+        Words all = part_of(words, 0, place - 1);
+        for (const std::string& w : tokens_of(talk.noun)) all.push_back(w);
+        return add(talk, joined_words(all, part_of(words, place)));
+    }
     // "The tv is too small, get a bigger one": in place of that.
     if (words.size() > 2 && words.back() == "one" && !talk.last.empty() &&
         value_of(part_of(words, 1, words.size() - 1)))
@@ -197,11 +207,18 @@ void add(Talk& talk, const Words& words) {
         add(talk, joined_parts(parts));
         return face(talk, all);
     }
+    // "a bed with a nightstand on each side"
+    if (const std::size_t n = words.size(), with = find_word(words, {"with"}, 1);
+        with + 3 < n && is_one_of(words[n - 2], {"each", "both", "either"}) &&
+        is_one_of(words[n - 1], {"side", "sides", "end", "ends"}) && begins_anew(part_of(words, with + 1)))
+        return add(talk, joined_words(words, {"of", "it"}));
     // "a shelf over the desk with a plant and a candle on it"
     if (const std::size_t with = find_word(words, {"with"}, 1);
         with + 1 < words.size() && is_one_of(words.back(), {"it", "them"}) &&
         (find_word(words, {"and", ","}, with) < words.size() ||
-         find_word(words, {"between", "next", "beside", "behind", "above", "front", "over", "under", "opposite"},
+         find_word(words,
+                   {"between", "next", "beside", "behind", "above", "front", "over", "under", "opposite", "side",
+                    "sides", "end", "ends"},
                    with) < words.size()) &&
         begins_anew(part_of(words, with + 1)) && next_place(part_of(words, with + 1)) < words.size() - with - 1 &&
         !both_come_there(talk, words, with)) {

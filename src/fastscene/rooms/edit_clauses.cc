@@ -178,6 +178,18 @@ Words joined_words(Words first, const Words& second) {
     return first;
 }
 
+namespace {
+
+// "… and the pouf in front of the sofa": a place of its own before the next joint.
+bool has_own_place(const Words& words, std::size_t from) {
+    std::size_t end = from;
+    while (end < words.size() && !is_joint(words[end])) ++end;
+    const Words part = part_of(words, from, end);
+    return next_place(part) < part.size();
+}
+
+}  // namespace
+
 std::vector<Words> parts_of(const Words& words) {
     std::vector<Words> parts{{}};
     bool between = false;
@@ -186,7 +198,8 @@ std::vector<Words> parts_of(const Words& words) {
         if (w == "between") between = true;
         // "between the beds and a poster": of two of a kind it is said already between what.
         const bool said = i > 0 && i + 1 < words.size() && (words[i - 1].ends_with("s") || words[i - 1] == "them") &&
-                          is_one_of(words[i + 1], {"a", "an", "another", "some", "two", "three"});
+                          (is_one_of(words[i + 1], {"a", "an", "another", "some", "two", "three"}) ||
+                           (is_definite(words[i + 1]) && has_own_place(words, i + 1)));
         if (is_joint(w) && !(between && w == "and" && !said)) {
             if (!parts.back().empty()) parts.emplace_back();
             between = false;

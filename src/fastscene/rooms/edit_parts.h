@@ -143,6 +143,7 @@ class Editor {
     // ---- edit_place.cc
     void place(const EditStep& step);
     void place_with_seats(int index, const EditStep& step);
+    void tell_distance(const std::string& id, const EditStep& step);
     void bring_seats(int table, const std::vector<int>& seats);
     void place_one(int index, const std::vector<int>& along, EditStep step);
     void stand_at_found(int index, const Placed& found, const Standing& standing, const EditStep& step,
