@@ -14,71 +14,6 @@
 namespace fastscene::editing {
 namespace {
 
-// "A second armchair facing the first one": the first armchair.
-Words with_noun(const Talk& talk, const Words& words) {
-    const std::size_t place = next_place(words);
-    if (words.size() > place + 1 && is_one_of(words.back(), {"first", "other", "existing"})) {
-        Words all = words;
-        all.push_back("one");
-        return with_noun(talk, all);
-    }
-    // "… in line with the other two"
-    if (const std::size_t n = words.size();
-        place < n && n > 3 && words[n - 2] == "other" && number_said(words[n - 1]) && words[n - 3] == "the") {
-        Words all = part_of(words, 0, n - 2);
-        all.back() = "the", all.push_back("others");
-        return with_noun(talk, all);
-    }
-    // "A third table next to the others": next to the tables
-    if (is_one_of(words.back(), {"others", "rest"}) && place < words.size() && words[words.size() - 2] == "the") {
-        const PromptSpec spec = read_in_room(talk.editor, text_of(counted_anew(part_of(words, 0, place))));
-        if (spec.objects.empty()) return words;
-        Words out = part_of(words, 0, words.size() - 1);
-        const Words noun = tokens_of(spec.objects.front().words);
-        out.insert(out.end(), noun.begin(), noun.end());
-        return out;
-    }
-    // "Candles to the tables that don't have one": a candle
-    const bool had = is_one_of(words.back(), {"one", "any"}) && words.size() > 2 &&
-                     is_one_of(words[words.size() - 2], {"have", "has", "without", "no"});
-    const std::size_t one = had ? words.size() - 1 : find_word(words, {"one"}, 2);
-    if (had) {
-        const PromptSpec spec = read_in_room(talk.editor, text_of(counted_anew(part_of(words, 0, place))));
-        if (spec.objects.empty()) return words;
-        Words out = words;
-        out[one] = spec.objects.front().words;
-        return out;
-    }
-    if (one >= words.size() || one < place || !is_one_of(words[one - 1], {"first", "other", "old", "existing"}))
-        return words;
-    const PromptSpec spec = read_in_room(talk.editor, text_of(counted_anew(part_of(words, 0, place))));
-    if (spec.objects.empty()) return words;
-    Words out = words;
-    out[one] = spec.objects.front().words;
-    if (!is_one_of(out[one - 1], {"first"})) out.erase(out.begin() + static_cast<std::ptrdiff_t>(one) - 1);
-    return out;
-}
-
-// "A fourth mirror station" is one more salon station, where no other word calls it so.
-Words by_kind_there(const Editor& editor, const Words& said) {
-    if (find_word(said, {"more", "another", "second", "third", "fourth", "fifth", "extra"}) >= next_place(said))
-        return said;
-    const std::size_t end = next_place(said);
-    const std::string& last = said[end - 1];
-    const std::string noun = last.ends_with("s") ? last.substr(0, last.size() - 1) : last;
-    const auto word = look_up(last);
-    if (end < 2 || (word && word->kind == WordKind::object)) return said;
-    std::set<std::string> kinds;
-    for (const DocumentThing& t : editor.document().things)
-        if (t.kind.ends_with("_" + noun)) kinds.insert(t.kind);
-    if (kinds.size() != 1) return said;
-    Words out{said.front()};
-    const Words name = tokens_of(in_words(*kinds.begin()));
-    out.insert(out.end(), name.begin(), name.end());
-    out.insert(out.end(), said.begin() + static_cast<std::ptrdiff_t>(end), said.end());
-    return out;
-}
-
 // What comes with what was added: "two nightstands with a lamp on each" are two lamps.
 void add_with(Talk& talk, const std::vector<std::string>& ids, const Addition& addition) {
     const std::vector<PromptObject>& wishes = addition.wishes;
@@ -123,6 +58,13 @@ Addition at_what_is_meant(Talk& talk, const Words& words) {
     // "Three stools before the counter, and a lamp over it": over the counter, the stools are "them".
     if (words.back() == "it" && talk.last.size() > 1)
         if (const auto other = things_at(talk.editor, talk.last_place); other.size() == 1) talk.last = other;
+    // "Paint that wall black and put a picture on it"
+    if (const std::size_t n = words.size();
+        n > 2 && words.back() == "it" && words[n - 2] == "on" && talk.last.empty() && talk.wall >= 0) {
+        Addition out = addition_of(talk, joined_words(part_of(words, 0, n - 1), {"the", "wall"}), {});
+        if (out.place) out.place->step.wall = talk.wall;
+        return out;
+    }
     const bool it = is_one_of(words.back(), {"it", "them"}) && !talk.last.empty();
     const auto hangs = [](Mount mount) { return mount == Mount::wall || mount == Mount::ceiling; };
     const bool hung = it && std::all_of(talk.last.begin(), talk.last.end(), [&](const std::string& id) {
@@ -137,7 +79,10 @@ Addition at_what_is_meant(Talk& talk, const Words& words) {
     // "On it" of a rug or a stool means the table or island there, for what does not stand on floors or seats.
     const bool rug = it && std::all_of(talk.last.begin(), talk.last.end(), [&](const std::string& id) {
                          const Placed& p = talk.editor.placed(id);
-                         return p.flat || has_role(p.piece.kind, Role::seat);
+                         constexpr float kStool =
+                             0.55f;  // metres: what is lower and has no back carries things as well
+                         const bool stool = talk.last.size() == 1 && p.piece.size_m.y < kStool;
+                         return p.flat || (has_role(p.piece.kind, Role::seat) && !stool);
                      });
     if (rug && out.place && out.place->step.wish.relation == "on" && furnishing::is_small(out.wishes.front().kind) &&
         !furnishing::lies_on_seats(out.wishes.front().kind))
@@ -158,8 +103,9 @@ Words joined_parts(const std::vector<Words>& parts) {
 
 // "A desk with a chair beside it", of what was spoken of before: both come there.
 bool both_come_there(const Talk& talk, const Words& words, std::size_t with) {
-    return talk.last.size() == 1 && words.back() == "it" && next_place(part_of(words, 0, with)) == with &&
-           parts_of(words).size() == 1 && find_word(words, {"beside", "next", "behind", "front"}, with) < words.size();
+    const bool spoken = words.back() == "it" ? talk.last.size() == 1 : talk.last.size() > 1;
+    return spoken && next_place(part_of(words, 0, with)) == with && parts_of(words).size() == 1 &&
+           find_word(words, {"beside", "next", "behind", "front", "between", "opposite"}, with) < words.size();
 }
 
 // "A lamp here and the bench under the window": the bench is there, and moves.
@@ -241,6 +187,13 @@ void add(Talk& talk, const Words& words) {
         for (const std::string& w : tokens_of(std::exchange(talk.lacks, {}))) all.push_back(w);
         return add(talk, joined_words(all, part_of(words, one + 1)));
     }
+    // "Take the lamp away and hang two smaller ones over the table"
+    if (const std::size_t place = next_place(words);
+        place > 1 && is_one_of(words[place - 1], {"one", "ones"}) && talk.last.empty() && !talk.noun.empty()) {
+        Words all = part_of(words, 0, place - 1);
+        for (const std::string& w : tokens_of(talk.noun)) all.push_back(w);
+        return add(talk, joined_words(all, part_of(words, place)));
+    }
     // "The tv is too small, get a bigger one": in place of that.
     if (words.size() > 2 && words.back() == "one" && !talk.last.empty() &&
         value_of(part_of(words, 1, words.size() - 1)))
@@ -254,11 +207,18 @@ void add(Talk& talk, const Words& words) {
         add(talk, joined_parts(parts));
         return face(talk, all);
     }
+    // "a bed with a nightstand on each side"
+    if (const std::size_t n = words.size(), with = find_word(words, {"with"}, 1);
+        with + 3 < n && is_one_of(words[n - 2], {"each", "both", "either"}) &&
+        is_one_of(words[n - 1], {"side", "sides", "end", "ends"}) && begins_anew(part_of(words, with + 1)))
+        return add(talk, joined_words(words, {"of", "it"}));
     // "a shelf over the desk with a plant and a candle on it"
     if (const std::size_t with = find_word(words, {"with"}, 1);
         with + 1 < words.size() && is_one_of(words.back(), {"it", "them"}) &&
         (find_word(words, {"and", ","}, with) < words.size() ||
-         find_word(words, {"between", "next", "beside", "behind", "above", "front", "over", "under", "opposite"},
+         find_word(words,
+                   {"between", "next", "beside", "behind", "above", "front", "over", "under", "opposite", "side",
+                    "sides", "end", "ends"},
                    with) < words.size()) &&
         begins_anew(part_of(words, with + 1)) && next_place(part_of(words, with + 1)) < words.size() - with - 1 &&
         !both_come_there(talk, words, with)) {
@@ -266,6 +226,9 @@ void add(Talk& talk, const Words& words) {
         return add_there(talk, part_of(words, with + 1));
     }
     // "a rug before the bed, light yellow"
+    if (parts.size() > 1 && parts.back().size() > 1 && is_one_of(parts.back().back(), {"one", "ones"}) &&
+        value_of(part_of(parts.back(), 0, parts.back().size() - 1)))
+        parts.back().pop_back();
     if (parts.size() > 1 && !number_said(parts.back().front()))
         if (const auto value = value_of(parts.back()); value && !value->resizes() && value->brighter == 1) {
             const Words look = parts.back();
@@ -293,6 +256,8 @@ void add(Talk& talk, const Words& words) {
                 if (!some.empty()) some.push_back("and");
                 some.insert(some.end(), parts[i].begin(), parts[i].end());
             }
+            // Of a rug and a chair "it" is the chair.
+            if (!first && parts[k].back() == "it" && talk.last.size() > 1 && k > 1) talk.last = {talk.last.back()};
             add(talk, some);
         }
         return;
@@ -319,11 +284,20 @@ void add(Talk& talk, const Words& words) {
     std::vector<std::optional<Addition>> all(parts.size());
     const std::vector<std::string> spoken_before = std::exchange(talk.last, {});
     std::vector<std::string> together;  // those that share the place of the next one
+    // "A rug, a chair in the corner and a lamp": the corner is the chair's alone; "a chair and a lamp in the corner".
+    const std::string text = text_of(words);
+    const auto shares = [&](std::size_t k, std::size_t next) {
+        return k == next || next + 1 == parts.size() ||
+               text.find(text_of(parts[next - 1]) + " and " + text_of(parts[next])) != std::string::npos;
+    };
     const auto add_part = [&](std::size_t k) {
         const auto own = all[k]->place;
         std::optional<Place> shared;
         for (std::size_t next = k; next < all.size() && !shared; ++next)
-            if (all[next]) shared = all[next]->place;
+            if (all[next] && all[next]->place) {
+                if (!shares(k, next)) break;
+                shared = all[next]->place;
+            }
         const PromptObject& first = all[k]->wishes.front();
         const std::size_t spoken = talk.last.size();
         // Of "two stools and a lamp over the island" the stools stand at it.

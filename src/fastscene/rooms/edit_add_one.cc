@@ -38,6 +38,20 @@ bool with_its_like(Talk& talk, EditStep step) {
     }
 }
 
+// "front" or "behind", where all seats of a long table, at least two, are on one side of it; empty: they are not.
+std::string side_of_seats(const Editor& editor, int table) {
+    const std::vector<Placed>& all = editor.room().furnished.placed;
+    const Placed& t = all[static_cast<std::size_t>(table)];
+    int front = 0, behind = 0;
+    for (const Placed& p : all) {
+        if (p.with != table || !has_role(p.piece.kind, Role::seat)) continue;
+        (dot(p.position - t.position, front_of(t.yaw)) > 0 ? front : behind) += 1;
+    }
+    constexpr float kLong = 1.8f;  // times as long as it is deep
+    if (front + behind < 2 || t.piece.size_m.x < kLong * t.piece.size_m.z) return {};
+    return behind == 0 ? "front" : front == 0 ? "behind" : "";
+}
+
 // A chair where others stand at a table: at that table, if it has room for one more.
 bool drawn_up(Talk& talk, EditStep step) {
     if (!has_role(step.wish.kind, Role::seat) || !step.wish.relation.empty() || step.position) return false;
@@ -46,13 +60,18 @@ bool drawn_up(Talk& talk, EditStep step) {
         if (asked_kind(p) != step.wish.kind || p.with < 0) continue;
         const Placed& table = all[static_cast<std::size_t>(p.with)];
         if (!has_role(table.piece.kind, Role::lamp_above)) continue;
-        step.wish.relation = "around", step.wish.relation_to = asked_kind(table);
-        try {
-            talk.editor.apply(step);
-            return true;
-        } catch (const Error&) {
-            return false;
-        }
+        step.wish.relation_to = asked_kind(table);
+        // At a bar on the side where the others are.
+        std::vector<const char*> relations{"around"};
+        if (const std::string side = side_of_seats(talk.editor, p.with); !side.empty())
+            relations = {side == "front" ? "in front of" : "behind", "around"}, step.at = {table.id};
+        for (const char* relation : relations) try {
+                step.wish.relation = relation;
+                talk.editor.apply(step);
+                return true;
+            } catch (const Error&) {
+            }
+        return false;
     }
     return false;
 }

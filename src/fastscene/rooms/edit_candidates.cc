@@ -219,7 +219,11 @@ std::vector<Candidate> Editor::candidates_for(Layout& layout, const EditStep& st
                                                 : nearest + off_head(layout, c.at);
         } else if (of_corner && length(c.at - *step.position) > kOfCorner + further) return true;
         else if (wish.relation == "in the middle") c.cost = length(c.at);
-        else if (step.position) c.cost = length(c.at - *step.position);
+        else if (step.position) {
+            constexpr float kThere = 2.2f;  // metres: further off it is not there
+            c.cost = length(c.at - *step.position);
+            if (wish.relation.empty() && c.cost > kThere + further) return true;
+        }
         if (looks_at(wish.relation) && piece.against_wall)
             for (const WallFace& face : plan().faces())
                 if (dot(flat(face.inward), middle - c.at) > 0.7f * length(middle - c.at))

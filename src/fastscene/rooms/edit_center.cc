@@ -64,9 +64,10 @@ bool center(Talk& talk, const Words& words) {
     const auto part = relation ? room_part(there, relation->next) : std::nullopt;
     if (part && part->noun != "wall" && part->noun != "window") return false;
     if (!part && is_one_of(noun_of(there.back()), {"room", "middle", "floor", "side", "corner"})) return false;
+    const std::vector<std::string> spoken = talk.last;
     for (const std::string& id : those_there(talk, part_of(words, 0, end), there)) {
         const Placed& p = talk.editor.placed(id);
-        const auto place = place_of(talk.editor, there, asked_kind(p), id, talk.last);
+        const auto place = place_of(talk.editor, there, asked_kind(p), id, spoken);
         if (!place) return false;
         Vec2f by{};
         const int wall = place->step.wall >= 0 ? place->step.wall : wall_behind(talk.editor.plan(), p);

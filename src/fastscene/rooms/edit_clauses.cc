@@ -65,6 +65,10 @@ std::optional<std::size_t> remark_ends(const Words& words, std::size_t at) {
     while (next < words.size() && is_joint(words[next])) ++next;
     next = next < words.size() ? past_polite(words, next) : next;
     if (!states || next >= words.size() || !beginning_at(words, next)) return {};
+    // "The tv is too small, and put …": to be mended, where nothing that follows is about it.
+    if (find_word(words, {"too"}, at) < end &&
+        find_word(words, {"it", "its", "them", "they", "one", "ones"}, next) == words.size())
+        return {};
     return end;
 }
 
@@ -174,6 +178,18 @@ Words joined_words(Words first, const Words& second) {
     return first;
 }
 
+namespace {
+
+// "… and the pouf in front of the sofa": a place of its own before the next joint.
+bool has_own_place(const Words& words, std::size_t from) {
+    std::size_t end = from;
+    while (end < words.size() && !is_joint(words[end])) ++end;
+    const Words part = part_of(words, from, end);
+    return next_place(part) < part.size();
+}
+
+}  // namespace
+
 std::vector<Words> parts_of(const Words& words) {
     std::vector<Words> parts{{}};
     bool between = false;
@@ -182,7 +198,8 @@ std::vector<Words> parts_of(const Words& words) {
         if (w == "between") between = true;
         // "between the beds and a poster": of two of a kind it is said already between what.
         const bool said = i > 0 && i + 1 < words.size() && (words[i - 1].ends_with("s") || words[i - 1] == "them") &&
-                          is_one_of(words[i + 1], {"a", "an", "another", "some", "two", "three"});
+                          (is_one_of(words[i + 1], {"a", "an", "another", "some", "two", "three"}) ||
+                           (is_definite(words[i + 1]) && has_own_place(words, i + 1)));
         if (is_joint(w) && !(between && w == "and" && !said)) {
             if (!parts.back().empty()) parts.emplace_back();
             between = false;
@@ -291,7 +308,8 @@ std::vector<Clause> clauses_of(const std::string& sentence) {
                 continue;
             }
             const bool says = from < words.size() && is_statement(words, from);
-            const bool asks = out.empty() && from < words.size() &&
+            const bool also = i > 0 && is_one_of(words[i - 1], {"also", "plus"});
+            const bool asks = (out.empty() || also) && from < words.size() &&
                               (number_said(words[from]) || is_one_of(words[from], {"another", "some", "more"}));
             if (says || (out.empty() && from < words.size() && says_what(words, from)))
                 out.push_back({Verb::want, "want", {}});

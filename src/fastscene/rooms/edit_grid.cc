@@ -90,12 +90,20 @@ int rows_at(const Words& words, std::size_t at) {
 bool set_in_rows(Talk& talk, const Words& words) {
     std::size_t at = 1;
     while (at < words.size() && rows_at(words, at) == 0) ++at;
-    if (at >= words.size() || parts_of(words).size() > 1) return false;
-    Words rest = part_of(words, at + 3);
-    const Words things = part_of(words, 0, at);
+    if (parts_of(words).size() > 1) return false;
+    Words things = part_of(words, 0, at), rest = part_of(words, at + 3);
     EditStep step;
     step.kind = EditStep::Kind::rows;
-    step.wish.count = rows_at(words, at);
+    step.wish.count = at < words.size() ? rows_at(words, at) : 1;
+    // "A row of five mats in front of the bench"
+    if (at >= words.size()) {
+        const bool row = words.size() > 4 && is_one_of(text_of(words, 0, 3), {"a row of", "one row of"});
+        const std::size_t place = next_place(words, 4);
+        things = part_of(words, 3, place), rest = part_of(words, place);
+        if (!row || !number_said(things.front()) || things.size() < 2) return false;
+        const auto wishes = wishes_of(talk.editor, things);
+        if (mount_of(talk.editor, wishes.front().kind) != Mount::floor) return false;
+    }
     const std::size_t facing = find_word(rest, {"facing", "towards", "toward"});
     Words target = facing < rest.size() ? part_of(rest, facing + 1) : Words{};
     rest = part_of(rest, 0, facing);

@@ -391,7 +391,7 @@ void Editor::add(const EditStep& step) {
             throw Error("{}", why_none_added(step));
         }
     });
-    for (const std::string& id : fresh) tell_aside(id, step);
+    for (const std::string& id : fresh) tell_aside(id, step), tell_distance(id, step);
     if (step.each) tell_missing_corners(step, fresh.size());
 }
 

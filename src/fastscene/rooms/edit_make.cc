@@ -110,7 +110,7 @@ std::vector<std::string> make_one(Talk& talk, const Words& subject, const Value&
     else if (step.surface == "accent_wall" && !has_word(subject, {"accent"})) {
         Words which = subject;
         std::erase_if(which, [](const std::string& w) { return is_one_of(w, {"only", "just"}); });
-        step.wall = wall_meant(talk.editor, which, talk.last);
+        step.wall = talk.wall = wall_meant(talk.editor, which, talk.last);
     }
     if (step.surface.empty()) step.ids = talk.things(subject);
     if (value.length && value.by == Vec3f{}) along_its_length(talk, step);

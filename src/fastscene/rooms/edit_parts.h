@@ -143,6 +143,7 @@ class Editor {
     // ---- edit_place.cc
     void place(const EditStep& step);
     void place_with_seats(int index, const EditStep& step);
+    void tell_distance(const std::string& id, const EditStep& step);
     void bring_seats(int table, const std::vector<int>& seats);
     void place_one(int index, const std::vector<int>& along, EditStep step);
     void stand_at_found(int index, const Placed& found, const Standing& standing, const EditStep& step,
@@ -522,6 +523,7 @@ struct Value {
 };
 // Nothing unless all the words are looks or sizes.
 std::optional<Value> value_of(const Words& words);
+std::string comparative_of(const std::string& word);  // "longer" of "long"; empty: no word of size
 // "tall", "low", "narrow" before a noun: of a new thing's usual width, height and depth; 1: no such word.
 Vec3f usual_factor(const Words& words);
 // "round", "a square shape"; empty: no shape.
@@ -563,6 +565,7 @@ struct Talk {
     std::string lacks{};                         // what is missing, by a remark: "one" of the clause behind it
     EditStep last_place{};                       // where they were put
     std::string said{};                          // the clause's verb
+    int wall = -1;                               // the wall last spoken of, "it" as well
     bool there = false;                          // the clause ends with "there"
     bool its_place = false;                      // the clause ends with "in its place"
     bool more = false;                           // it says "more", "another": beside those that are there
@@ -650,6 +653,11 @@ Place beside_those(const Talk& talk, const std::vector<std::string>& ids);
 void add_row(Talk& talk, PromptObject wish);
 // Beside those that share its place, and no further from that than they; false: there is no such place.
 bool grouped(Talk& talk, const PromptObject& wish, const Place& shared, const std::vector<std::string>& together);
+// ---- edit_nouns.cc
+// "A second armchair facing the first one": the first armchair.
+Words with_noun(const Talk& talk, const Words& words);
+// "A fourth mirror station" is one more salon station, where no other word calls it so.
+Words by_kind_there(const Editor& editor, const Words& said);
 // ---- edit_replace.cc
 void copy(Talk& talk, const Words& words);
 void replace(Talk& talk, const Words& old, const Words& by);

@@ -13,7 +13,9 @@ struct Phrase {
     std::string_view said, means;
 };
 // Longer ones before those that they begin with.
-constexpr std::array<Phrase, 61> kPhrases{{
+constexpr std::array<Phrase, 63> kPhrases{{
+    {"u shape", "semicircle"},
+    {"horseshoe", "semicircle"},
     {"infront", "in front"},
     {"ontop", "on top"},
     {"inbetween", "in between"},

@@ -74,7 +74,11 @@ void pick(const std::vector<std::string>& words, const PromptObject& said, const
             return to_the_right(editor.room(), all(a)) < to_the_right(editor.room(), all(b));
         });
         found = {found[found.size() / 2]};
-    } else if (left != right) extreme([&](int i) { return to_the_right(editor.room(), all(i)); }, right);
+    } else if (has_word(words, {"biggest", "largest", "smallest", "tiniest"}))
+        extreme([&](int i) { return volume_of(editor.placed(all(i).id)); }, has_word(words, {"biggest", "largest"}));
+    else if (has_word(words, {"tallest", "shortest"}))
+        extreme([&](int i) { return editor.placed(all(i).id).piece.size_m.y; }, has_word(words, {"tallest"}));
+    else if (left != right) extreme([&](int i) { return to_the_right(editor.room(), all(i)); }, right);
     else if (said.size == "large" && says_several(words, said) && !has_word(words, {"biggest", "largest"})) {
         float most = 0;
         for (const int i : found) most = std::max(most, volume_of(editor.placed(all(i).id)));

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "fastscene/base/error.h"
+#include "fastscene/base/is_one_of.h"
 #include "fastscene/rooms/edit_parts.h"
 #include "fastscene/rooms/layout_relations.h"
 
@@ -73,6 +74,7 @@ void Editor::place_one(int index, const std::vector<int>& along, EditStep step) 
         throw AlreadySo(id + ": it stands there already");
     try {
         checked([&] { stand_at_found(index, found, standing, step, along); });
+        tell_distance(id, step);
     } catch (const Error& e) {
         const std::vector<Placed> other = laid_out(standing, step, &was, true);
         if (other.size() == standing.placed.size() + 1) try {
@@ -82,6 +84,25 @@ void Editor::place_one(int index, const std::vector<int>& along, EditStep step) 
         if (!place_squeezed(index, step, along))
             throw Error("{}: there is no place for it{}: {}", id, place_in_words(step), e.what());
     }
+}
+
+// "Next to the desk", and yet with a step between them.
+void Editor::tell_distance(const std::string& id, const EditStep& step) {
+    constexpr float kNext = 0.9f;  // metres from edge to edge
+    if (!is_one_of(step.wish.relation, {"next to", "left of", "right of", "on both sides of"}) ||
+        !noun_of(step.wish.relation_to).empty())
+        return;
+    const Placed& p = placed(id);
+    if (p.piece.mount != Mount::floor) return;
+    const Footprint box = footprint_of(p);
+    float least = 1e9f;
+    for (const std::string& at : things_at(*this, step)) {
+        if (at == id) continue;
+        const Footprint there = footprint_of(placed(at));
+        const Vec2f to = there.center - box.center;
+        least = std::min(least, distance_to(there, box.center) - extent(box, to * (1 / std::max(0.01f, length(to)))));
+    }
+    if (least > kNext && least < 1e8f) tell(id, fmt::format("{:.1f} m off: there was no nearer place", least));
 }
 
 void Editor::stand_at_found(int index, const Placed& found, const Standing& standing, const EditStep& step,

@@ -103,7 +103,18 @@ class Reader {
         if (part.noun == "middle" && of_room) return place("in the middle");
         // "A chair at each end": of what?
         if (part.noun == "side" && rest.empty() && part.says({"each", "both", "either", "sides"})) return {};
-        if (part.noun == "side" && of_room) return at_wall(part, {});
+        if (part.noun == "side" && of_room) {
+            auto out = at_wall(part, {});
+            // "The far end" of what needs no wall is before that.
+            constexpr float kBefore = 1.1f;  // metres
+            if (out && out->step.wall >= 0 && moving_ && !editor_.placed(mover_).piece.against_wall &&
+                editor_.placed(mover_).piece.mount == Mount::floor) {
+                const WallFace face = editor_.plan().wall(out->step.wall);
+                out->step.position = flat(face.point(face.length / 2, 0) + face.inward * kBefore);
+                out->step.wall = -1, out->step.wish.relation.clear();
+            }
+            return out;
+        }
         // "on the other side of the sofa"
         if (const auto opening = part.noun == "side" && rest.size() > 1 && rest.front() == "of" ? room_part(rest, 1)
                                                                                                 : std::nullopt;

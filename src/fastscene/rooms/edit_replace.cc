@@ -76,11 +76,25 @@ void replace(Talk& talk, const Words& old, const Words& by) {
         all.push_back(by[one]);
         return replace(talk, old, all);
     }
+    // "a long rectangular one and six chairs": six in all
+    if (parts.size() > 1 && is_one_of(parts.front().back(), {"one", "ones"})) {
+        replace(talk, old, parts.front());
+        talk.said = "we want";
+        return do_each(talk.editor, parts.size() - 1, [&](std::size_t k) { add(talk, parts[k + 1]); });
+    }
     if (!by.empty() && is_one_of(by.back(), {"one", "ones"})) {
-        Words all{"it"};
+        Words all{"it"}, sizes;
         for (const std::string& w : by)
-            if (!is_one_of(w, {"a", "an", "one", "ones"})) all.push_back(w);
-        if (value_of(part_of(all, 1))) return make(talk, all);
+            if (!is_one_of(w, {"a", "an", "one", "ones"})) {
+                const std::string more = comparative_of(w);
+                (more.empty() ? all : sizes).push_back(more.empty() ? w : more);
+            }
+        if (all.size() > 1 && !value_of(part_of(all, 1))) sizes.clear();
+        if (value_of(part_of(all, 1)) || (all.size() == 1 && !sizes.empty())) {
+            if (all.size() > 1) make(talk, all);
+            for (const std::string& size : sizes) make(talk, {"it", size});
+            return;
+        }
         parts = {by};
         parts[0].back() = in_words(asked_kind(talk.editor.placed(step.ids.front())));
     }

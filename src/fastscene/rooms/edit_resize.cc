@@ -67,6 +67,8 @@ std::string Editor::resize_to(int index, Vec3f factor) {
     request.size_m = size, request.size_factor = 1;
     const Vec3f made = make_piece(request).size_m;
     std::string fault;
+    constexpr int kMostTries = 8;  // each builds the room
+    int tries = 0;
     for (const float aside : {0.f, 0.1f, -0.1f, 0.2f, -0.2f, 0.35f, -0.35f, 0.5f, -0.5f})
         for (const float ahead : {0.f, 0.1f, -0.1f, 0.2f, -0.2f, 0.3f, -0.3f}) {
             const bool here = aside == 0 && ahead == 0;
@@ -78,6 +80,7 @@ std::string Editor::resize_to(int index, Vec3f factor) {
             if (!here && before.piece.mount == Mount::floor &&
                 !stands_clear(index, footprint_of(larger), seats_at(index)))
                 continue;
+            if (++tries > kMostTries) return fault;
             try {
                 checked([&] {
                     thing(index).size_m = size;

@@ -187,6 +187,16 @@ std::vector<std::string> stand_ins(const Words& words) {
 
 }  // namespace
 
+std::string comparative_of(const std::string& word) {
+    if (word == "low") return "lower";
+    if (is_one_of(word, {"narrow", "slim"})) return "narrower";
+    if (word == "small") return "smaller";
+    if (word == "short") return "shorter";
+    for (const SizeWord& s : kSizeWords)
+        if (word == s.plain && s.plain != "size") return std::string(s.more);
+    return {};
+}
+
 Vec3f usual_factor(const Words& words) {
     constexpr float kSaid = 1.35f, kLow = 0.65f;  // to be seen without the usual one beside it
     Vec3f out{1, 1, 1};

@@ -159,6 +159,19 @@ void want(Talk& talk, const Words& words) {
     if (!lamps_said(words).empty()) return make(talk, words);
     const bool of_those = is_definite(words.front()) || is_one_of(words.front(), {"all", "both", "every", "each"});
     if (is_one_of(words.front(), {"can", "could", "may"})) return want(talk, part_of(words, 1));
+    // "I need a bigger desk", where there is one: that is made larger.
+    if (words.size() > 2 && is_one_of(words.front(), {"a", "an"}) && talk.said != "want" &&
+        parts_of(words).front().size() > 2 && next_place(words) >= parts_of(words).front().size()) {
+        const Words first = parts_of(words).front();
+        const auto value = value_of({first[1]});
+        const Words noun = part_of(first, 2);
+        if (value && value->resizes() && value->shape.empty() && all_named(talk.editor, text_of(noun)).size() == 1) {
+            make(talk, joined_words(joined_words({"the"}, noun), {first[1]}));
+            Words rest = part_of(words, first.size());
+            while (!rest.empty() && is_joint(rest.front())) rest.erase(rest.begin());
+            return rest.empty() ? void() : add(talk, rest);
+        }
+    }
     if (!of_those) return add(talk, words);
     if (find_word(words, {"style", "room", "time", "weather"}) < words.size()) return make(talk, words);
     if (add_to_those(talk, words)) return;

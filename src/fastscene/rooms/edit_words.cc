@@ -127,6 +127,15 @@ void with_place(const Editor& editor, const PromptSpec& spec, std::vector<int>& 
             where.relation_to = editor.document().things[static_cast<std::size_t>(at.front())].kind;
     std::vector<int> there;
     const FurnishedRoom& furnished = editor.room().furnished;
+    // On a rug is on the floor.
+    if (where.relation == "on" && where.relation_to == "floor") {
+        for (const int i : found)
+            if (const Placed& p = furnished.placed[static_cast<std::size_t>(i)];
+                p.on < 0 && p.sill < 0 && p.piece.mount != Mount::wall && p.piece.mount != Mount::ceiling)
+                there.push_back(i);
+        if (!there.empty()) found = there;
+        return;
+    }
     if (beside_as_seen(editor, where, found)) return;
     const bool several = where.count > 1 && spec.objects.front().count > 1;
     for (const int i : found)
