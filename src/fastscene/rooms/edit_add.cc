@@ -127,11 +127,20 @@ bool add_like_another(Talk& talk, const Words& words) {
     if (as + 1 >= words.size() || find_word(words, {"color", "shade"}, same) > as) return false;
     Words bare = part_of(words, 0, same);
     while (bare.size() > 1 && is_one_of(bare.back(), {"in", "of", "with", "the"})) bare.pop_back();
+    while (bare.size() > 1 && is_joint(bare.back())) bare.pop_back();
     EditStep step;
     step.kind = EditStep::Kind::recolor;
-    step.wish.color = talk.editor.color_seen(talk.things(part_of(words, as + 1)).front());
+    const Words model = part_of(words, as + 1);
+    const bool others = is_one_of(model.back(), {"others", "ones", "rest", "those"});
+    if (!others) step.wish.color = talk.editor.color_seen(talk.things(model).front());
     add(talk, bare);
     step.ids = talk.last;
+    // "The same color as the others": those of its kind that were there.
+    const std::string kind = step.ids.empty() ? "" : asked_kind(talk.editor.placed(step.ids.front()));
+    for (const Placed& p : talk.editor.room().furnished.placed)
+        if (others && step.wish.color.empty() && asked_kind(p) == kind && !is_among(p.id, step.ids))
+            step.wish.color = talk.editor.color_seen(p.id);
+    if (step.wish.color.empty()) throw UsageError("there are no others whose color could be meant");
     talk.editor.apply(step);
     return true;
 }
@@ -217,8 +226,8 @@ void add(Talk& talk, const Words& words) {
         with + 1 < words.size() && is_one_of(words.back(), {"it", "them"}) &&
         (find_word(words, {"and", ","}, with) < words.size() ||
          find_word(words,
-                   {"between", "next", "beside", "behind", "above", "front", "over", "under", "opposite", "side",
-                    "sides", "end", "ends"},
+                   {"between", "next", "beside", "behind", "above", "front", "over", "under", "opposite", "around",
+                    "side", "sides", "end", "ends"},
                    with) < words.size()) &&
         begins_anew(part_of(words, with + 1)) && next_place(part_of(words, with + 1)) < words.size() - with - 1 &&
         !both_come_there(talk, words, with)) {

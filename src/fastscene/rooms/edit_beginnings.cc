@@ -4,6 +4,7 @@
 
 #include "fastscene/base/is_one_of.h"
 #include "fastscene/rooms/edit_parts.h"
+#include "fastscene/rooms/lexicon.h"
 #include "fastscene/rooms/prompt_text.h"
 
 namespace fastscene::editing {
@@ -162,6 +163,10 @@ const Beginning* beginning_at(const Words& words, std::size_t at) {
             continue;
         // "No, the bench" takes nothing away.
         if (b.words.back() == "no" && at + 1 < words.size() && is_joint(words[at + 1])) continue;
+        // "String lights" are no verb.
+        if (const std::size_t next = at + 1; at > 0 && b.words.size() == 1 && next < words.size())
+            if (const auto thing = look_up(words[at] + " " + words[next]); thing && thing->kind == WordKind::object)
+                continue;
         const bool of_those = b.verb == Verb::kindle || b.verb == Verb::quench ||
                               is_one_of(b.words.front(), {"tile", "carpet", "plaster"});
         if (!of_those || is_of_those(at + b.words.size())) best = &b;

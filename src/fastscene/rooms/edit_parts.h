@@ -293,6 +293,7 @@ struct Clause {
     bool there = false;       // it ended with "there", "in its place"
     bool its_place = false;   // it ended with "in its place"
     bool taken_back = false;  // what follows is said in place of it
+    bool otherwise = false;   // "or replace it": only where the clause before it could not be done
     bool amends = false;      // "no, blue": the clause before it, with these words
 };
 std::vector<Clause> clauses_of(const std::string& sentence);

@@ -13,7 +13,13 @@ struct Phrase {
     std::string_view said, means;
 };
 // Longer ones before those that they begin with.
-constexpr std::array<Phrase, 63> kPhrases{{
+constexpr std::array<Phrase, 69> kPhrases{{
+    {"a lower", "a low"},
+    {"a higher", "a tall"},
+    {"angled towards", "facing"},
+    {"angled toward", "facing"},
+    {"turned towards", "facing"},
+    {"turned toward", "facing"},
     {"u shape", "semicircle"},
     {"horseshoe", "semicircle"},
     {"infront", "in front"},

@@ -53,7 +53,9 @@ std::vector<std::string> Talk::things(const Words& said_words) {
         std::vector<std::string> ids;
         for (const int i : all_named(editor, "all " + text_of(words, 1))) {
             const DocumentThing& t = editor.document().things[static_cast<std::size_t>(i)];
-            if (is_among(t.on, last) || is_among(t.with, last)) ids.push_back(t.id);
+            const bool carries = std::any_of(last.begin(), last.end(),
+                                             [&](const std::string& id) { return editor.placed(id).on == i; });
+            if (is_among(t.on, last) || is_among(t.with, last) || carries) ids.push_back(t.id);
         }
         if (ids.empty()) throw UsageError("nothing at {} is \"{}\"", last.front(), text_of(words, 1));
         return last = ids;

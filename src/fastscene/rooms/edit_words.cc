@@ -53,7 +53,11 @@ std::vector<int> alike(const RoomDocument& document, const PromptObject& said, b
             return kind != last && !is_a(kind, said.kind);
         });
     if (!one_word && by_name) return near;
-    return near.empty() ? ending : near;
+    if (!near.empty() || !ending.empty()) return near.empty() ? ending : near;
+    // "The palms", where only trees stand.
+    for (std::size_t i = 0; i < document.things.size() && !by_name; ++i)
+        if (is_a(document.things[i].kind, said.kind)) near.push_back(static_cast<int>(i));
+    return near;
 }
 
 // "Two of the chairs" are chairs.
@@ -318,6 +322,14 @@ std::vector<std::string> named(const Editor& editor, const std::string& words) {
     Meaning meant = near ? Meaning{{}, *near} : meaning_of(editor, words);
     std::vector<int>& found = meant.found;
     const PromptObject& said = meant.said;
+    // "The chairs on that side": of what, and which?
+    if (const std::size_t place = next_place(tokens); !near && found.size() > 1 && place < tokens.size())
+        if (const auto relation = relation_at(tokens, place))
+            if (const auto part = room_part(tokens, relation->next);
+                part && part->noun == "side" && part->next == tokens.size() &&
+                !part->says({"left", "right", "far", "near", "back", "front", "window", "door"}))
+                throw UsageError("which side? expected \"on the left\", \"by the window\", found \"{}\"",
+                                 text_of(tokens, place));
     if (found.empty() && (is_shell(said.kind) || has_role(said.kind, Role::opening))) refuse_shell();
     if (found.empty() && is_one_of(tokens.front(), {"everything", "all", "anything"}) && meant.unknown)
         throw UsageError("name the things that are meant, found \"{}\"", words);
