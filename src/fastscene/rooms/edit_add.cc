@@ -203,6 +203,14 @@ void add(Talk& talk, const Words& words) {
         for (const std::string& w : tokens_of(talk.noun)) all.push_back(w);
         return add(talk, joined_words(all, part_of(words, place)));
     }
+    // "Add a third one", "another one"
+    if (const std::size_t n = words.size();
+        n > 1 && n < 4 && words.back() == "one" && !talk.noun.empty() &&
+        is_one_of(words[n - 2], {"another", "second", "third", "fourth", "fifth", "more", "extra"})) {
+        Words all{"another"};
+        const Words noun = tokens_of(talk.noun);
+        return add(talk, joined_words(all, noun));
+    }
     // "The tv is too small, get a bigger one": in place of that.
     if (words.size() > 2 && words.back() == "one" && !talk.last.empty() &&
         value_of(part_of(words, 1, words.size() - 1)))
@@ -283,7 +291,7 @@ void add(Talk& talk, const Words& words) {
         const Words there = part_of(parts[k - 1], next_place(parts[k - 1]));
         const auto relation = there.empty() ? std::nullopt : relation_at(there, 0);
         const std::size_t n = parts[k].size();
-        const bool both = n > 1 && is_one_of(parts[k][n - 2], {"each", "both", "either"}) &&
+        const bool both = n > 1 && is_one_of(parts[k][n - 2], {"each", "both", "either", "other"}) &&
                           is_one_of(parts[k].back(), {"end", "side"});
         if (!relation || (!both && !is_one_of(parts[k].back(), {"ends", "sides"})) || room_part(there, relation->next))
             continue;
@@ -319,8 +327,18 @@ void add(Talk& talk, const Words& words) {
         talk.editor.together([&] {
             if (group && grouped(talk, first, *shared, together)) return;
             try {
-                if (all[k]->in_row && !shared && first.count > 1) add_row(talk, first);
+                constexpr float kFlat = 0.05f;  // metres: mats in a row
+                const bool flat_row = all[k]->in_row && first.count > 1 && talk.editor.usual_size(first).y < kFlat &&
+                                      mount_of(talk.editor, first.kind) == Mount::floor;
+                if (all[k]->in_row && !shared && first.count > 1 && !flat_row) add_row(talk, first);
                 else add_or_stand(talk, first, shared);
+                if (flat_row) {
+                    EditStep row;
+                    row.kind = EditStep::Kind::rows;
+                    row.ids = part_of(talk.last, spoken), row.wish.count = 1;
+                    row.yaw = talk.editor.placed(row.ids.front()).yaw;
+                    talk.editor.apply(row);
+                }
             } catch (const UsageError&) {
                 throw;
             } catch (const Error&) {

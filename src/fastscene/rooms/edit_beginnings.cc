@@ -32,7 +32,9 @@ constexpr std::array<Row, 24> kBeginnings{{
      "out|unroll|"
      "decorate|dress|arrange|fill|top|group|gather|cluster|collect|bunch|bunch up"},
     {Verb::make, "make|change|switch|give"},
-    {Verb::refuse, "open|close|shut|rearrange|reorganize|redecorate|improve|fix|undo|redo|divide"},
+    {Verb::refuse,
+     "open|close|shut|rearrange|reorganize|redecorate|improve|fix|undo|redo|divide|separate|partition|straighten|sweep|"
+     "mop|dust"},
     {Verb::tidy, "tidy|tidy up|clean|clean up|declutter|straighten up"},
     {Verb::center, "center|centre"},
     {Verb::brighter, "brighten|brighten up|lighten|lighten up|light up|turn up|illuminate"},

@@ -79,6 +79,10 @@ namespace {
 
 // "In two rows" at `at`: how many; 0: no such words.
 int rows_at(const Words& words, std::size_t at) {
+    if (at + 2 < words.size() && words[at] == "in" && is_one_of(words[at + 1], {"a", "one"}) &&
+        is_one_of(words[at + 2], {"row", "line"}) && !begins_anew(words) &&
+        has_word(words, {"facing", "towards", "toward"}))
+        return 1;
     if (at + 2 >= words.size() || !is_one_of(words[at], {"in", "into"}) || words[at + 2] != "rows") return 0;
     const auto number = number_said(words[at + 1]);
     return number && *number >= 1 ? static_cast<int>(*number) : 0;

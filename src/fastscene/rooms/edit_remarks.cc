@@ -151,7 +151,8 @@ bool done_with(Talk& talk, const Clause& clause) {
 std::optional<Words> laid_with(const Talk& talk, const Words& words) {
     const std::size_t with = find_word(words, {"with"}, 1);
     const bool lays = is_one_of(talk.said, {"set", "lay", "decorate", "dress", "fill", "top"});
-    if (!lays || with + 1 >= words.size() || !is_definite(words.front()) || next_place(words) < with) return {};
+    const bool those = is_definite(words.front()) || is_one_of(words.front(), {"all", "both", "every", "each"});
+    if (!lays || with + 1 >= words.size() || !those || next_place(words) < with) return {};
     Words out = part_of(words, with + 1);
     out.push_back("on");
     out.insert(out.end(), words.begin(), words.begin() + static_cast<std::ptrdiff_t>(with));

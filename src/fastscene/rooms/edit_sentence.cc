@@ -180,6 +180,11 @@ void Talk::act(const Clause& whole) {
         editor.note("room", fmt::format("\"{}\" is taken as a reason: it changes nothing", text_of(whole.words, why)));
         clause.words.resize(why);
     }
+    // "Remove the shelf and put a plant in that corner": where it stood.
+    if (const std::size_t n = clause.words.size(); n > 4 && last_gone &&
+                                                   text_of(clause.words, n - 3, n - 1) == "in that" &&
+                                                   is_one_of(clause.words.back(), {"corner", "spot", "place", "space"}))
+        clause.words.resize(n - 3), clause.there = true;
     const Words& words = clause.words;
     // "Rearrange the chairs in a circle" says how.
     if (clause.said == "rearrange" && (says_so_that(words) || next_place(words) < words.size()))
@@ -317,6 +322,8 @@ EditResult edit_by_sentence(const RoomDocument& document, const std::string& sen
             deeds = editor.deeds();
             try {
                 talk.act(clauses[i]);
+            } catch (const editing::AlreadySo&) {
+                throw;
             } catch (const Error&) {
                 // What should have come is not "it", unless it was to come at "it".
                 const bool at_it = editing::find_word(clauses[i].words, {"it", "its", "them", "their"}) <

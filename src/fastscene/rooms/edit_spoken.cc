@@ -105,6 +105,8 @@ std::optional<std::vector<std::string>> Talk::the_rest(const Words& words) const
     const bool named_so = words.size() > 2 && words.front() == "the" && words[1] == "remaining";
     const bool rest_of = words.size() > 3 && text_of(words, 0, 3) == "the rest of" && words.back() != "them";
     if (!named_so && !rest_of && (!bare || noun.empty())) return {};
+    if (rest_of && last.empty())
+        throw UsageError("the rest of what? nothing was named before, in \"{}\"", text_of(words));
     Words of = tokens_of(noun);
     if (named_so) of = part_of(words, number_said(words[2]) ? 3 : 2);
     if (rest_of) of = part_of(words, is_definite(words[3]) ? 4 : 3);
