@@ -127,11 +127,20 @@ bool add_like_another(Talk& talk, const Words& words) {
     if (as + 1 >= words.size() || find_word(words, {"color", "shade"}, same) > as) return false;
     Words bare = part_of(words, 0, same);
     while (bare.size() > 1 && is_one_of(bare.back(), {"in", "of", "with", "the"})) bare.pop_back();
+    while (bare.size() > 1 && is_joint(bare.back())) bare.pop_back();
     EditStep step;
     step.kind = EditStep::Kind::recolor;
-    step.wish.color = talk.editor.color_seen(talk.things(part_of(words, as + 1)).front());
+    const Words model = part_of(words, as + 1);
+    const bool others = is_one_of(model.back(), {"others", "ones", "rest", "those"});
+    if (!others) step.wish.color = talk.editor.color_seen(talk.things(model).front());
     add(talk, bare);
     step.ids = talk.last;
+    // "The same color as the others": those of its kind that were there.
+    const std::string kind = step.ids.empty() ? "" : asked_kind(talk.editor.placed(step.ids.front()));
+    for (const Placed& p : talk.editor.room().furnished.placed)
+        if (others && step.wish.color.empty() && asked_kind(p) == kind && !is_among(p.id, step.ids))
+            step.wish.color = talk.editor.color_seen(p.id);
+    if (step.wish.color.empty()) throw UsageError("there are no others whose color could be meant");
     talk.editor.apply(step);
     return true;
 }
@@ -194,6 +203,14 @@ void add(Talk& talk, const Words& words) {
         for (const std::string& w : tokens_of(talk.noun)) all.push_back(w);
         return add(talk, joined_words(all, part_of(words, place)));
     }
+    // "Add a third one", "another one"
+    if (const std::size_t n = words.size();
+        n > 1 && n < 4 && words.back() == "one" && !talk.noun.empty() &&
+        is_one_of(words[n - 2], {"another", "second", "third", "fourth", "fifth", "more", "extra"})) {
+        Words all{"another"};
+        const Words noun = tokens_of(talk.noun);
+        return add(talk, joined_words(all, noun));
+    }
     // "The tv is too small, get a bigger one": in place of that.
     if (words.size() > 2 && words.back() == "one" && !talk.last.empty() &&
         value_of(part_of(words, 1, words.size() - 1)))
@@ -217,8 +234,8 @@ void add(Talk& talk, const Words& words) {
         with + 1 < words.size() && is_one_of(words.back(), {"it", "them"}) &&
         (find_word(words, {"and", ","}, with) < words.size() ||
          find_word(words,
-                   {"between", "next", "beside", "behind", "above", "front", "over", "under", "opposite", "side",
-                    "sides", "end", "ends"},
+                   {"between", "next", "beside", "behind", "above", "front", "over", "under", "opposite", "around",
+                    "side", "sides", "end", "ends"},
                    with) < words.size()) &&
         begins_anew(part_of(words, with + 1)) && next_place(part_of(words, with + 1)) < words.size() - with - 1 &&
         !both_come_there(talk, words, with)) {
@@ -274,7 +291,7 @@ void add(Talk& talk, const Words& words) {
         const Words there = part_of(parts[k - 1], next_place(parts[k - 1]));
         const auto relation = there.empty() ? std::nullopt : relation_at(there, 0);
         const std::size_t n = parts[k].size();
-        const bool both = n > 1 && is_one_of(parts[k][n - 2], {"each", "both", "either"}) &&
+        const bool both = n > 1 && is_one_of(parts[k][n - 2], {"each", "both", "either", "other"}) &&
                           is_one_of(parts[k].back(), {"end", "side"});
         if (!relation || (!both && !is_one_of(parts[k].back(), {"ends", "sides"})) || room_part(there, relation->next))
             continue;
@@ -310,8 +327,18 @@ void add(Talk& talk, const Words& words) {
         talk.editor.together([&] {
             if (group && grouped(talk, first, *shared, together)) return;
             try {
-                if (all[k]->in_row && !shared && first.count > 1) add_row(talk, first);
+                constexpr float kFlat = 0.05f;  // metres: mats in a row
+                const bool flat_row = all[k]->in_row && first.count > 1 && talk.editor.usual_size(first).y < kFlat &&
+                                      mount_of(talk.editor, first.kind) == Mount::floor;
+                if (all[k]->in_row && !shared && first.count > 1 && !flat_row) add_row(talk, first);
                 else add_or_stand(talk, first, shared);
+                if (flat_row) {
+                    EditStep row;
+                    row.kind = EditStep::Kind::rows;
+                    row.ids = part_of(talk.last, spoken), row.wish.count = 1;
+                    row.yaw = talk.editor.placed(row.ids.front()).yaw;
+                    talk.editor.apply(row);
+                }
             } catch (const UsageError&) {
                 throw;
             } catch (const Error&) {

@@ -112,10 +112,10 @@ void stand_there(Talk& talk, EditStep& step) {
 std::optional<PromptObject> standing_form(const PromptObject& wish, const std::optional<Place>& place) {
     if (!place || is_one_of(place->step.wish.relation, {"on", "above"}) || !furnishing::is_small(wish.kind)) return {};
     const Words words = tokens_of(wish.words);
-    if (words.size() != 1 || !has_role(wish.kind, Role::light)) return {};
-    const std::vector<std::string> forms = base_forms(words.front());
+    if (words.empty() || !has_role(wish.kind, Role::light) || in_words(wish.kind) == wish.words) return {};
+    const std::vector<std::string> forms = base_forms(words.back());
     const auto is_called_so = [&](const std::string& kind) {
-        return kind.ends_with("_" + words.front()) ||
+        return kind.ends_with("_" + words.back()) ||
                std::any_of(forms.begin(), forms.end(), [&](const std::string& f) { return kind.ends_with("_" + f); });
     };
     for (const std::string& kind : kinds_with(Role::tall))

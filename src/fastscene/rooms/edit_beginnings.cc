@@ -4,6 +4,7 @@
 
 #include "fastscene/base/is_one_of.h"
 #include "fastscene/rooms/edit_parts.h"
+#include "fastscene/rooms/lexicon.h"
 #include "fastscene/rooms/prompt_text.h"
 
 namespace fastscene::editing {
@@ -31,7 +32,9 @@ constexpr std::array<Row, 24> kBeginnings{{
      "out|unroll|"
      "decorate|dress|arrange|fill|top|group|gather|cluster|collect|bunch|bunch up"},
     {Verb::make, "make|change|switch|give"},
-    {Verb::refuse, "open|close|shut|rearrange|reorganize|redecorate|improve|fix|undo|redo|divide"},
+    {Verb::refuse,
+     "open|close|shut|rearrange|reorganize|redecorate|improve|fix|undo|redo|divide|separate|partition|straighten|sweep|"
+     "mop|dust"},
     {Verb::tidy, "tidy|tidy up|clean|clean up|declutter|straighten up"},
     {Verb::center, "center|centre"},
     {Verb::brighter, "brighten|brighten up|lighten|lighten up|light up|turn up|illuminate"},
@@ -162,6 +165,10 @@ const Beginning* beginning_at(const Words& words, std::size_t at) {
             continue;
         // "No, the bench" takes nothing away.
         if (b.words.back() == "no" && at + 1 < words.size() && is_joint(words[at + 1])) continue;
+        // "String lights" are no verb.
+        if (const std::size_t next = at + 1; at > 0 && b.words.size() == 1 && next < words.size())
+            if (const auto thing = look_up(words[at] + " " + words[next]); thing && thing->kind == WordKind::object)
+                continue;
         const bool of_those = b.verb == Verb::kindle || b.verb == Verb::quench ||
                               is_one_of(b.words.front(), {"tile", "carpet", "plaster"});
         if (!of_those || is_of_those(at + b.words.size())) best = &b;

@@ -1,7 +1,9 @@
 // "The tables that don't have a candle", "the shelf with books": things by what stands on them or at them.
 #include <algorithm>
 #include <array>
+#include <cmath>
 
+#include "fastscene/base/error.h"
 #include "fastscene/base/is_one_of.h"
 #include "fastscene/rooms/edit_parts.h"
 #include "fastscene/rooms/prompt_text.h"
@@ -30,6 +32,29 @@ constexpr std::array<Carrying, 14> kCarrying{{{"that does not have", false},
                                               {"with", true}}};
 
 }  // namespace
+
+std::optional<std::vector<int>> at_ends_of_table(const Editor& editor, const Words& words) {
+    const std::size_t ends = find_word(words, {"ends", "end", "head", "heads", "sides"}, 3);
+    if (ends + 2 >= words.size() || words[ends + 1] != "of" || !is_one_of(words[ends - 2], {"at", "on"})) return {};
+    const bool at_ends = words[ends] != "sides";
+    const bool sides = is_one_of(words[ends - 1], {"long", "both"}) && !at_ends;
+    if (!at_ends && !sides) return {};
+    const auto& all = editor.room().furnished.placed;
+    const std::vector<int> tables = all_named(editor, text_of(words, ends + 2));
+    std::vector<int> out;
+    for (const int i : all_named(editor, "all " + text_of(words, is_definite(words.front()) ? 1 : 0, ends - 2))) {
+        const Placed& p = all[static_cast<std::size_t>(i)];
+        if (p.with < 0 || std::find(tables.begin(), tables.end(), p.with) == tables.end()) continue;
+        const Placed& t = all[static_cast<std::size_t>(p.with)];
+        const Vec3f d = p.position - t.position;
+        const bool wide = t.piece.size_m.x >= t.piece.size_m.z;
+        const float x = std::abs(dot(d, right_of(t.yaw))) - t.piece.size_m.x / 2;
+        const float z = std::abs(dot(d, front_of(t.yaw))) - t.piece.size_m.z / 2;
+        if ((wide ? x > z : z > x) == at_ends) out.push_back(i);
+    }
+    if (out.empty()) throw UsageError("nothing is there, found \"{}\"", text_of(words));
+    return out;
+}
 
 std::optional<std::vector<int>> by_what_they_carry(const Editor& editor, const Words& words) {
     for (const auto& [phrase, has] : kCarrying) {

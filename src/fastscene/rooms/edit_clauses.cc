@@ -228,7 +228,9 @@ std::size_t taken_back_at(const Words& words, std::size_t at) {
 // "I don't like the rug, make it blue": it stays, and is blue. "The table needs a vase, add a red one": one vase.
 void disliked(Clause& clause, const Clause& next) {
     const bool needs = clause.verb == Verb::want && find_word(clause.words, {"needs", "need"}, 1) < clause.words.size();
-    if (needs && find_word(next.words, {"one", "ones"}, 1) < next.words.size() && begins_anew(next.words)) {
+    const bool put = is_one_of(next.words.empty() ? "" : next.words.front(), {"it", "them"}) &&
+                     (next.verb == Verb::put || next.verb == Verb::move);
+    if (needs && (put || (find_word(next.words, {"one", "ones"}, 1) < next.words.size() && begins_anew(next.words)))) {
         clause.verb = Verb::remark;
         return;
     }
@@ -286,6 +288,16 @@ std::vector<Clause> clauses_of(const std::string& sentence) {
                 begins = false;
             }
             continue;
+        }
+        // "… or replace the sofa": the other choice.
+        if (words[i] == "or" && !out.empty() && i + 1 < words.size()) {
+            const std::size_t from = past_polite(words, i + 1);
+            if (const Beginning* other = from < words.size() ? beginning_at(words, from) : nullptr) {
+                out.push_back({other->verb, text_of(other->words), {}});
+                out.back().otherwise = true;
+                i = from + other->words.size();
+                continue;
+            }
         }
         if (is_joint(words[i]) && !except) {
             begins = true;

@@ -79,6 +79,10 @@ namespace {
 
 // "In two rows" at `at`: how many; 0: no such words.
 int rows_at(const Words& words, std::size_t at) {
+    if (at + 2 < words.size() && words[at] == "in" && is_one_of(words[at + 1], {"a", "one"}) &&
+        is_one_of(words[at + 2], {"row", "line"}) && !begins_anew(words) &&
+        has_word(words, {"facing", "towards", "toward"}))
+        return 1;
     if (at + 2 >= words.size() || !is_one_of(words[at], {"in", "into"}) || words[at + 2] != "rows") return 0;
     const auto number = number_said(words[at + 1]);
     return number && *number >= 1 ? static_cast<int>(*number) : 0;
@@ -97,10 +101,24 @@ bool set_in_rows(Talk& talk, const Words& words) {
     step.wish.count = at < words.size() ? rows_at(words, at) : 1;
     // "A row of five mats in front of the bench"
     if (at >= words.size()) {
-        const bool row = words.size() > 4 && is_one_of(text_of(words, 0, 3), {"a row of", "one row of"});
+        // "Two rows of four desks facing the board": of those that are there.
+        const auto number = number_said(words.front());
+        const bool there = number && words.size() > 3 && words[1] == "rows" && words[2] == "of" && talk.said != "add";
+        if (there) {
+            const std::size_t end = next_place(words, 4);
+            const auto each = number_said(words[3]);
+            step.wish.count = static_cast<int>(*number);
+            things = joined_words({"the"}, part_of(words, each ? 4 : 3, end));
+            auto ids = talk.things_of_parts(joined_words({"all"}, things));
+            const auto all = each ? static_cast<std::size_t>(*each * *number) : ids.size();
+            if (all > ids.size()) throw UsageError("there are only {} of \"{}\"", ids.size(), text_of(things));
+            ids.resize(all);
+            step.ids = ids, rest = part_of(words, end);
+        }
+        const bool row = there || words.size() > 4 && is_one_of(text_of(words, 0, 3), {"a row of", "one row of"});
         const std::size_t place = next_place(words, 4);
-        things = part_of(words, 3, place), rest = part_of(words, place);
-        if (!row || !number_said(things.front()) || things.size() < 2) return false;
+        if (!there) things = part_of(words, 3, place), rest = part_of(words, place);
+        if (!there && (!row || !number_said(things.front()) || things.size() < 2)) return false;
         const auto wishes = wishes_of(talk.editor, things);
         if (mount_of(talk.editor, wishes.front().kind) != Mount::floor) return false;
     }
@@ -108,7 +126,9 @@ bool set_in_rows(Talk& talk, const Words& words) {
     Words target = facing < rest.size() ? part_of(rest, facing + 1) : Words{};
     rest = part_of(rest, 0, facing);
     const auto act = [&] {
-        if (begins_anew(things) && number_said(things.front()) && talk.said != "move") {
+        if (!step.ids.empty()) {
+            // said already
+        } else if (begins_anew(things) && number_said(things.front()) && talk.said != "move") {
             add(talk, things);
             step.ids = talk.last;
         } else step.ids = talk.things_of_parts(things);

@@ -60,6 +60,15 @@ bool is_where_asked(const Plan& plan, const std::vector<Placed>& all, const Plac
     // A cabinet stands on no counter.
     constexpr float kLow = 0.7f;  // metres
     if (piece.on >= 0 && piece.piece.made_mount == Mount::floor && piece.piece.size_m.y > kLow) return false;
+    // A lamp behind a chair stands on no dresser across the room.
+    constexpr float kBy = 0.8f;  // metres from edge to edge
+    if (piece.on >= 0 && is_one_of(wish.relation, {"next to", "behind", "in front of", "left of", "right of"}) &&
+        noun_of(wish.relation_to).empty()) {
+        float least = 1e9f;
+        for (const Footprint& a : anchors_of(plan, all, wish.relation_to))
+            least = std::min(least, distance_to(a, footprint_of(piece).center));
+        if (least > kBy && least < 1e8f) return false;
+    }
     // Nothing stands "around a table" on top of a bookshelf.
     constexpr float kHigh = 1.4f;  // metres
     if (piece.on >= 0 && piece.position.y > kHigh &&
@@ -352,18 +361,6 @@ std::vector<std::string> Editor::admit(const std::vector<Placed>& all, const Sta
         result_.document.things.push_back(std::move(t));
     }
     return out;
-}
-
-// What was to hang above a thing and hangs above its end.
-void Editor::tell_aside(const std::string& id, const EditStep& step) {
-    constexpr float kAside = 0.45f;  // of its half
-    if (step.wish.relation != "above" || step.wish.count > 1) return;
-    float least = 1e9f;
-    for (const Placed& below : room_.furnished.placed)
-        if (asked_kind(below) == step.wish.relation_to || below.piece.kind == step.wish.relation_to)
-            least = std::min(least, std::abs(dot(placed(id).position - below.position, right_of(below.yaw))) /
-                                        std::max(0.1f, below.piece.size_m.x / 2));
-    if (least > kAside && least < 2) tell(id, "not above its middle: there was no more room");
 }
 
 void Editor::add(const EditStep& step) {

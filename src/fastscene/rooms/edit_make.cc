@@ -114,6 +114,12 @@ std::vector<std::string> make_one(Talk& talk, const Words& subject, const Value&
     }
     if (step.surface.empty()) step.ids = talk.things(subject);
     if (value.length && value.by == Vec3f{}) along_its_length(talk, step);
+    // A larger table is no higher.
+    const bool tables = !step.ids.empty() && std::all_of(step.ids.begin(), step.ids.end(), [&](const std::string& id) {
+        const std::string& kind = talk.editor.placed(id).piece.kind;
+        return has_role(kind, Role::laid) || has_role(kind, Role::work_place);
+    });
+    if (tables && step.factor.x == step.factor.y && step.factor.y == step.factor.z) step.factor.y = 1;
     const bool lamps = !step.ids.empty() && std::all_of(step.ids.begin(), step.ids.end(), [&](const std::string& id) {
         return has_role(talk.editor.placed(id).piece.kind, Role::light);
     });

@@ -275,6 +275,9 @@ void move(Talk& talk, const Words& words) {
             before.push_back(part);
             return;
         }
+        // "The two sofas facing each other": a turn alone.
+        if (const std::size_t place = next_place(part); part[place] == "facing" && before.empty())
+            return face(talk, part);
         const std::vector<Words> first = std::exchange(before, {});
         // "in the middle of the room facing the door"
         if (const std::size_t facing = find_word(part, {"facing"}, 2);

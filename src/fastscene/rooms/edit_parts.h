@@ -293,6 +293,7 @@ struct Clause {
     bool there = false;       // it ended with "there", "in its place"
     bool its_place = false;   // it ended with "in its place"
     bool taken_back = false;  // what follows is said in place of it
+    bool otherwise = false;   // "or replace it": only where the clause before it could not be done
     bool amends = false;      // "no, blue": the clause before it, with these words
 };
 std::vector<Clause> clauses_of(const std::string& sentence);
@@ -370,6 +371,9 @@ std::optional<std::vector<int>> by_distance(const Editor& editor, const Words& w
 std::optional<std::vector<int>> in_rows(const Editor& editor, const Words& words);
 
 // ---- edit_carried.cc
+
+// "The chairs at the ends of the table"; nothing: no such words.
+std::optional<std::vector<int>> at_ends_of_table(const Editor& editor, const Words& words);
 
 // "The tables that don't have a candle", "the shelf with books": by what stands on them; nothing: no such words.
 std::optional<std::vector<int>> by_what_they_carry(const Editor& editor, const Words& words);

@@ -13,7 +13,16 @@ struct Phrase {
     std::string_view said, means;
 };
 // Longer ones before those that they begin with.
-constexpr std::array<Phrase, 63> kPhrases{{
+constexpr std::array<Phrase, 72> kPhrases{{
+    {"a lower", "a low"},
+    {"a higher", "a tall"},
+    {"angled towards", "facing"},
+    {"angled toward", "facing"},
+    {"turned towards", "facing"},
+    {"turned toward", "facing"},
+    {"window sill", "windowsill"},
+    {"window sills", "windowsills"},
+    {"window ledge", "windowsill"},
     {"u shape", "semicircle"},
     {"horseshoe", "semicircle"},
     {"infront", "in front"},

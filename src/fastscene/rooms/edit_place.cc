@@ -86,6 +86,18 @@ void Editor::place_one(int index, const std::vector<int>& along, EditStep step) 
     }
 }
 
+// What was to hang above a thing and hangs above its end.
+void Editor::tell_aside(const std::string& id, const EditStep& step) {
+    constexpr float kAside = 0.45f;  // of its half
+    if (step.wish.relation != "above" || step.wish.count > 1) return;
+    float least = 1e9f;
+    for (const Placed& below : room_.furnished.placed)
+        if (asked_kind(below) == step.wish.relation_to || below.piece.kind == step.wish.relation_to)
+            least = std::min(least, std::abs(dot(placed(id).position - below.position, right_of(below.yaw))) /
+                                        std::max(0.1f, below.piece.size_m.x / 2));
+    if (least > kAside && least < 2) tell(id, "not above its middle: there was no more room");
+}
+
 // "Next to the desk", and yet with a step between them.
 void Editor::tell_distance(const std::string& id, const EditStep& step) {
     constexpr float kNext = 0.9f;  // metres from edge to edge

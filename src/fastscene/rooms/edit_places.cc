@@ -78,6 +78,8 @@ class Reader {
     // The things that words mean, of any kind.
     std::vector<int> those(const Words& words) const {
         std::vector<int> out;
+        if (is_one_of(text_of(words), {"one of them", "one of those", "either of them"}) && !spoken_.empty())
+            return {editor_.index_of(spoken_.front())};
         if (!is_pronoun(words)) out = all_named(editor_, text_of(words));
         else if (spoken_.empty()) throw UsageError("what is \"{}\"? nothing was named before", text_of(words));
         else
@@ -219,6 +221,11 @@ class Reader {
     std::optional<Place> at_wall(const Part& part, const Words& rest, const std::string& relation = {}) {
         // "on the wall above the bed"
         if (!rest.empty() && rest.front() != "of") return at_wall_of(rest);
+        const bool bare = std::all_of(part.modifiers.begin(), part.modifiers.end(),
+                                      [](const std::string& w) { return is_definite(w) || w == "a"; });
+        if (relation == "on" && bare && !hangs() && mount_of(editor_, kind_) == Mount::floor)
+            throw UsageError("{}: it stands on the floor and hangs on no wall; \"against the wall\" is at one",
+                             mover_.empty() ? in_words(kind_) : mover_);
         Place out = hangs() && (relation == "on" || relation == "to") ? place("on", "wall") : place("against");
         if (const auto direction = direction_said(editor_, part))
             out.step.wall = wall_towards(editor_.plan(), *direction);

@@ -1,9 +1,12 @@
 // "a plant in the corner", "the table for six", "a lamp where the pouf is": things put somewhere, old and new.
 #include <algorithm>
 
+#include <utility>
+
 #include "fastscene/base/error.h"
 #include "fastscene/base/is_one_of.h"
 #include "fastscene/rooms/edit_parts.h"
+#include "fastscene/rooms/prompt_text.h"
 
 namespace fastscene::editing {
 namespace {
@@ -47,6 +50,12 @@ bool put_one_by_one(Talk& talk, const Words& words) {
 }  // namespace
 
 void put(Talk& talk, const Words& words) {
+    // "They need a second bed, put it next to the first one"
+    if (!talk.lacks.empty() && is_one_of(words.front(), {"it", "them"})) {
+        Words all = tokens_of(std::exchange(talk.lacks, {}));
+        all.insert(all.begin(), "a");
+        return add(talk, joined_words(all, part_of(words, 1)));
+    }
     if (const std::string lamps = lamps_said(words); !lamps.empty()) return make(talk, words);
     if (is_one_of(words.front(), {"the", "a"}) && words.size() > 1 &&
         is_one_of(words[1], {"time", "style", "weather", "hour", "light", "lighting", "color"}))

@@ -35,7 +35,9 @@ void remark(Talk& talk, const Words& words) {
     // "The table needs a vase, put a blue one on it"
     if (const std::size_t needs = find_word(words, {"needs", "need", "lacks"}, 1); needs + 2 < words.size()) {
         talk.lacks = text_of(words, needs + (number_said(words[needs + 1]) ? 2 : 1));
-        if (is_definite(words.front())) talk.things_of_parts(part_of(words, 0, needs));
+        const Words who = part_of(words, 0, needs);
+        talk.last.clear();
+        if (is_definite(words.front()) && !all_named(talk.editor, text_of(who)).empty()) talk.things_of_parts(who);
     }
     const std::size_t end = find_word(
         words, {"is", "isn't", "isnt", "are", "aren't", "arent", "don't", "dont", "doesn't", "doesnt", "look", "looks",
@@ -149,7 +151,8 @@ bool done_with(Talk& talk, const Clause& clause) {
 std::optional<Words> laid_with(const Talk& talk, const Words& words) {
     const std::size_t with = find_word(words, {"with"}, 1);
     const bool lays = is_one_of(talk.said, {"set", "lay", "decorate", "dress", "fill", "top"});
-    if (!lays || with + 1 >= words.size() || !is_definite(words.front()) || next_place(words) < with) return {};
+    const bool those = is_definite(words.front()) || is_one_of(words.front(), {"all", "both", "every", "each"});
+    if (!lays || with + 1 >= words.size() || !those || next_place(words) < with) return {};
     Words out = part_of(words, with + 1);
     out.push_back("on");
     out.insert(out.end(), words.begin(), words.begin() + static_cast<std::ptrdiff_t>(with));

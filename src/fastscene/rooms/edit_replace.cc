@@ -99,6 +99,15 @@ void replace(Talk& talk, const Words& old, const Words& by) {
         parts[0].back() = in_words(asked_kind(talk.editor.placed(step.ids.front())));
     }
     if (parts.empty()) throw UsageError("expected what comes in place of \"{}\"", text_of(old));
+    // "The vending machine with a coffee machine on a small table": first the table.
+    if (const Words& first = parts.front(); next_place(first) + 2 < first.size() && begins_anew(first)) {
+        const std::size_t place = next_place(first);
+        const Words there = part_of(first, place + 1);
+        if (first[place] == "on" && is_one_of(there.front(), {"a", "an"}) && !value_of(there)) {
+            replace(talk, old, there);
+            return add(talk, joined_words(part_of(first, 0, place), {"on", "it"}));
+        }
+    }
     step.wish = wishes_of(talk.editor, parts.front()).front();
     const bool each = is_one_of(old.front(), {"every", "each"});  // "every chair with a stool"
     const bool one = is_one_of(parts.front().front(), {"a", "an", "another", "one"}) && !each;

@@ -180,6 +180,11 @@ void Talk::act(const Clause& whole) {
         editor.note("room", fmt::format("\"{}\" is taken as a reason: it changes nothing", text_of(whole.words, why)));
         clause.words.resize(why);
     }
+    // "Remove the shelf and put a plant in that corner": where it stood.
+    if (const std::size_t n = clause.words.size(); n > 4 && last_gone &&
+                                                   text_of(clause.words, n - 3, n - 1) == "in that" &&
+                                                   is_one_of(clause.words.back(), {"corner", "spot", "place", "space"}))
+        clause.words.resize(n - 3), clause.there = true;
     const Words& words = clause.words;
     // "Rearrange the chairs in a circle" says how.
     if (clause.said == "rearrange" && (says_so_that(words) || next_place(words) < words.size()))
@@ -216,7 +221,8 @@ void Talk::act(const Clause& whole) {
     }
     const bool stands = clause.verb == Verb::put || clause.verb == Verb::move || clause.verb == Verb::line;
     if (stands && arrange(*this, words)) return;
-    if ((stands || clause.verb == Verb::add) && set_in_rows(*this, words)) return;
+    const bool forms = clause.verb == Verb::make && find_word(words, {"rows"}, 1) < words.size();
+    if ((stands || forms || clause.verb == Verb::add) && set_in_rows(*this, words)) return;
     if (put_where(*this, clause) || done_with(*this, clause)) return;
     switch (clause.verb) {
         case Verb::remove:
@@ -299,6 +305,7 @@ EditResult edit_by_sentence(const RoomDocument& document, const std::string& sen
     editing::Editor editor(document, std::move(pack), run);
     editing::Talk talk{editor};
     const std::vector<editing::Clause> clauses = editing::clauses_of(sentence);
+    std::size_t deeds = 0;  // before the clause before
     editing::do_each(
         editor, clauses.size(),
         [&](std::size_t i) {
@@ -307,8 +314,16 @@ EditResult edit_by_sentence(const RoomDocument& document, const std::string& sen
             // "Declutter: remove the books"
             if (clauses[i].verb == editing::Verb::tidy && clauses[i].words.empty() && i + 1 < clauses.size()) return;
             const std::vector<std::string> spoken = talk.last;
+            if (clauses[i].otherwise && editor.deeds() > deeds) {
+                editor.note("room", fmt::format("\"{} {}\" is the other choice: it was not needed", clauses[i].said,
+                                                editing::text_of(clauses[i].words)));
+                return;
+            }
+            deeds = editor.deeds();
             try {
                 talk.act(clauses[i]);
+            } catch (const editing::AlreadySo&) {
+                throw;
             } catch (const Error&) {
                 // What should have come is not "it", unless it was to come at "it".
                 const bool at_it = editing::find_word(clauses[i].words, {"it", "its", "them", "their"}) <

@@ -53,7 +53,9 @@ std::vector<std::string> Talk::things(const Words& said_words) {
         std::vector<std::string> ids;
         for (const int i : all_named(editor, "all " + text_of(words, 1))) {
             const DocumentThing& t = editor.document().things[static_cast<std::size_t>(i)];
-            if (is_among(t.on, last) || is_among(t.with, last)) ids.push_back(t.id);
+            const bool carries = std::any_of(last.begin(), last.end(),
+                                             [&](const std::string& id) { return editor.placed(id).on == i; });
+            if (is_among(t.on, last) || is_among(t.with, last) || carries) ids.push_back(t.id);
         }
         if (ids.empty()) throw UsageError("nothing at {} is \"{}\"", last.front(), text_of(words, 1));
         return last = ids;
@@ -103,6 +105,8 @@ std::optional<std::vector<std::string>> Talk::the_rest(const Words& words) const
     const bool named_so = words.size() > 2 && words.front() == "the" && words[1] == "remaining";
     const bool rest_of = words.size() > 3 && text_of(words, 0, 3) == "the rest of" && words.back() != "them";
     if (!named_so && !rest_of && (!bare || noun.empty())) return {};
+    if (rest_of && last.empty())
+        throw UsageError("the rest of what? nothing was named before, in \"{}\"", text_of(words));
     Words of = tokens_of(noun);
     if (named_so) of = part_of(words, number_said(words[2]) ? 3 : 2);
     if (rest_of) of = part_of(words, is_definite(words[3]) ? 4 : 3);

@@ -139,6 +139,10 @@ bool add_to_those(Talk& talk, const Words& words) {
     while (thing.size() > 1 && is_one_of(thing.back(), {"should", "must", "shall", "to", "could", "ought"}))
         thing.pop_back();
     if (!begins_anew(what) || is_one_of(what.front(), {"to", "be"}) || value_of(what)) return false;
+    // "The girls need a second bed": they are no thing of the room.
+    if (words[needs].starts_with("need") && all_named(talk.editor, text_of(thing)).empty() &&
+        noun_of(thing.back()).empty())
+        return add(talk, what), true;
     const std::size_t place = next_place(what);
     if (place == what.size()) what.push_back("to");
     else if (is_one_of(what.back(), {"it", "them", "top"}) && place + 2 >= what.size()) what.resize(place + 1);
@@ -173,7 +177,9 @@ void want(Talk& talk, const Words& words) {
         }
     }
     if (!of_those) return add(talk, words);
-    if (find_word(words, {"style", "room", "time", "weather"}) < words.size()) return make(talk, words);
+    if (find_word(words, {"style", "time", "weather"}) < words.size() ||
+        words[std::min<std::size_t>(1, words.size() - 1)] == "room")
+        return make(talk, words);
     if (add_to_those(talk, words)) return;
     std::size_t mark = find_word(words, {"should", "must", "shall", "needs", "need", "has", "have", "ought", "be"}, 1);
     if (mark == words.size()) mark = std::min(find_word(words, {"to"}, 1), mark);
@@ -188,6 +194,9 @@ void want(Talk& talk, const Words& words) {
     all.insert(all.end(), rest.begin(), rest.end());
     if (!rest.empty() && is_one_of(rest.front(), {"gone", "removed", "away", "deleted"})) return remove(talk, thing);
     if (!rest.empty() && is_one_of(rest.front(), {"face", "facing"})) return face(talk, all);
+    // "The desk in the middle, facing the door"
+    if (const std::size_t facing = find_word(all, {"facing"}, 2); facing < all.size() && next_place(all) < facing)
+        return move(talk, all);
     for (std::size_t i = 1; i < all.size(); ++i)
         if (value_of(part_of(all, i))) return make(talk, all);
     if (next_place(all) < all.size()) return move(talk, all);

@@ -1,5 +1,6 @@
 // What words ask for that is new: which things, how many, in which shape, at which place.
 #include <algorithm>
+#include <utility>
 
 #include "fastscene/base/error.h"
 #include "fastscene/base/is_one_of.h"
@@ -143,7 +144,10 @@ bool is_slender(const Editor& editor, const PromptObject& wish) {
 void size_as_said(const Editor& editor, const Words& words, PromptObject& wish) {
     const Words noun = tokens_of(wish.words);
     const std::size_t at = noun.empty() ? words.size() : find_word(words, {noun.front(), noun.front() + "s"});
-    const Vec3f factor = usual_factor(part_of(words, 0, at));
+    Vec3f factor = usual_factor(part_of(words, 0, at));
+    // "A long mirror" is a tall one.
+    if (has_word(part_of(words, 0, at), {"long", "longer"}) && mount_of(editor, wish.kind) == Mount::wall)
+        std::swap(factor.x, factor.y);
     if (at >= words.size() || factor == Vec3f{1, 1, 1} || !(wish.size_m == Vec3f{})) return;
     PromptObject usual = wish;
     usual.size.clear();
@@ -271,6 +275,18 @@ void as_those_there(const Editor& editor, const Words& words, PromptObject& wish
                       next_place(words);
     if (wish.words.find(' ') != std::string::npos) return;
     std::set<std::string> kinds;
+    // In a gym "a mat" is one of its mats.
+    bool there = false;
+    const std::string noun = "_" + singular(wish.words);
+    for (const DocumentThing& t : editor.document().things) {
+        there = there || t.kind == wish.kind;
+        if (t.kind.ends_with(noun)) kinds.insert(t.kind);
+    }
+    if (!there && kinds.size() == 1 && !wish.kind.ends_with(noun) && !has_role(wish.kind, Role::seat)) {
+        wish.kind = *kinds.begin();
+        return;
+    }
+    kinds.clear();
     const std::vector<int> found = all_named(editor, "all " + wish.words);
     for (const int i : found) kinds.insert(asked_kind(editor.room().furnished.placed[static_cast<std::size_t>(i)]));
     // Chairs where many stand are of theirs, too.

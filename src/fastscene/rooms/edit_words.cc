@@ -53,7 +53,11 @@ std::vector<int> alike(const RoomDocument& document, const PromptObject& said, b
             return kind != last && !is_a(kind, said.kind);
         });
     if (!one_word && by_name) return near;
-    return near.empty() ? ending : near;
+    if (!near.empty() || !ending.empty()) return near.empty() ? ending : near;
+    // "The palms", where only trees stand.
+    for (std::size_t i = 0; i < document.things.size() && !by_name; ++i)
+        if (is_a(document.things[i].kind, said.kind)) near.push_back(static_cast<int>(i));
+    return near;
 }
 
 // "Two of the chairs" are chairs.
@@ -298,6 +302,7 @@ std::vector<int> all_named(const Editor& editor, const std::string& words) {
     if (const auto id = id_said(editor.document(), words)) return {*id};
     if (const auto near = by_distance(editor, tokens_of(words))) return *near;
     if (const auto rows = in_rows(editor, tokens_of(words))) return *rows;
+    if (const auto ends = at_ends_of_table(editor, tokens_of(words))) return *ends;
     if (const auto those = by_what_they_carry(editor, tokens_of(words))) return *those;
     return meaning_of(editor, words).found;
 }
@@ -310,6 +315,7 @@ std::vector<std::string> named(const Editor& editor, const std::string& words) {
         throw UsageError("expected the things that are meant, found \"{}\"", words);
     auto near = by_distance(editor, tokens);
     if (!near) near = in_rows(editor, tokens);
+    if (!near) near = at_ends_of_table(editor, tokens);
     if (const auto those = near ? std::nullopt : by_what_they_carry(editor, tokens)) {
         const bool one = !tokens[next_place(tokens) - 1].ends_with("s") && !has_word(tokens, {"all", "every", "each"});
         if (one && those->size() > 1) refuse_many(words, editor, *those);
@@ -318,6 +324,14 @@ std::vector<std::string> named(const Editor& editor, const std::string& words) {
     Meaning meant = near ? Meaning{{}, *near} : meaning_of(editor, words);
     std::vector<int>& found = meant.found;
     const PromptObject& said = meant.said;
+    // "The chairs on that side": of what, and which?
+    if (const std::size_t place = next_place(tokens); !near && found.size() > 1 && place < tokens.size())
+        if (const auto relation = relation_at(tokens, place))
+            if (const auto part = room_part(tokens, relation->next);
+                part && part->noun == "side" && part->next == tokens.size() &&
+                !part->says({"left", "right", "far", "near", "back", "front", "window", "door"}))
+                throw UsageError("which side? expected \"on the left\", \"by the window\", found \"{}\"",
+                                 text_of(tokens, place));
     if (found.empty() && (is_shell(said.kind) || has_role(said.kind, Role::opening))) refuse_shell();
     if (found.empty() && is_one_of(tokens.front(), {"everything", "all", "anything"}) && meant.unknown)
         throw UsageError("name the things that are meant, found \"{}\"", words);
