@@ -115,7 +115,7 @@ bool set_in_rows(Talk& talk, const Words& words) {
             ids.resize(all);
             step.ids = ids, rest = part_of(words, end);
         }
-        const bool row = there || words.size() > 4 && is_one_of(text_of(words, 0, 3), {"a row of", "one row of"});
+        const bool row = there || (words.size() > 4 && is_one_of(text_of(words, 0, 3), {"a row of", "one row of"}));
         const std::size_t place = next_place(words, 4);
         if (!there) things = part_of(words, 3, place), rest = part_of(words, place);
         if (!there && (!row || !number_said(things.front()) || things.size() < 2)) return false;
