@@ -13,7 +13,7 @@ struct Phrase {
     std::string_view said, means;
 };
 // Longer ones before those that they begin with.
-constexpr std::array<Phrase, 77> kPhrases{{
+constexpr std::array<Phrase, 78> kPhrases{{
     {"a lower", "a low"},
     {"a higher", "a tall"},
     {"angled towards", "facing"},
@@ -28,6 +28,7 @@ constexpr std::array<Phrase, 77> kPhrases{{
     {"the ones that are there", "the others"},
     {"next to each other facing", "in a row facing"},
     {"side by side facing", "in a row facing"},
+    {"in a ring", "in a circle"},
     {"u shape", "semicircle"},
     {"horseshoe", "semicircle"},
     {"infront", "in front"},
