@@ -213,8 +213,12 @@ bool grouped(Talk& talk, const PromptObject& wish, const Place& shared, const st
     try {
         talk.editor.together([&] {
             Place place;
-            place.step.wish.relation = "next to";
-            place.step.wish.relation_to = talk.editor.placed(together.front()).piece.kind;
+            // A chair is drawn up to a desk.
+            const std::string& first = talk.editor.placed(together.front()).piece.kind;
+            const bool sits_at = has_role(first, Role::work_place) && has_role(wish.kind, Role::seat) &&
+                                 !has_role(wish.kind, Role::easy_chair) && !has_role(wish.kind, Role::sofa);
+            place.step.wish.relation = sits_at ? "in front of" : "next to";
+            place.step.wish.relation_to = first;
             place.step.at = {together.front()};
             add_wish(talk, wish, place);
             PromptObject at = wish;

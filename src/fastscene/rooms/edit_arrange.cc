@@ -275,8 +275,8 @@ bool arrange(Talk& talk, const Words& said) {
         if (at < words.size()) words.erase(words.begin() + static_cast<std::ptrdiff_t>(at));
         return at;
     };
-    const bool half = find_word(words, {"semicircle", "half", "horseshoe"}, 1) < words.size();
-    const std::size_t circle = find_word(words, {"circle", "semicircle", "horseshoe", "halfcircle"}, 2);
+    const bool half = find_word(words, {"semicircle", "halfcircle", "half"}, 1) < words.size();
+    const std::size_t circle = find_word(words, {"circle", "semicircle", "halfcircle"}, 2);
     const bool evenly = find_word(words, {"evenly", "equally"}) < words.size();
     const bool spaces = is_one_of(talk.said, {"space", "space out", "spread out", "distribute", "even out"}) ||
                         (evenly && is_one_of(talk.said, {"spread", "arrange", "set", "place", "put", "hang", "line"}) &&

@@ -348,7 +348,13 @@ std::vector<Clause> clauses_of(const std::string& sentence) {
                                             stands_at(clause.words, n - 3, "in their place"))));
         clause.its_place = clause.there && clause.words.back() == "place";
         if (clause.its_place) clause.words.resize(n - 3);
+        // "The sofa olive and the armchairs as well"
+        const std::size_t last = clause.words.size();
+        const bool likewise = last > 3 && stands_at(clause.words, last - 2, "as well") &&
+                              find_word(clause.words, {"and"}, 1) < last &&
+                              (clause.verb == Verb::make || clause.verb == Verb::color);
         trim(clause.words, kRooms);
+        if (likewise) clause.words.insert(clause.words.end(), {"as", "well"});
     }
     if (out.empty()) throw UsageError("expected what to change, found an empty sentence");
     for (std::size_t i = 0; i + 1 < out.size(); ++i) disliked(out[i], out[i + 1]);

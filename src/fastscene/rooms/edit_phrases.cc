@@ -13,7 +13,7 @@ struct Phrase {
     std::string_view said, means;
 };
 // Longer ones before those that they begin with.
-constexpr std::array<Phrase, 72> kPhrases{{
+constexpr std::array<Phrase, 78> kPhrases{{
     {"a lower", "a low"},
     {"a higher", "a tall"},
     {"angled towards", "facing"},
@@ -23,6 +23,12 @@ constexpr std::array<Phrase, 72> kPhrases{{
     {"window sill", "windowsill"},
     {"window sills", "windowsills"},
     {"window ledge", "windowsill"},
+    {"the one that is there", "the existing one"},
+    {"the one that's there", "the existing one"},
+    {"the ones that are there", "the others"},
+    {"next to each other facing", "in a row facing"},
+    {"side by side facing", "in a row facing"},
+    {"in a ring", "in a circle"},
     {"u shape", "semicircle"},
     {"horseshoe", "semicircle"},
     {"infront", "in front"},

@@ -107,6 +107,13 @@ void replace(Talk& talk, const Words& old, const Words& by) {
             replace(talk, old, there);
             return add(talk, joined_words(part_of(first, 0, place), {"on", "it"}));
         }
+        // "… with a wide one opposite the bed": not where that stood.
+        const auto relation = relation_at(first, place);
+        if (relation && is_one_of(relation->name, {"opposite", "next to", "in the corner", "in front of", "behind"}))
+            return talk.editor.together([&] {
+                remove(talk, old);
+                add(talk, by);
+            });
     }
     step.wish = wishes_of(talk.editor, parts.front()).front();
     const bool each = is_one_of(old.front(), {"every", "each"});  // "every chair with a stool"

@@ -282,7 +282,8 @@ void as_those_there(const Editor& editor, const Words& words, PromptObject& wish
         there = there || t.kind == wish.kind;
         if (t.kind.ends_with(noun)) kinds.insert(t.kind);
     }
-    if (!there && kinds.size() == 1 && !wish.kind.ends_with(noun) && !has_role(wish.kind, Role::seat)) {
+    if (!there && kinds.size() == 1 && ("_" + wish.kind).find(noun) == std::string::npos &&
+        !has_role(wish.kind, Role::seat)) {
         wish.kind = *kinds.begin();
         return;
     }
