@@ -30,8 +30,8 @@ bool beside_room(const Reading& r, std::size_t i) {
 }
 
 bool is_floor(const std::string& material) {
-    static constexpr std::array<std::string_view, 9> kFloors{"carpet",   "parquet",  "planks", "marble", "terrazzo",
-                                                             "linoleum", "vinyl", "cork",   "rubber"};
+    static constexpr std::array<std::string_view, 9> kFloors{"carpet",   "parquet", "planks", "marble", "terrazzo",
+                                                             "linoleum", "vinyl",   "cork",   "rubber"};
     return std::find(kFloors.begin(), kFloors.end(), material) != kFloors.end();
 }
 bool is_wall(const std::string& material) {

@@ -184,8 +184,8 @@ void build_mixing_desk(Kit& k) {
     k.piece.clearance_front_m = 0.9f;
 }
 
-// Ridged foam in a frame, as studios have on their walls; with the pattern "slats", upright timber before felt, as halls
-// have them.
+// Ridged foam in a frame, as studios have on their walls; with the pattern "slats", upright timber before felt, as
+// halls have them.
 void build_acoustic_panel(Kit& k) {
     if (k.request.pattern == "slats") {
         const Vec3f s = k.wanted({1.2f, 2.4f, 0.05f});
