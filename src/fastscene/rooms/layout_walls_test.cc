@@ -6,7 +6,10 @@
 #include <string>
 #include <vector>
 
+#include "fastscene/rooms/furniture/print.h"
+#include "fastscene/rooms/furniture/wall/motifs.h"
 #include "fastscene/rooms/layout.h"
+#include "fastscene/rooms/room_type.h"
 #include "fastscene/rooms/rooms.h"
 
 namespace fastscene {
@@ -50,8 +53,7 @@ float longest_bare_stretch(const WalledRoom& room, int wall) {
 }
 
 TEST(Walls, OfPublicRoomsAreNotLeftBare) {
-    // Between two groups of posters there may be as much wall as one can hold at arm's length, and not much more.
-    constexpr float kMostBare = 4.f;
+    constexpr float kMostBare = 4.f;  // metres, between two groups of posters
     for (const std::string text : {"a bakery", "a casino", "a classroom", "a concert hall", "an auditorium", "a lobby",
                                    "a fast food restaurant", "a bowling alley", "a toy store"})
         for (const std::uint64_t seed : {1, 2, 3}) {
@@ -60,6 +62,23 @@ TEST(Walls, OfPublicRoomsAreNotLeftBare) {
                 EXPECT_LT(longest_bare_stretch(room, wall), kMostBare)
                     << text << ", seed " << seed << ", wall " << wall;
         }
+}
+
+void expect_topics(const std::vector<RecipeStep>& steps, const std::string& room, int& count) {
+    for (const RecipeStep& step : steps) {
+        if (step.thing == "poster" || step.thing == "billboard") {
+            ++count;
+            EXPECT_TRUE(furniture::is_poster_topic(step.pattern) || furniture::is_motif(step.pattern))
+                << room << ": \"" << step.pattern << "\"";
+        }
+        expect_topics(step.then, room, count);
+    }
+}
+
+TEST(Walls, HaveOnlyPostersOnKnownTopics) {
+    int count = 0;
+    for (const RoomType& type : all_room_types()) expect_topics(type.recipe, type.name, count);
+    EXPECT_GT(count, 50);
 }
 
 TEST(Walls, HaveNoPosterTwiceUntilAllAreUp) {

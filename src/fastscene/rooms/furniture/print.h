@@ -38,6 +38,9 @@ enum class Print {
     count,
 };
 
+// "films", "travel" …: what the pattern of a poster or a billboard may name.
+bool is_poster_topic(std::string_view name);
+
 // Of the sheet's picture: the corners of a cell, v up.
 struct Cell {
     Vec2f low, high;

@@ -33,10 +33,15 @@ constexpr std::array<std::pair<std::string_view, Print>, 9> kTopics{{{"films", P
                                                                      {"notices", Print::notices},
                                                                      {"fashion", Print::fashion_posters}}};
 
-Print topic_of(std::string_view pattern, Print usual) {
+const Print* find_topic(std::string_view pattern) {
     for (const auto& [name, print] : kTopics)
-        if (name == pattern) return print;
-    return usual;
+        if (name == pattern) return &print;
+    return nullptr;
+}
+
+Print topic_of(const Kit& k) {
+    const Print* topic = find_topic(k.request.pattern);
+    return topic ? *topic : Print::travel_posters;
 }
 
 // Any poster on the topic, its middle at x = 0 and its lower edge at y, on the plane z.
@@ -54,6 +59,8 @@ bool in_capitals(std::string_view text) {
 
 }  // namespace
 
+bool is_poster_topic(std::string_view name) { return find_topic(name) != nullptr; }
+
 // Printed paper of the A series; in a thin frame, or held by strips above and below.
 void build_poster(Kit& k) {
     constexpr Vec3f kUsual{0.594f, 0.841f, 0.02f};  // A1
@@ -65,7 +72,7 @@ void build_poster(Kit& k) {
     k.board(back, {0, f, 0.5f * z}, {s.x - 2 * f, s.y - 2 * f, z - 0.0005f}, 0.0005f);
     if (is_motif(k.request.pattern))
         draw_motif(k, k.request.pattern, {0, 0.5f * s.y, z + 0.001f}, s.x - 2 * f, s.y - 2 * f);
-    else hang_poster(k, topic_of(k.request.pattern, Print::travel_posters), {s.x - 2 * f, s.y - 2 * f}, f, z);
+    else hang_poster(k, topic_of(k), {s.x - 2 * f, s.y - 2 * f}, f, z);
     if (framed) {
         wall_frame(k, frame, {s.x, s.y, 0}, f, 0.018f);
     } else {
@@ -82,8 +89,7 @@ void build_billboard(Kit& k) {
     const int frame = k.main(plain("aluminium", {0.5f, 0.5f, 0.51f}, 0.35f));
     constexpr float kFrame = 0.05f;
     k.board(frame, {0, 0, 0.5f * s.z}, {s.x, s.y, s.z}, 0.006f);
-    hang_poster(k, topic_of(k.request.pattern, Print::travel_posters), {s.x - 2 * kFrame, s.y - 2 * kFrame}, kFrame,
-                s.z + 0.002f);
+    hang_poster(k, topic_of(k), {s.x - 2 * kFrame, s.y - 2 * kFrame}, kFrame, s.z + 0.002f);
     k.piece.mount = Mount::wall;
     k.piece.hang_height_m = 0.75f;
 }
