@@ -1,4 +1,4 @@
-// How clauses begin: by what is to be done, behind what is politely said before it.
+// What clauses begin with.
 #include <algorithm>
 #include <array>
 
