@@ -234,7 +234,8 @@ ViewSet some_views() {
         set.points.push_back({{static_cast<float>(i), 1, 2},
                               {0, -1, 0},
                               {1, 2, static_cast<std::uint8_t>(i)},
-                              0.01f * static_cast<float>(i)});
+                              0.01f * static_cast<float>(i),
+                              {0, 0, 0.5f}});
     return set;
 }
 
@@ -257,6 +258,7 @@ TEST(Views, RoundTrip) {
     ASSERT_EQ(back.points.size(), set.points.size());
     EXPECT_EQ(back.points[7].position_m, set.points[7].position_m);
     EXPECT_EQ(back.points[7].radius_m, set.points[7].radius_m);
+    EXPECT_EQ(back.points[7].edge, set.points[7].edge);
     EXPECT_EQ(back.points[7].color, set.points[7].color);
     // For loaders with fixed record sizes: a vertex has 27 bytes, and vertices come first.
     const std::string ply = read_file(dir / "sparse" / "0" / "points3D.ply");

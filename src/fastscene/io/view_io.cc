@@ -17,19 +17,22 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// 3DGS loaders read this file if it exists; ours also stores the radii, in an element after the vertices: some loaders
-// assume fixed record sizes and would misread an additional vertex column.
+// 3DGS loaders read this file if it exists; ours also stores radii and edges, in an element after the vertices: some
+// loaders assume fixed record sizes and would misread an additional vertex column.
 void save_points_ply(const fs::path& path, const std::vector<SurfacePoint>& points) {
     std::string out = fmt::format("ply\nformat binary_little_endian 1.0\nelement vertex {}\n", points.size());
     for (const char* name : {"x", "y", "z", "nx", "ny", "nz"}) out += fmt::format("property float {}\n", name);
     for (const char* name : {"red", "green", "blue"}) out += fmt::format("property uchar {}\n", name);
-    out += fmt::format("element spacing {}\nproperty float radius\nend_header\n", points.size());
+    out += fmt::format("element spacing {}\n", points.size());
+    for (const char* name : {"radius", "edge_x", "edge_y", "edge_z"}) out += fmt::format("property float {}\n", name);
+    out += "end_header\n";
     for (const SurfacePoint& p : points) {
         for (const float v : {p.position_m.x, p.position_m.y, p.position_m.z, p.normal.x, p.normal.y, p.normal.z})
             append(out, v);
         for (const std::uint8_t v : {p.color.r, p.color.g, p.color.b}) append(out, v);
     }
-    for (const SurfacePoint& p : points) append(out, p.radius_m);
+    for (const SurfacePoint& p : points)
+        for (const float v : {p.radius_m, p.edge.x, p.edge.y, p.edge.z}) append(out, v);
     write_file(path, out);
 }
 
@@ -43,6 +46,7 @@ std::vector<SurfacePoint> load_points_ply(const fs::path& path) {
                                     ? ply.element("spacing")
                                     : v;  // v: the name in older files
     const int radius = Ply::find(spacing, "radius");
+    const int ex = Ply::find(spacing, "edge_x"), ey = Ply::find(spacing, "edge_y"), ez = Ply::find(spacing, "edge_z");
     std::vector<SurfacePoint> points(v.count);
     for (std::size_t i = 0; i < v.count; ++i) {
         SurfacePoint& p = points[i];
@@ -54,6 +58,8 @@ std::vector<SurfacePoint> load_points_ply(const fs::path& path) {
         };
         p.color = {byte(r), byte(g), byte(b)};
         if (radius >= 0) p.radius_m = ply.number(spacing, i, radius);
+        if (ex >= 0 && ey >= 0 && ez >= 0)
+            p.edge = {ply.number(spacing, i, ex), ply.number(spacing, i, ey), ply.number(spacing, i, ez)};
     }
     return points;
 }

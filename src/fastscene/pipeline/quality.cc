@@ -9,7 +9,7 @@ namespace {
 // near their final positions.
 void start_closed(SplatParams& p) {
     p.start_opacity = 0.95f;
-    p.start_overlap = 0.7f;
+    p.start_overlap = 0.6f;
     p.learning_rate_mean_m = 0.8e-3f;
     p.learning_rate_logit = 0.06f;
     p.opaque = 0.03f;

@@ -29,6 +29,9 @@ struct SurfacePoint {
     Vec3f normal;      // world, unit, facing the viewpoint that saw it; zero = unknown
     Rgb8 color;
     float radius_m = 0;
+    // world: a tangent along which the color changes least; its length, 0..1, tells how much less than across. Zero: no
+    // preferred direction, or unknown
+    Vec3f edge{};
 };
 
 struct ViewSet {

@@ -137,6 +137,28 @@ TEST(SplatInit, DiscsLieOnTheirSurface) {
     EXPECT_EQ(initial_splats(points, 1 << 20, Context{}).size(), points.size());
 }
 
+TEST(SplatInit, DiscsAreLongAlongEdgesAndCoverTheSameArea) {
+    const Vec3f edge = normalize(Vec3f{3, 1, 0});
+    std::vector<SurfacePoint> points(3, {{0, 0, 2}, {0, 0, -1}, {9, 9, 9}, 0.01f});
+    points[1].edge = edge * 0.5f, points[2].edge = edge;
+    points[1].position_m.x = 1, points[2].position_m.x = 2;
+    const Splats s = initial_splats(points, 3, Context{});
+    ASSERT_EQ(s.size(), 3u);
+    float longer = 1;
+    for (std::size_t i = 1; i < 3; ++i) {
+        const auto k = static_cast<std::size_t>(
+            std::find_if(s.mean_m.begin(), s.mean_m.end(), [&](Vec3f m) { return m == points[i].position_m; }) -
+            s.mean_m.begin());
+        const Mat3f axes = matrix_of(s.rotation[k]);
+        EXPECT_GT(std::fabs(dot(axes.column(0), edge)), 0.999f);
+        EXPECT_GT(std::fabs(axes.column(2).z), 0.999f);
+        EXPECT_NEAR(s.log_scale[k].x + s.log_scale[k].y, 2 * std::log(0.6f * 0.01f), 1e-4f);
+        const float ratio = std::exp(s.log_scale[k].x - s.log_scale[k].y);
+        EXPECT_GT(ratio, 1.5f * longer);  // the clearer the edge, the longer
+        longer = ratio;
+    }
+}
+
 // A dead splat and the one with all the error become two neighbours along the latter's longest axis.
 TEST(SplatRelocate, TheDeadMoveToWhereTheErrorIs) {
     Splats s = initial_splats(small_room().train.points, 200, Context{});

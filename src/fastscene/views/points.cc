@@ -9,6 +9,7 @@
 #include "fastscene/geometry/outlook.h"
 #include "fastscene/geometry/range_edges.h"
 #include "fastscene/image/color.h"
+#include "fastscene/views/edge.h"
 
 namespace fastscene {
 namespace {
@@ -22,6 +23,7 @@ constexpr float kMostArea = 4.f;    // maximum pixel area in medians: limits the
 
 struct Surface {
     Vec3f point, normal;
+    Vec3f across, down;  // tangents, per column and per row
 };
 
 // In the panorama's frame. Nothing is behind the sky, which has the same distance from the world's origin in every
@@ -36,13 +38,16 @@ Vec3f point_at(const Panorama& panorama, float sky_m, int x, int y) {
 Surface surface_at(const Panorama& panorama, const ImageMask& cuts, float sky_m, int x, int y) {
     const int w = cuts.width, h = cuts.height, left = wrap_column(x - 1, w), right = wrap_column(x + 1, w);
     const Vec3f p = point_at(panorama, sky_m, x, y);
-    const Vec3f a = cuts.at(left, y) & kCutRight ? p : point_at(panorama, sky_m, left, y);
-    const Vec3f b = cuts.at(x, y) & kCutRight ? p : point_at(panorama, sky_m, right, y);
-    const Vec3f c = y == 0 || (cuts.at(x, y - 1) & kCutDown) ? p : point_at(panorama, sky_m, x, y - 1);
-    const Vec3f d = y + 1 == h || (cuts.at(x, y) & kCutDown) ? p : point_at(panorama, sky_m, x, y + 1);
+    const bool cut_left = cuts.at(left, y) & kCutRight, cut_right = cuts.at(x, y) & kCutRight,
+               cut_up = y == 0 || (cuts.at(x, y - 1) & kCutDown), cut_down = y + 1 == h || (cuts.at(x, y) & kCutDown);
+    const Vec3f a = cut_left ? p : point_at(panorama, sky_m, left, y);
+    const Vec3f b = cut_right ? p : point_at(panorama, sky_m, right, y);
+    const Vec3f c = cut_up ? p : point_at(panorama, sky_m, x, y - 1);
+    const Vec3f d = cut_down ? p : point_at(panorama, sky_m, x, y + 1);
     Vec3f normal = normalize(cross(b - a, d - c));
     if (!(dot(normal, normal) > 0.5f)) normal = -normalize(p);
-    return {p, dot(normal, p) > 0 ? -normal : normal};
+    return {p, dot(normal, p) > 0 ? -normal : normal, (b - a) * (cut_left || cut_right ? 1.f : 0.5f),
+            (d - c) * (cut_up || cut_down ? 1.f : 0.5f)};
 }
 
 float gradient_at(const ImageColor& color, int x, int y) {
@@ -359,11 +364,15 @@ std::vector<SurfacePoint> sample_points(const std::vector<Panorama>& panoramas, 
         const ImageColor& color = known_outside ? known->color : c.hidden > 0 ? outlook : panorama.color;
         const int x = static_cast<int>(c.pixel) % color.width, y = static_cast<int>(c.pixel) / color.width;
         const Vec3f d = direction_of_pixel(x, y, {color.width, color.height});
-        const Surface s = at_sky ? Surface{d * sky_m, -d} : surface_of(c, x, y);
+        const auto shift = [&](int i, int j) {
+            return (direction_of_pixel(i, j, {color.width, color.height}) - d) * sky_m;
+        };
+        const Surface s = at_sky ? Surface{d * sky_m, -d, shift(x + 1, y), shift(x, y + 1)} : surface_of(c, x, y);
         SurfacePoint point;
         point.position_m = panorama.world_from_pano * s.point;
         point.normal = panorama.world_from_pano.rotation * s.normal;
         point.color = srgb8_from_linear(color.at(x, y));
+        point.edge = panorama.world_from_pano.rotation * edge_at(color, x, y, s.normal, s.across, s.down);
         const float area = at_sky ? c.angle * sky_m * sky_m : c.area;
         // Rarely trained, so it stays as initialized: discs must overlap enough to be opaque from the start.
         constexpr float kWide = 1.7f;
