@@ -43,12 +43,12 @@ struct NoisyPicture {
         guides.wraps = camera.panorama;
     }
     void set(int x, int y, const PixelSum& p) {
-        const float of_own = 1 / static_cast<float>(p.own.count), of_all = 1 / static_cast<float>(p.taken);
+        const float of_own = 1 / static_cast<float>(p.own.count);
         radiance.at(x, y) = p.own.radiance * of_own;
         diffuse.at(x, y) = p.own.through(0);
         specular.at(x, y) = p.own.through(2);
-        own_share.at(x, y) = static_cast<float>(p.own.count) * of_all;
-        rest_color.at(x, y) = p.rest_color * of_all;
+        own_share.at(x, y) = p.own_share();
+        rest_color.at(x, y) = p.rest_part();
         for (std::size_t k = 0; k < lights.size(); ++k) {
             lights[k].value.at(x, y) = p.own.light(k);
             lights[k].variance.at(x, y) = p.own.lights[k].arriving.variance();
@@ -59,9 +59,9 @@ struct NoisyPicture {
         if (p.second.count == 0) return;
         const SurfaceSum& other = p.second;
         const float of_other = 1 / static_cast<float>(other.count);
-        seconds[static_cast<std::size_t>(y)].push_back(
-            {x, static_cast<float>(other.count) * of_all, other.color * of_other, other.radiance * of_other,
-             other.position, other.normal, other.through(0), other.light(0)});
+        seconds[static_cast<std::size_t>(y)].push_back({x, p.second_share(), other.color * of_other,
+                                                        other.radiance * of_other, other.position, other.normal,
+                                                        other.through(0), other.light(0)});
     }
 
     // Replaces a pixel that had no second surface.
@@ -272,7 +272,18 @@ class ProcessorPixels : public PixelTracer {
                 sum.add(shaded, plan_.look ? develop(*plan_.look, shaded.radiance) : shaded.radiance);
             }
         } while (sum.taken < least || needs_more(sum, plan_.parts, plan_.samples));
+        if (plan_.parts.denoise && sum.mixed()) cover(x, y, sum);
         return sum;
+    }
+    // Measures by rays that are not shaded how much of a pixel each of its surfaces covers.
+    void cover(int x, int y, PixelSum& sum) const {
+        constexpr int kCoverageRays = 64;  // a standard error of at most 1/16, less as they are stratified
+        for (int s = sum.taken; s < kCoverageRays; ++s) {
+            Sampler sampler(key_of_pixel(plan_.run, x, y), static_cast<std::uint32_t>(s));
+            const Vec2f point = point_in(x, y, sampler);
+            const Met met = met_by_ray(scene_, world_origin(plan_.camera, point), world_direction(plan_.camera, point));
+            sum.cover(met.position, met.normal);
+        }
     }
     bool meets_another(int x, int y, int first, int end, const Guides& guides) const {
         for (int s = first; s < end; ++s) {

@@ -63,7 +63,8 @@ struct SurfaceSum {
     std::array<LightSum, 3> lights;  // diffuse, sun, specular
     MeanError texture;
 
-    bool takes(const Shaded& s) const { return count == 0 || !another_surface(position, normal, s.position, s.normal); }
+    bool shows(Vec3f there, Vec3f its_normal) const { return !another_surface(position, normal, there, its_normal); }
+    bool takes(const Shaded& s) const { return count == 0 || shows(s.position, s.normal); }
     void add(const Shaded& s, Vec3f developed) {
         if (count++ == 0) position = s.position, normal = s.normal;
         color += developed;
@@ -96,6 +97,9 @@ struct PixelSum {
     SurfaceSum own, second;
     Vec3f rest_color{}, all_albedo{};
     MeanError shown;
+    // Further rays that met each, which only measure how much of the pixel it covers: with few rays, thin joints and
+    // outlines would be dashed lines.
+    int met_own = 0, met_second = 0, met_rest = 0;
 
     void add(const Shaded& s, Vec3f developed) {
         ++taken;
@@ -105,9 +109,30 @@ struct PixelSum {
         else if (second.takes(s)) second.add(s, developed);
         else rest_color += developed;
     }
+    // Of a pixel with several surfaces. A surface that no shaded ray has met has no color, and does not count.
+    void cover(Vec3f position, Vec3f normal) {
+        if (own.shows(position, normal)) ++met_own;
+        else if (second.count > 0 && second.shows(position, normal)) ++met_second;
+        else if (rest() > 0) ++met_rest;
+    }
     bool mixed() const { return own.count < taken; }
-    Vec3f color() const { return (own.color + second.color + rest_color) / static_cast<float>(taken); }
+    int rest() const { return taken - own.count - second.count; }
+    float own_share() const { return share(own.count + met_own); }
+    float second_share() const { return share(second.count + met_second); }
+    Vec3f rest_part() const {
+        return rest() > 0 ? rest_color * (share(rest() + met_rest) / static_cast<float>(rest())) : Vec3f{};
+    }
+    Vec3f color() const {
+        Vec3f sum = own.color * (own_share() / static_cast<float>(own.count)) + rest_part();
+        if (second.count > 0) sum += second.color * (second_share() / static_cast<float>(second.count));
+        return sum;
+    }
     Vec3f albedo() const { return all_albedo / static_cast<float>(taken); }
+
+  private:
+    float share(int met) const {
+        return static_cast<float>(met) / static_cast<float>(taken + met_own + met_second + met_rest);
+    }
 };
 
 // Whether a pixel needs another round of rays. When denoising, an even texture needs a few more, an outline some, and
