@@ -163,13 +163,22 @@ void build_train_seat(Kit& k) {
     k.piece.clearance_front_m = 0.35f;
 }
 
-// A pole to hold on to, with loops.
+// A pole to hold on to, with a button.
 void build_grab_pole(Kit& k) {
-    const Vec3f s = k.wanted({0.1f, 2.1f, 0.1f});
-    const int metal = k.main(plain("pole", {0.6f, 0.42f, 0.03f}, 0.25f));
+    const Vec3f s = k.wanted({0.1f, 2.27f, 0.1f});
+    const int metal = k.main(plain("pole", {0.6f, 0.42f, 0.03f}, 0.25f)),
+              box = color(k, "stop box", {0.5f, 0.02f, 0.015f}, 0.35f),
+              button = color(k, "stop button", {0.65f, 0.63f, 0.58f}, 0.3f);
     k.rod(metal, {0, 0, 0}, {0, s.y, 0}, 0.018f, -1, 14);
     for (const float y : {0.f, s.y - 0.03f})
         k.add(shapes::prism(shapes::circle(0.05f, 18), y, y + 0.03f, 0.004f), metal);
+    // The button that asks the driver to stop, on both sides.
+    k.board(box, {0, 1.22f, 0}, {0.06f, 0.14f, 0.06f}, 0.016f);
+    for (const float side : {-1.f, 1.f}) {
+        Mesh disc = shapes::prism(shapes::circle(0.021f, 16), 0, 0.008f, 0.002f);
+        shapes::turn(disc, {1, 0, 0}, 90 * side);
+        k.add(std::move(disc), button, {0, 1.28f, side * 0.033f});
+    }
 }
 
 }  // namespace fastscene::furniture
