@@ -44,7 +44,7 @@ void build_room_door(Kit& k) {
 // The way out: green, lit, with someone who runs to an open door.
 void build_exit_sign(Kit& k) {
     const Vec3f s = k.wanted({0.42f, 0.3f, 0.04f});
-    Material shine = glow("exit green", {0.02f, 0.75f, 0.2f}), pale = glow("exit white", {1.9f, 2.f, 1.9f});
+    Material shine = glow("exit green", {0.005f, 0.3f, 0.075f}), pale = glow("exit white", {1.f, 1.1f, 1.f});
     shine.pattern = pale.pattern = Pattern::screen;
     const int rim = k.main(plain("sign case", {0.66f, 0.66f, 0.66f}, 0.4f)), green = k.material(std::move(shine)),
               white = k.material(std::move(pale)), metal = k.material(steel());

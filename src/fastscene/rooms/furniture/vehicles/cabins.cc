@@ -197,16 +197,14 @@ void build_strap_rail(Kit& k) {
     k.piece.mount = Mount::ceiling;
 }
 
-// Two strips of light along a ceiling, one at each side.
+// A strip of light along a ceiling.
 void build_strip_lights(Kit& k) {
-    const Vec3f s = k.wanted({1.8f, 0.03f, 1.2f});
+    const Vec3f s = k.wanted({0.16f, 0.03f, 1.2f});
+    constexpr float kWide = 0.16f;  // however wide its cell is
     const int frame = k.main(plain("light frame", {0.6f, 0.6f, 0.6f}, 0.4f)),
               lamp = k.material(glow("strip light", {8.f, 8.1f, 7.9f}));
-    constexpr float kWide = 0.13f, kToCurve = 0.42f;  // metres; from the wall, within the curve of the ceiling
-    const float x = s.x > 2 * kToCurve + kWide ? 0.5f * s.x - kToCurve : 0.25f * s.x;
-    for (const float side : {-1.f, 1.f})
-        k.board(frame, {side * x, -s.y, 0}, {kWide + 0.03f, s.y, s.z}, 0.006f),
-            k.board(lamp, {side * x, -s.y - 0.004f, 0}, {kWide - 0.01f, 0.012f, s.z - 0.02f}, 0.002f);
+    k.board(frame, {0, -s.y, 0}, {kWide, s.y, s.z}, 0.006f),
+        k.board(lamp, {0, -s.y - 0.004f, 0}, {kWide - 0.04f, 0.012f, s.z - 0.02f}, 0.002f);
     k.piece.mount = Mount::ceiling;
 }
 
