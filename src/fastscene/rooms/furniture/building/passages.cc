@@ -3,9 +3,11 @@
 #include <array>
 #include <cmath>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
+#include "fastscene/rooms/furniture/lettering.h"
 #include "fastscene/rooms/furniture/print.h"
 #include "fastscene/rooms/furniture/shop/goods.h"
 
@@ -85,6 +87,77 @@ void build_lift_mirror(Kit& k) {
 
 namespace {
 
+const char* shop_name(Kit& k) {
+    constexpr std::array kNames{"NORD", "LUMEN", "ATLAS", "VELO", "MODA", "PIXEL", "AURA", "TOTEM", "OPTIK", "SPORT"};
+    return kNames[static_cast<std::size_t>(k.rng.index(static_cast<int>(kNames.size())))];
+}
+
+// Letters of tubes that shine, about the middle of their lower edge.
+void shining_name(Kit& k, int ink, std::string_view text, Vec3f at, float high, float widest) {
+    const float height = std::min(high, high * widest / std::max(0.01f, letters_width(text, high))),
+                left = -0.5f * letters_width(text, height);
+    for (const std::vector<Vec2f>& line : letter_strokes(text, height))
+        for (std::size_t i = 0; i + 1 < line.size(); ++i) {
+            const Vec3f a{line[i].x + left, line[i].y, 0}, b{line[i + 1].x + left, line[i + 1].y, 0};
+            if (length(b - a) > 1e-4f) slat(k, ink, at + a, at + b, 0.14f * height, 0.02f);
+        }
+}
+
+}  // namespace
+
+// A shop seen from the walk before it: a glazed front, goods and figures behind it, its sign above.
+void build_shop_front(Kit& k) {
+    const Vec3f s = k.wanted({3.8f, 3.1f, 1.3f});
+    const Vec3f tone = k.request.color ? *k.request.color : k.accent();
+    const int
+        frame = k.main(plain("shop frame", tone * 0.5f, 0.35f)),
+        pane = k.material(glass()), wall = color(k, "shop wall", {0.66f, 0.64f, 0.6f}, 0.8f),
+        floor = k.material(k.style.wood), ink = k.material([&] {
+            Material m = glow("sign", tone / std::max(0.1f, max_component(tone)) * 2.4f + Vec3f{0.3f, 0.3f, 0.3f});
+            m.pattern = Pattern::screen;
+            return m;
+        }()),
+        strip = k.material([] {
+            Material m = glow("shop light", {6.5f, 6.f, 5.2f});
+            m.pattern = Pattern::screen;
+            return m;
+        }()),
+        dark = color(k, "fascia", {0.03f, 0.03f, 0.033f}, 0.4f);
+    const float back = -0.5f * s.z, front = 0.5f * s.z, sign = 0.6f, head = s.y - sign;
+    block(k, wall, {0, 0, back + 0.02f}, {s.x, head, 0.04f});
+    for (const float sx : {-1.f, 1.f}) {
+        block(k, wall, {sx * (0.5f * s.x - 0.03f), 0, 0}, {0.06f, head, s.z - 0.04f});
+        k.board(frame, {sx * (0.5f * s.x - 0.05f), 0, front - 0.06f}, {0.1f, head, 0.12f}, 0.006f);
+    }
+    k.board(floor, {0, 0, 0}, {s.x, 0.12f, s.z - 0.02f}, 0.004f);
+    k.board(dark, {0, head, 0}, {s.x, sign, s.z}, 0.006f);
+    k.board(strip, {0, head - 0.03f, back + 0.5f}, {s.x - 0.5f, 0.03f, 0.12f});
+    k.board(frame, {0, head - 0.1f, front - 0.06f}, {s.x, 0.1f, 0.12f}, 0.006f);
+    shining_name(k, ink, shop_name(k), {0, head + 0.16f, front + 0.012f}, 0.28f, 0.8f * s.x);
+    // Panes left and right of a door.
+    const float door = 1.1f, side = 0.5f * (s.x - 0.2f - door);
+    for (const float sx : {-1.f, 1.f}) {
+        const float wx = sx * (0.5f * door + 0.5f * side);
+        block(k, pane, {wx, 0.14f, front - 0.06f}, {side, head - 0.24f, 0.012f});
+        k.board(frame, {sx * 0.5f * door, 0, front - 0.06f}, {0.06f, head, 0.1f}, 0.005f);
+        // What is shown: shelves with goods, or figures.
+        if (k.rng.chance(0.5f)) {
+            const Goods goods = std::array{Goods::shoes, Goods::toys, Goods::books,
+                                           Goods::boxes}[static_cast<std::size_t>(k.rng.index(4))];
+            for (int level = 0; level < 4; ++level) {
+                const float y = 0.35f + 0.48f * static_cast<float>(level);
+                k.board(floor, {wx, y - 0.03f, back + 0.22f}, {side - 0.1f, 0.03f, 0.36f}, 0.003f);
+                stock(k, goods, wx - 0.5f * side + 0.1f, wx + 0.5f * side - 0.1f, y, 0.44f, back + 0.4f, 0.32f);
+            }
+        } else {
+            k.merge(k.small("mannequin"), {wx, 0.12f, 0.05f * sx});
+        }
+    }
+    k.piece.against_wall = true, k.piece.clearance_front_m = 1.2f;
+}
+
+namespace {
+
 // The height of a storey of a mall, from floor to floor.
 constexpr float kStorey = 3.5f, kSlab = 0.3f, kParapet = 1.05f;
 
@@ -114,8 +187,7 @@ void upper_shop(Kit& k, float x0, float x1, float y, float high, float back, flo
             if (k.rng.chance(0.75f))
                 block(k, goods, {x, y + 0.25f + 0.62f * static_cast<float>(level), back + 0.16f},
                       {0.3f, k.rng.uniform(0.18f, 0.4f), 0.2f});
-    constexpr std::array<const char*, 10> kNames{"NORD", "LUMEN", "ATLAS", "VELO", "MODA", "PIXEL", "AURA", "KIOSK", "OPTIK", "SPORT"};
-    sign(k, kNames[static_cast<std::size_t>(k.rng.index(10))], tone * 0.35f, {0.85f, 0.84f, 0.8f},
+    sign(k, shop_name(k), tone * 0.35f, {0.85f, 0.84f, 0.8f},
          {middle - 0.3f * wide, y + head + 0.06f, front + 0.004f}, {0.6f * wide, sign_high - 0.12f});
 }
 
@@ -139,7 +211,7 @@ void build_shop_gallery(Kit& k) {
 
 // Moving stairs side by side, up and down, a storey high.
 void build_escalator_pair(Kit& k) {
-    const Vec3f s = k.wanted({3.2f, kStorey + 1, 7.4f});
+    const Vec3f s = k.wanted({3.2f, kStorey + 1, 6.4f});
     for (const float side : {-1.f, 1.f}) {
         PieceRequest one;
         one.kind = "escalator", one.style = &k.style, one.size_m = {0.5f * s.x - 0.06f, s.y, s.z};
@@ -151,7 +223,7 @@ void build_escalator_pair(Kit& k) {
 
 // The bridge between two galleries, at the head of the moving stairs; open where they arrive.
 void build_gallery_bridge(Kit& k) {
-    const Vec3f s = k.wanted({6.6f, 2 * kStorey - 0.3f, 2.6f});
+    const Vec3f s = k.wanted({6.6f, 2 * kStorey - 0.3f, 2.2f});
     const int slab = k.main(plain("gallery", {0.72f, 0.71f, 0.69f}, 0.4f)), pane = k.material(glass()), rail = k.material(steel());
     const float back = -0.5f * s.z, front = 0.5f * s.z, half = 0.5f * s.x, stairs = 1.75f;
     block(k, slab, {0, kStorey - kSlab, 0}, {s.x, kSlab, s.z - 0.06f});

@@ -305,64 +305,6 @@ void build_handrail(Kit& k) {
     k.piece.mount = Mount::wall, k.piece.hang_height_m = 0.88f;
 }
 
-// A shop seen from the walk before it: a glazed front, goods and figures behind it, its sign above.
-void build_shop_front(Kit& k) {
-    const Vec3f s = k.wanted({3.8f, 3.1f, 1.3f});
-    const Vec3f tone = k.request.color ? *k.request.color : k.accent();
-    const int
-        frame = k.main(plain("shop frame", tone * 0.5f, 0.35f)),
-        pane = k.material(glass()), wall = color(k, "shop wall", {0.66f, 0.64f, 0.6f}, 0.8f),
-        floor = k.material(k.style.wood), ink = k.material([&] {
-            Material m = glow("sign", tone / std::max(0.1f, max_component(tone)) * 2.4f + Vec3f{0.3f, 0.3f, 0.3f});
-            m.pattern = Pattern::screen;
-            return m;
-        }()),
-        strip = k.material([] {
-            Material m = glow("shop light", {6.5f, 6.f, 5.2f});
-            m.pattern = Pattern::screen;
-            return m;
-        }()),
-        dark = color(k, "fascia", {0.03f, 0.03f, 0.033f}, 0.4f);
-    const float back = -0.5f * s.z, front = 0.5f * s.z, sign = 0.6f, head = s.y - sign;
-    block(k, wall, {0, 0, back + 0.02f}, {s.x, head, 0.04f});
-    for (const float sx : {-1.f, 1.f}) {
-        block(k, wall, {sx * (0.5f * s.x - 0.03f), 0, 0}, {0.06f, head, s.z - 0.04f});
-        k.board(frame, {sx * (0.5f * s.x - 0.05f), 0, front - 0.06f}, {0.1f, head, 0.12f}, 0.006f);
-    }
-    k.board(floor, {0, 0, 0}, {s.x, 0.12f, s.z - 0.02f}, 0.004f);
-    k.board(dark, {0, head, 0}, {s.x, sign, s.z}, 0.006f);
-    k.board(strip, {0, head - 0.03f, back + 0.5f}, {s.x - 0.5f, 0.03f, 0.12f});
-    k.board(frame, {0, head - 0.1f, front - 0.06f}, {s.x, 0.1f, 0.12f}, 0.006f);
-    // The name.
-    float x = -0.32f * s.x;
-    const int letters = 5 + k.rng.index(4);
-    for (int i = 0; i < letters && x < 0.34f * s.x; ++i) {
-        const float wide = k.rng.uniform(0.14f, 0.22f);
-        block(k, ink, {x + 0.5f * wide, head + 0.18f, front + 0.01f}, {wide, 0.26f, 0.02f});
-        x += wide + 0.06f;
-    }
-    // Panes left and right of a door.
-    const float door = 1.1f, side = 0.5f * (s.x - 0.2f - door);
-    for (const float sx : {-1.f, 1.f}) {
-        const float wx = sx * (0.5f * door + 0.5f * side);
-        block(k, pane, {wx, 0.14f, front - 0.06f}, {side, head - 0.24f, 0.012f});
-        k.board(frame, {sx * 0.5f * door, 0, front - 0.06f}, {0.06f, head, 0.1f}, 0.005f);
-        // What is shown: shelves with goods, or figures.
-        if (k.rng.chance(0.5f)) {
-            const Goods goods = std::array{Goods::shoes, Goods::toys, Goods::books,
-                                           Goods::boxes}[static_cast<std::size_t>(k.rng.index(4))];
-            for (int level = 0; level < 4; ++level) {
-                const float y = 0.35f + 0.48f * static_cast<float>(level);
-                k.board(floor, {wx, y - 0.03f, back + 0.22f}, {side - 0.1f, 0.03f, 0.36f}, 0.003f);
-                stock(k, goods, wx - 0.5f * side + 0.1f, wx + 0.5f * side - 0.1f, y, 0.44f, back + 0.4f, 0.32f);
-            }
-        } else {
-            k.merge(k.small("mannequin"), {wx, 0.12f, 0.05f * sx});
-        }
-    }
-    k.piece.against_wall = true, k.piece.clearance_front_m = 1.2f;
-}
-
 // One bay of a groin vault: two barrels that cross, on four springers.
 void build_groin_vault(Kit& k) {
     const Vec3f s = k.wanted({3.2f, 1.5f, 3.2f});
