@@ -24,9 +24,9 @@ struct Cabin {
         return out;
     }
     std::size_t glazed(Glazing glazing) const {
-        return static_cast<std::size_t>(std::count_if(
-            room.plan.openings.begin(), room.plan.openings.end(),
-            [&](const Opening& o) { return o.kind == Opening::Kind::window && o.glazing == glazing; }));
+        return static_cast<std::size_t>(
+            std::count_if(room.plan.openings.begin(), room.plan.openings.end(),
+                          [&](const Opening& o) { return o.kind == Opening::Kind::window && o.glazing == glazing; }));
     }
 };
 

@@ -14,8 +14,7 @@ inline constexpr std::array<std::string_view, 4> kNamesOf<Mount>{"floor", "wall"
 template <>
 inline constexpr std::array<std::string_view, 3> kNamesOf<Opening::Kind>{"window", "door", "doorway"};
 template <>
-inline constexpr std::array<std::string_view, 4> kNamesOf<Opening::Shape>{"square", "arched", "round",
-                                                                               "rounded"};
+inline constexpr std::array<std::string_view, 4> kNamesOf<Opening::Shape>{"square", "arched", "round", "rounded"};
 template <>
 inline constexpr std::array<std::string_view, 3> kNamesOf<Block::Kind>{"corner", "breast", "column"};
 

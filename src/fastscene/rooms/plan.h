@@ -24,8 +24,8 @@ inline constexpr float kWallThickness = 0.22f;
 // far it stands proud.
 inline constexpr float kSillReach = 0.04f, kSillBeside = 0.05f, kSillThickness = 0.03f, kCapitalReach = 0.025f;
 inline constexpr float kPanelThickness = 0.06f;  // of a cabin's walls
-inline constexpr float kRevealDepth = 0.12f;  // of a window: from the wall's face to the frame
-inline constexpr float kBeamDepth = 0.18f;    // from the ceiling down
+inline constexpr float kRevealDepth = 0.12f;     // of a window: from the wall's face to the frame
+inline constexpr float kBeamDepth = 0.18f;       // from the ceiling down
 inline constexpr float kBeamWidth = 0.16f;
 
 // How far a tray ceiling steps down along the walls, and how wide that border is.

@@ -181,9 +181,10 @@ class TypeReader {
         read_glazed();
         if (!top_.has("windows")) return;
         constexpr double kHighestSill = 2;
-        const TomlTable t = table("windows", {"size", "count", "second_probability", "first_on_far_wall",
-                                              "least_sill_m", "sill_beyond_doorway_m", "outlook", "outlook_probability",
-                                              "walls", "every_m", "width_m", "sill_m", "head_m", "arched", "round", "tunnel"});
+        const TomlTable t = table(
+            "windows", {"size", "count", "second_probability", "first_on_far_wall", "least_sill_m",
+                        "sill_beyond_doorway_m", "outlook", "outlook_probability", "walls", "every_m", "width_m",
+                        "sill_m", "head_m", "arched", "round", "tunnel"});
         RoomWindows& w = t_.windows;
         read_regular_windows(t);
         w.tunnel = t.flag("tunnel", w.tunnel);

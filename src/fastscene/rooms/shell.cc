@@ -199,8 +199,7 @@ std::vector<Vec2f> edge_of(const Opening& o, float grow) {
         for (int corner = 0; corner < 4; ++corner)
             for (int i = 0; i <= kCornerSteps; ++i) {
                 const float a = 0.5f * kPi * (static_cast<float>(corner) + static_cast<float>(i) / kCornerSteps);
-                const Vec2f middle{corner == 0 || corner == 3 ? o.u1 - r : o.u0 + r,
-                                   corner < 2 ? o.y1 - r : o.y0 + r};
+                const Vec2f middle{corner == 0 || corner == 3 ? o.u1 - r : o.u0 + r, corner < 2 ? o.y1 - r : o.y0 + r};
                 out.push_back(middle + Vec2f{std::cos(a), std::sin(a)} * (r + grow));
             }
         out.push_back(out.front());

@@ -100,8 +100,7 @@ void build_shaped_window(const Plan& plan, const Opening& o, const WallBuilder& 
 void build_window(const Plan& plan, const Opening& o, Room& room, int trim) {
     const WallFace face = plan.wall(o.wall);
     const WallBuilder wall(face, room);
-    const int object = add_object(plan, room, is_doors(o.glazing) ? "door" : "window", o, face,
-                                  plan.wall_thickness());
+    const int object = add_object(plan, room, is_doors(o.glazing) ? "door" : "window", o, face, plan.wall_thickness());
     const int frame = plan.asked("window") ? add_material(room, as_asked(plan, "window", plan.style.trim)) : trim;
     // The light comes in through the outer face of the wall; u x v points into the room.
     if (!plan.tunnel)

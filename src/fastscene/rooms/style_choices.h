@@ -101,7 +101,7 @@ inline constexpr std::array<std::string_view, 2> kNamesOf<FloorLampForm>{"straig
 
 template <>
 inline constexpr std::array<std::string_view, 6> kNamesOf<Sky::View>{"garden",    "city",   "sea",
-                                                                          "mountains", "forest", "street"};
+                                                                     "mountains", "forest", "street"};
 
 // The procedural patterns of materials.
 template <>

@@ -171,8 +171,9 @@ void glass_parapet(Kit& k, int pane, int rail, float x0, float x1, float y, floa
 // A lit shop behind panes, of few triangles: it is seen from afar.
 void upper_shop(Kit& k, float x0, float x1, float y, float high, float back, float front) {
     const Vec3f tone = k.accent();
-    const int wall = color(k, "upper shop", {0.7f, 0.68f, 0.64f}, 0.7f), frame = color(k, "upper frame", tone * 0.5f, 0.4f),
-              pane = k.material(glass()), strip = lit(k, "shop light", {6.f, 5.6f, 5.f}),
+    const int wall = color(k, "upper shop", {0.7f, 0.68f, 0.64f}, 0.7f),
+              frame = color(k, "upper frame", tone * 0.5f, 0.4f), pane = k.material(glass()),
+              strip = lit(k, "shop light", {6.f, 5.6f, 5.f}),
               goods = color(k, "goods", lerp(tone, {0.4f, 0.35f, 0.3f}, 0.5f), 0.7f);
     const float middle = 0.5f * (x0 + x1), wide = x1 - x0, sign_high = 0.5f, head = high - sign_high;
     block(k, wall, {middle, y, back + 0.02f}, {wide, high, 0.04f});
@@ -180,15 +181,29 @@ void upper_shop(Kit& k, float x0, float x1, float y, float high, float back, flo
     for (const float x : {x0 + 0.05f, middle - 0.5f, middle + 0.5f, x1 - 0.05f})
         block(k, frame, {x, y, front - 0.04f}, {0.08f, head, 0.08f});
     for (const float side : {-1.f, 1.f})
-        block(k, pane, {middle + side * (0.25f * wide + 0.24f), y + 0.05f, front - 0.04f}, {0.5f * wide - 0.6f, head - 0.06f, 0.01f});
+        block(k, pane, {middle + side * (0.25f * wide + 0.24f), y + 0.05f, front - 0.04f},
+              {0.5f * wide - 0.6f, head - 0.06f, 0.01f});
     block(k, strip, {middle, y + head - 0.04f, back + 0.35f}, {wide - 0.4f, 0.03f, 0.12f});
     for (int level = 0; level < 3; ++level)
         for (float x = x0 + 0.25f; x < x1 - 0.2f; x += 0.42f)
             if (k.rng.chance(0.75f))
                 block(k, goods, {x, y + 0.25f + 0.62f * static_cast<float>(level), back + 0.16f},
                       {0.3f, k.rng.uniform(0.18f, 0.4f), 0.2f});
-    sign(k, shop_name(k), tone * 0.35f, {0.85f, 0.84f, 0.8f},
-         {middle - 0.3f * wide, y + head + 0.06f, front + 0.004f}, {0.6f * wide, sign_high - 0.12f});
+    sign(k, shop_name(k), tone * 0.35f, {0.85f, 0.84f, 0.8f}, {middle - 0.3f * wide, y + head + 0.06f, front + 0.004f},
+         {0.6f * wide, sign_high - 0.12f});
+}
+
+}  // namespace
+
+namespace {
+
+// A shop of this width at the floor, its back at z.
+void lower_shop(Kit& k, float width, float back) {
+    PieceRequest shop;
+    shop.kind = "shop_front", shop.style = &k.style, shop.size_m.x = width;
+    shop.seed = k.rng.next_u64();
+    const Piece piece = make_piece(shop);
+    k.merge(piece, {0, 0, back + 0.5f * piece.size_m.z});
 }
 
 }  // namespace
@@ -196,15 +211,17 @@ void upper_shop(Kit& k, float x0, float x1, float y, float high, float back, flo
 // Two storeys of a mall's side: a shop at the floor, before the one above it a gallery with a balustrade of glass.
 void build_shop_gallery(Kit& k) {
     const Vec3f s = k.wanted({3.9f, 2 * kStorey - 0.3f, 2.7f});
-    const int slab = k.main(plain("gallery", {0.72f, 0.71f, 0.69f}, 0.4f)), pane = k.material(glass()), rail = k.material(steel()),
-              lamp = lit(k, "gallery lamp", {7.f, 6.6f, 6.f});
+    const int slab = k.main(plain("gallery", {0.72f, 0.71f, 0.69f}, 0.4f)), pane = k.material(glass()),
+              rail = k.material(steel()), lamp = lit(k, "gallery lamp", {7.f, 6.6f, 6.f});
     const float back = -0.5f * s.z, front = 0.5f * s.z;
-    k.merge(k.small("shop_front"), {0, 0, back + 0.66f});
+    lower_shop(k, s.x - 0.1f, back);
     block(k, slab, {0, kStorey - kSlab, 0}, {s.x, kSlab, s.z - 0.06f});
     glass_parapet(k, pane, rail, -0.5f * s.x, 0.5f * s.x, kStorey, front - 0.06f);
     for (const float x : {-0.3f * s.x, 0.f, 0.3f * s.x})  // in the gallery's underside
-        k.add(shapes::prism(shapes::circle(0.07f, 16), kStorey - kSlab - 0.008f, kStorey - kSlab, 0.001f), lamp, {x, 0, 0.25f * s.z});
-    k.add(shapes::prism(shapes::circle(0.17f, 24), 0, kStorey - kSlab, 0.002f), slab, {-0.5f * s.x + 0.2f, 0, front - 0.35f});
+        k.add(shapes::prism(shapes::circle(0.07f, 16), kStorey - kSlab - 0.008f, kStorey - kSlab, 0.001f), lamp,
+              {x, 0, 0.25f * s.z});
+    k.add(shapes::prism(shapes::circle(0.17f, 24), 0, kStorey - kSlab, 0.002f), slab,
+          {-0.5f * s.x + 0.2f, 0, front - 0.35f});
     upper_shop(k, -0.5f * s.x, 0.5f * s.x, kStorey, s.y - kStorey, back, back + 0.8f);
     k.piece.against_wall = true;
 }
@@ -224,12 +241,13 @@ void build_escalator_pair(Kit& k) {
 // The bridge between two galleries, at the head of the moving stairs; open where they arrive.
 void build_gallery_bridge(Kit& k) {
     const Vec3f s = k.wanted({6.6f, 2 * kStorey - 0.3f, 2.2f});
-    const int slab = k.main(plain("gallery", {0.72f, 0.71f, 0.69f}, 0.4f)), pane = k.material(glass()), rail = k.material(steel());
+    const int slab = k.main(plain("gallery", {0.72f, 0.71f, 0.69f}, 0.4f)), pane = k.material(glass()),
+              rail = k.material(steel());
     const float back = -0.5f * s.z, front = 0.5f * s.z, half = 0.5f * s.x, stairs = 1.75f;
     block(k, slab, {0, kStorey - kSlab, 0}, {s.x, kSlab, s.z - 0.06f});
     for (const float side : {-1.f, 1.f})
         glass_parapet(k, pane, rail, side < 0 ? -half : stairs, side < 0 ? -stairs : half, kStorey, front - 0.06f);
-    k.merge(k.small("shop_front"), {0, 0, back + 0.66f});
+    lower_shop(k, 3.8f, back);
     for (const float side : {-1.f, 1.f})
         upper_shop(k, side < 0 ? -half : 0.05f, side < 0 ? -0.05f : half, kStorey, s.y - kStorey, back, back + 0.8f);
     k.piece.against_wall = true;

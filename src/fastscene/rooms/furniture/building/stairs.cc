@@ -220,7 +220,8 @@ void lit_digit(Kit& k, int ink, int digit, Vec3f at, float high) {
 void lit_arrow(Kit& k, int ink, Vec3f at, float high) {
     block(k, ink, at, {0.16f * high, 0.7f * high, 0.003f});
     for (const float side : {-1.f, 1.f})
-        slat(k, ink, at + Vec3f{side * 0.32f * high, 0.58f * high, 0}, at + Vec3f{0, 0.95f * high, 0}, 0.16f * high, 0.003f);
+        slat(k, ink, at + Vec3f{side * 0.32f * high, 0.58f * high, 0}, at + Vec3f{0, 0.95f * high, 0}, 0.16f * high,
+             0.003f);
 }
 
 }  // namespace
@@ -247,7 +248,8 @@ void build_elevator_doors(Kit& k) {
     lit_arrow(k, lamp, {-0.07f, high + 0.065f, s.z + 0.006f}, 0.09f);
     // The sill, and the seams of the leaves.
     block(k, frame, {0, 0, 0.045f}, {2 * w, 0.012f, 0.04f});
-    for (const float sx : {-1.f, 1.f}) block(k, frame, {sx * (w - 0.012f), 0.02f, 0.0345f}, {0.012f, high - 0.02f, 0.003f});
+    for (const float sx : {-1.f, 1.f})
+        block(k, frame, {sx * (w - 0.012f), 0.02f, 0.0345f}, {0.012f, high - 0.02f, 0.003f});
     k.piece.against_wall = true, k.piece.clearance_front_m = 0.5f;
 }
 
@@ -264,7 +266,8 @@ void build_elevator_panel(Kit& k) {
         return k.material(std::move(m));
     };
     const int pale = shining("button", {0.85f, 0.85f, 0.82f}), chosen = shining("chosen button", {3.4f, 1.3f, 0.12f}),
-              digit = shining("display digit", {3.2f, 0.5f, 0.15f}), alarm = color(k, "alarm button", {0.6f, 0.03f, 0.02f}, 0.3f);
+              digit = shining("display digit", {3.2f, 0.5f, 0.15f}),
+              alarm = color(k, "alarm button", {0.6f, 0.03f, 0.02f}, 0.3f);
     k.board(plate, {0, 0, 0.5f * s.z}, s, 0.006f);
     block(k, dark, {0, s.y - 0.23f, s.z}, {0.2f, 0.16f, 0.004f});
     const int floor = 2 + k.rng.index(7);

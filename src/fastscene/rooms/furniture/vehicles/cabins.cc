@@ -54,8 +54,7 @@ void build_bus_seat(Kit& k) {
         k.board(shell, {x, 0.35f, 0.03f}, {0.42f, 0.05f, 0.46f}, 0.02f);
     }
     k.board(metal, {0, 0, 0.02f}, {0.09f, 0.35f, 0.3f}, 0.02f), k.board(metal, {0, 0, 0.02f}, {0.5f, 0.02f, 0.34f});
-    bent(k, bar,
-         {{-0.38f, 0.92f, -0.275f}, {-0.38f, 1.13f, -0.315f}, {0.38f, 1.13f, -0.315f}, {0.38f, 0.92f, -0.275f}},
+    bent(k, bar, {{-0.38f, 0.92f, -0.275f}, {-0.38f, 1.13f, -0.315f}, {0.38f, 1.13f, -0.315f}, {0.38f, 0.92f, -0.275f}},
          0.016f, 0.07f);
     k.piece.clearance_front_m = 0.25f;
 }
@@ -74,7 +73,8 @@ void build_driver_cab(Kit& k) {
     // Below the windscreen, wider than the cab: the dashboard.
     Mesh slope = shapes::box({0.5f, 0.16f, 1.26f}, 0.03f);
     shapes::turn(slope, {0, 0, 1}, -9);
-    k.board(panel, {0.83f, 0, 0.02f}, {0.32f, 0.66f, 1.26f}, 0.02f), k.add(std::move(slope), dark, {0.73f, 0.73f, 0.02f});
+    k.board(panel, {0.83f, 0, 0.02f}, {0.32f, 0.66f, 1.26f}, 0.02f),
+        k.add(std::move(slope), dark, {0.73f, 0.73f, 0.02f});
     // Before the wheel: dials under a hood.
     Mesh hood = shapes::box({0.2f, 0.2f, 0.56f}, 0.04f);
     shapes::turn(hood, {0, 0, 1}, 24);
@@ -88,7 +88,9 @@ void build_driver_cab(Kit& k) {
         k.add(std::move(hand), needle, {0.492f, 0.885f, z});
     }
     for (int i = 0; i < 9; ++i)
-        k.board(i % 4 == 1 ? red : i % 3 == 0 ? dial : panel,
+        k.board(i % 4 == 1   ? red
+                : i % 3 == 0 ? dial
+                             : panel,
                 {0.56f, 0.8f, 0.26f + 0.035f * static_cast<float>(i)}, {0.02f, 0.025f, 0.02f}, 0.003f);
     // The wheel of a bus is large and lies flat.
     constexpr float kWheel = 0.235f, kTilt = 28;
@@ -97,7 +99,8 @@ void build_driver_cab(Kit& k) {
     for (Mesh* m : {&rim, &boss}) shapes::turn(*m, {0, 0, 1}, kTilt);
     k.add(std::move(rim), grip, hub), k.add(std::move(boss), grip, hub);
     for (const float a : {0.5f, 2.6f, 4.71f}) {
-        const Vec3f out{std::cos(a) * std::cos(kTilt * kPi / 180), std::cos(a) * std::sin(kTilt * kPi / 180), std::sin(a)};
+        const Vec3f out{std::cos(a) * std::cos(kTilt * kPi / 180), std::cos(a) * std::sin(kTilt * kPi / 180),
+                        std::sin(a)};
         k.rod(grip, hub, hub + out * kWheel, 0.014f, 0.011f, 8);
     }
     k.rod(dark, hub - Vec3f{-0.02f, 0.03f, 0}, {0.62f, 0.2f, -0.1f}, 0.035f, 0.05f, 12);
@@ -136,19 +139,25 @@ void build_subway_bench(Kit& k) {
     for (int i = 0; i < seats; ++i) {
         const float x = -half + 0.02f + wide * (static_cast<float>(i) + 0.5f);
         // The cross-section of a shell that one sinks into: from its front edge over the seat and up its back.
-        const std::array<Vec2f, 9> line{{{0.485f, 0.36f}, {0.49f, 0.42f}, {0.45f, 0.445f}, {0.3f, 0.425f},
-                                         {0.16f, 0.42f}, {0.1f, 0.46f}, {0.075f, 0.6f}, {0.05f, 0.8f}, {0.03f, 0.86f}}};
+        const std::array<Vec2f, 9> line{{{0.485f, 0.36f},
+                                         {0.49f, 0.42f},
+                                         {0.45f, 0.445f},
+                                         {0.3f, 0.425f},
+                                         {0.16f, 0.42f},
+                                         {0.1f, 0.46f},
+                                         {0.075f, 0.6f},
+                                         {0.05f, 0.8f},
+                                         {0.03f, 0.86f}}};
         const std::vector<Vec2f> smooth = shapes::curve(line, 3);
         const int last = static_cast<int>(smooth.size()) - 1;
-        k.add(shapes::slab(8, last, 0.022f,
-                           [&](float u, float v) {
-                               const Vec2f p = smooth[static_cast<std::size_t>(
-                                   std::lround(v * static_cast<float>(last)))];
-                               const float across = 2 * u - 1, rim = std::pow(std::abs(across), 3.f);
-                               return Vec3f{x + across * (0.5f * wide - 0.012f),
-                                            p.y + (v < 0.6f ? 0.022f * rim : 0.f),
-                                            back + p.x + (v < 0.6f ? 0.f : 0.022f * rim)};
-                           }),
+        k.add(shapes::slab(
+                  8, last, 0.022f,
+                  [&](float u, float v) {
+                      const Vec2f p = smooth[static_cast<std::size_t>(std::lround(v * static_cast<float>(last)))];
+                      const float across = 2 * u - 1, rim = std::pow(std::abs(across), 3.f);
+                      return Vec3f{x + across * (0.5f * wide - 0.012f), p.y + (v < 0.6f ? 0.022f * rim : 0.f),
+                                   back + p.x + (v < 0.6f ? 0.f : 0.022f * rim)};
+                  }),
               seat);
     }
     for (const float side : {-1.f, 1.f}) {
@@ -170,7 +179,8 @@ void build_subway_pole(Kit& k) {
         k.rod(metal, {0, y0, 0}, {0, y1, 0}, 0.019f, -1, 12);
     for (int i = 0; i < 3; ++i) {
         const Vec3f out = around(kTau * static_cast<float>(i) / 3) * 0.06f;
-        bent(k, metal, {{0, 0.8f, 0}, out + Vec3f{0, 0.95f, 0}, out + Vec3f{0, 1.62f, 0}, {0, 1.77f, 0}}, 0.015f, 0.08f);
+        bent(k, metal, {{0, 0.8f, 0}, out + Vec3f{0, 0.95f, 0}, out + Vec3f{0, 1.62f, 0}, {0, 1.77f, 0}}, 0.015f,
+             0.08f);
     }
     for (const float y : {0.f, s.y - 0.025f})
         k.add(shapes::prism(shapes::circle(0.055f, 18), y, y + 0.025f, 0.004f), metal);
@@ -183,14 +193,17 @@ void build_strap_rail(Kit& k) {
               grip = color(k, "strap grip", kSafetyYellow, 0.35f);
     constexpr float kDown = 0.24f, kPitch = 0.34f;
     k.rod(rail, {0, -kDown, -0.5f * s.z}, {0, -kDown, 0.5f * s.z}, 0.017f, -1, 12);
-    for (const float end : {-1.f, 1.f}) k.rod(rail, {0, -kDown, end * 0.36f * s.z}, {0, 0, end * 0.36f * s.z}, 0.012f, -1, 8);
+    for (const float end : {-1.f, 1.f})
+        k.rod(rail, {0, -kDown, end * 0.36f * s.z}, {0, 0, end * 0.36f * s.z}, 0.012f, -1, 8);
     const int straps = std::max(1, static_cast<int>(s.z / kPitch));
     for (int i = 0; i < straps; ++i) {
         const float z = s.z * ((static_cast<float>(i) + 0.5f) / static_cast<float>(straps) - 0.5f);
         k.board(strap, {0, -kDown - 0.19f, z}, {0.006f, 0.21f, 0.032f}, 0.001f);
         // A triangle with rounded corners.
         bent(k, grip,
-             {{0, -kDown - 0.18f, z}, {0, -s.y + 0.012f, z - 0.075f}, {0, -s.y + 0.012f, z + 0.075f},
+             {{0, -kDown - 0.18f, z},
+              {0, -s.y + 0.012f, z - 0.075f},
+              {0, -s.y + 0.012f, z + 0.075f},
               {0, -kDown - 0.18f, z}},
              0.0105f, 0.03f);
     }
@@ -228,7 +241,9 @@ void build_ad_strip(Kit& k) {
         k.add(printed_face(sheet[k.rng.index(sheet.cells)], {picture, high - 0.03f}), sheet.material,
               {x0 + 0.02f, 0.035f, 0.009f});
         for (int line = 0; line < 3; ++line)
-            block(k, ink, {x0 + picture + 0.04f + 0.5f * (wide - picture - 0.08f), 0.06f + 0.055f * static_cast<float>(line), 0.009f},
+            block(k, ink,
+                  {x0 + picture + 0.04f + 0.5f * (wide - picture - 0.08f), 0.06f + 0.055f * static_cast<float>(line),
+                   0.009f},
                   {(wide - picture - 0.08f) * (line == 2 ? 0.95f : 0.7f), line == 2 ? 0.03f : 0.014f, 0.002f});
     }
     for (const float y : {0.f, s.y - 0.02f}) k.board(frame, {0, y, 0.5f * s.z}, {s.x, 0.02f, s.z}, 0.004f);
@@ -238,8 +253,8 @@ void build_ad_strip(Kit& k) {
 // The map of a line as it hangs above a carriage's doors: stations along a coloured line.
 void build_line_map(Kit& k) {
     const Vec3f s = k.wanted({1.3f, 0.16f, 0.016f});
-    const int card = k.main(plain("line map", {0.74f, 0.74f, 0.72f}, 0.35f)),
-              line = color(k, "line", k.accent(), 0.4f), ink = color(k, "station ink", {0.02f, 0.02f, 0.025f}, 0.5f),
+    const int card = k.main(plain("line map", {0.74f, 0.74f, 0.72f}, 0.35f)), line = color(k, "line", k.accent(), 0.4f),
+              ink = color(k, "station ink", {0.02f, 0.02f, 0.025f}, 0.5f),
               white = color(k, "station", {0.78f, 0.78f, 0.78f}, 0.4f);
     k.board(card, {0, 0, 0.5f * s.z}, s, 0.004f);
     const float y = 0.36f * s.y, half = 0.5f * s.x - 0.07f;
@@ -256,8 +271,8 @@ void build_line_map(Kit& k) {
         }
         // Its name, slanting upwards.
         const float name = k.rng.uniform(0.045f, 0.085f);
-        slat(k, ink, {x + 0.004f, y + 0.032f, s.z + 0.001f}, {x + 0.004f + 0.6f * name, y + 0.032f + 0.8f * name, s.z + 0.001f},
-             0.009f, 0.002f);
+        slat(k, ink, {x + 0.004f, y + 0.032f, s.z + 0.001f},
+             {x + 0.004f + 0.6f * name, y + 0.032f + 0.8f * name, s.z + 0.001f}, 0.009f, 0.002f);
     }
     k.piece.mount = Mount::wall, k.piece.hang_height_m = 2.0f;
 }
@@ -269,7 +284,8 @@ void build_carriage_door(Kit& k) {
               leaf = color(k, "carriage door", {0.52f, 0.53f, 0.54f}, 0.32f),
               night = color(k, "dark pane", {0.012f, 0.014f, 0.018f}, 0.06f),
               seal = color(k, "seal", {0.018f, 0.018f, 0.019f}, 0.5f), metal = k.material(steel()),
-              yellow = color(k, "safety yellow", kSafetyYellow, 0.35f), red = color(k, "handle", {0.5f, 0.02f, 0.015f}, 0.35f);
+              yellow = color(k, "safety yellow", kSafetyYellow, 0.35f),
+              red = color(k, "handle", {0.5f, 0.02f, 0.015f}, 0.35f);
     constexpr float kFrame = 0.07f;
     for (const float side : {-1.f, 1.f})
         k.board(frame, {side * 0.5f * (s.x - kFrame), 0, 0.5f * s.z}, {kFrame, s.y, s.z}, 0.012f);
@@ -277,12 +293,14 @@ void build_carriage_door(Kit& k) {
     const float wide = s.x - 2 * kFrame;
     k.board(leaf, {0, 0.01f, 0.018f}, {wide, s.y - kFrame - 0.01f, 0.035f}, 0.004f);
     for (const auto& [grow, z, material] : {std::tuple{0.022f, 0.038f, seal}, {0.f, 0.041f, night}}) {
-        Mesh pane = shapes::prism(shapes::rounded_rectangle(0.62f * wide + grow, 0.74f + grow, 0.09f), 0, 0.006f, 0.001f);
+        Mesh pane = shapes::prism(shapes::rounded_rectangle(0.62f * wide + grow, 0.74f + grow, 0.09f), 0, 0.006f,
+                                  0.001f);
         shapes::turn(pane, {1, 0, 0}, 90);
         k.add(std::move(pane), material, {0, 1.36f, z});
     }
     k.rod(metal, {0.36f * wide, 0.85f, 0.075f}, {0.36f * wide, 1.15f, 0.075f}, 0.013f, -1, 10);
-    for (const float y : {0.86f, 1.13f}) k.rod(metal, {0.36f * wide, y, 0.03f}, {0.36f * wide, y, 0.075f}, 0.009f, -1, 8);
+    for (const float y : {0.86f, 1.13f})
+        k.rod(metal, {0.36f * wide, y, 0.03f}, {0.36f * wide, y, 0.075f}, 0.009f, -1, 8);
     k.board(yellow, {-0.2f * wide, 0.62f, 0.037f}, {0.2f, 0.12f, 0.004f}, 0.001f);
     k.board(red, {-0.36f * wide, 1.0f, 0.05f}, {0.05f, 0.09f, 0.03f}, 0.01f);
     k.piece.mount = Mount::wall;
@@ -304,8 +322,10 @@ void build_luggage_rack(Kit& k) {
         const Vec3f size{k.rng.uniform(0.36f, 0.5f), k.rng.uniform(0.16f, 0.22f), 0.27f};
         k.soft(bag, {x, 0.047f, 0.5f * s.z}, size, {0.04f, 0.015f, 0.003f, 8});
         bent(k, bag,
-             {{x - 0.08f, 0.06f + 0.6f * size.y, 0.5f * s.z + 0.13f}, {x - 0.07f, 0.02f + 0.4f * size.y, 0.5f * s.z + 0.15f},
-              {x + 0.07f, 0.02f + 0.4f * size.y, 0.5f * s.z + 0.15f}, {x + 0.08f, 0.06f + 0.6f * size.y, 0.5f * s.z + 0.13f}},
+             {{x - 0.08f, 0.06f + 0.6f * size.y, 0.5f * s.z + 0.13f},
+              {x - 0.07f, 0.02f + 0.4f * size.y, 0.5f * s.z + 0.15f},
+              {x + 0.07f, 0.02f + 0.4f * size.y, 0.5f * s.z + 0.15f},
+              {x + 0.08f, 0.06f + 0.6f * size.y, 0.5f * s.z + 0.13f}},
              0.009f, 0.02f);
     }
     k.piece.mount = Mount::wall, k.piece.hang_height_m = 1.86f;

@@ -148,7 +148,8 @@ void build_train_seat(Kit& k) {
     const int cloth = k.main(tinted(k.style.fabric, {0.05f, 0.12f, 0.3f})),
               shell = color(k, "shell", {0.16f, 0.17f, 0.18f}, 0.4f), metal = k.material(steel()),
               white = color(k, "head cloth", {0.7f, 0.69f, 0.66f}, 0.9f),
-              tray = color(k, "tray", {0.42f, 0.42f, 0.41f}, 0.45f), net = color(k, "net", {0.03f, 0.03f, 0.035f}, 0.9f);
+              tray = color(k, "tray", {0.42f, 0.42f, 0.41f}, 0.45f),
+              net = color(k, "net", {0.03f, 0.03f, 0.035f}, 0.9f);
     k.board(shell, {0, 0, -0.02f}, {0.9f, 0.3f, 0.16f}, 0.02f);
     for (const float sx : {-1.f, 1.f}) {
         k.soft(cloth, {sx * 0.235f, 0.34f, 0.05f}, {0.45f, 0.13f, 0.48f}, {0.04f, 0.015f, 0.001f, 7});
