@@ -18,28 +18,29 @@ void build_room_door(Kit& k) {
     const Vec3f s = k.wanted({1.04f, 2.12f, 0.06f});
     const int leaf = k.main(k.style.wood), frame = k.material(k.style.trim), metal = k.material(k.style.metal),
               dark = color(k, "lock", {0.02f, 0.02f, 0.022f}, 0.4f);
-    constexpr float kFrame = 0.09f;
+    constexpr float kFrame = 0.09f, kSkirting = 0.02f;  // which goes on behind it
     const float wide = s.x - 2 * kFrame, high = s.y - kFrame;
     for (const float side : {-1.f, 1.f})
-        k.board(frame, {side * 0.5f * (s.x - kFrame), 0, 0.5f * s.z}, {kFrame, s.y, s.z}, 0.008f);
+        k.board(frame, {side * 0.5f * (s.x - kFrame), 0, 0.5f * (s.z + kSkirting)}, {kFrame, s.y, s.z - kSkirting},
+                0.008f);
     k.board(frame, {0, high, 0.5f * s.z}, {wide, kFrame, s.z}, 0.008f);
     Mesh panel = shapes::box({wide, high - 0.006f, 0.024f}, 0.003f);
     shapes::lay_grain(panel, {k.rng.uniform(0, 3), k.rng.uniform(0, 3), 0});
-    k.add(std::move(panel), leaf, {0, 0.5f * high + 0.003f, 0.013f});
+    k.add(std::move(panel), leaf, {0, 0.5f * high + 0.003f, kSkirting + 0.013f});
     // Two fields, framed by flat mouldings.
     for (const auto& [y0, y1] : {std::pair{0.16f, 0.86f}, {1.02f, high - 0.14f}})
         for (const float side : {-1.f, 1.f}) {
-            k.board(leaf, {side * (0.5f * wide - 0.13f), y0, 0.028f}, {0.022f, y1 - y0, 0.01f}, 0.004f);
-            k.board(leaf, {0, side < 0 ? y0 : y1 - 0.022f, 0.028f}, {wide - 0.28f, 0.022f, 0.01f}, 0.004f);
+            k.board(leaf, {side * (0.5f * wide - 0.13f), y0, kSkirting + 0.028f}, {0.022f, y1 - y0, 0.01f}, 0.004f);
+            k.board(leaf, {0, side < 0 ? y0 : y1 - 0.022f, kSkirting + 0.028f}, {wide - 0.28f, 0.022f, 0.01f}, 0.004f);
         }
     // The handle with a reader for cards, the spy-hole, the plate.
     const float x = 0.5f * wide - 0.075f;
-    k.board(dark, {x, 0.98f, 0.03f}, {0.05f, 0.2f, 0.012f}, 0.008f);
-    k.rod(metal, {x, 1.03f, 0.03f}, {x, 1.03f, 0.078f}, 0.009f, -1, 10);
-    k.rod(metal, {x + 0.005f, 1.03f, 0.075f}, {x - 0.12f, 1.03f, 0.075f}, 0.009f, -1, 10);
-    k.add(shapes::ball({0, 1.5f, 0.026f}, {0.012f, 0.012f, 0.006f}, 10), metal);
+    k.board(dark, {x, 0.98f, kSkirting + 0.03f}, {0.05f, 0.2f, 0.012f}, 0.008f);
+    k.rod(metal, {x, 1.03f, kSkirting + 0.03f}, {x, 1.03f, kSkirting + 0.078f}, 0.009f, -1, 10);
+    k.rod(metal, {x + 0.005f, 1.03f, kSkirting + 0.075f}, {x - 0.12f, 1.03f, kSkirting + 0.075f}, 0.009f, -1, 10);
+    k.add(shapes::ball({0, 1.5f, kSkirting + 0.026f}, {0.012f, 0.012f, 0.006f}, 10), metal);
     sign(k, std::to_string(101 + k.rng.index(48)), {0.035f, 0.037f, 0.042f}, {0.7f, 0.66f, 0.55f},
-         {-0.085f, 1.6f, 0.034f}, {0.17f, 0.1f});
+         {-0.085f, 1.6f, kSkirting + 0.034f}, {0.17f, 0.1f});
     k.piece.mount = Mount::wall;
 }
 
