@@ -231,8 +231,8 @@ void build_shop_gallery(Kit& k) {
 void build_escalator_pair(Kit& k) {
     const Vec3f s = k.wanted({3.2f, kStorey + 1, 6.4f});
     for (const float side : {-1.f, 1.f}) {
-        PieceRequest one;
-        one.kind = "escalator", one.style = &k.style, one.size_m = {0.5f * s.x - 0.06f, s.y, s.z};
+        PieceRequest one = k.request;
+        one.kind = "escalator", one.size_factor = 1, one.size_m = {0.5f * s.x - 0.06f, s.y, s.z};
         one.seed = k.rng.next_u64();
         k.merge(make_piece(one), {side * 0.25f * s.x, 0, 0});
     }
