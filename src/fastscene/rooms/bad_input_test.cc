@@ -42,7 +42,7 @@ TEST(BadInput, ATinyCinemaHasItsScreenAndARow) {
 TEST(BadInput, ABusFortyMetresWideIsAsWideAsRoomsGet) {
     const Made m = made("a bus 40 m wide");
     EXPECT_EQ(m.spec.room, "bus");
-    EXPECT_GE(count(m, "train_seat"), 4);
+    EXPECT_GE(count(m, "bus_seat"), 4);
     EXPECT_LT(m.room.plan.width, 20.f);
     EXPECT_TRUE(is_told(m, "40 m", "the room is"));
 }

@@ -131,9 +131,9 @@ Sky make_sky(PromptSpec& spec, const Plan& plan, const Mat3f& world_from_room, R
 }
 
 float lamp_level(const PromptSpec& spec, const Plan& plan) {
-    const bool daylit = !plan.skylights.empty() ||
-                        std::any_of(plan.openings.begin(), plan.openings.end(),
-                                    [](const Opening& o) { return o.kind == Opening::Kind::window; });
+    const bool daylit = !plan.tunnel && (!plan.skylights.empty() ||
+                                         std::any_of(plan.openings.begin(), plan.openings.end(),
+                                                     [](const Opening& o) { return o.kind == Opening::Kind::window; }));
     if (!daylit && spec.light != "neon") return 1.f;
     if (spec.light == "neon") return 0.3f;  // beside it they only keep the dark from being black
     if (spec.light == "lamps on" || spec.time == "night" || spec.time == "dusk") return 1.f;

@@ -63,6 +63,8 @@ struct DocumentPlan {
     bool measured = false, beams = false, tray = false, neon = false, recessed_lights = false, coffers = false,
          bay = false, panelling = false;
     WallRelief wall_relief = WallRelief::flat;
+    bool cabin = false, tunnel = false;
+    float cove = 0;
     std::optional<int> accent_wall;  // the wall that has the accent material
     std::optional<Vec3f> neon_color;
     std::vector<PromptObject> asked;  // what was said of windows, doors and other parts of the shell

@@ -14,7 +14,7 @@ inline constexpr std::array<std::string_view, 4> kNamesOf<Mount>{"floor", "wall"
 template <>
 inline constexpr std::array<std::string_view, 3> kNamesOf<Opening::Kind>{"window", "door", "doorway"};
 template <>
-inline constexpr std::array<std::string_view, 3> kNamesOf<Opening::Shape>{"square", "arched", "round"};
+inline constexpr std::array<std::string_view, 4> kNamesOf<Opening::Shape>{"square", "arched", "round", "rounded"};
 template <>
 inline constexpr std::array<std::string_view, 3> kNamesOf<Block::Kind>{"corner", "breast", "column"};
 
@@ -44,6 +44,7 @@ void visit_fields(Opening& o, V&& v) {
     v("low_m", o.y0, Rule{.low = 0, .always = true}, "Its lower edge above the floor.");
     v("high_m", o.y1, Rule{.low = 0, .needed = true, .always = true}, "Its upper edge.");
     v("shape", o.shape, Rule{}, "Its shape within that box.");
+    v("glazing", o.glazing, Rule{}, "What is in it, if it is a window: vehicles have screens and doors of glass.");
     v("requested", o.requested, Rule{}, "Whether the prompt asked for it.");
 }
 template <class V>
@@ -166,6 +167,9 @@ void visit_fields(DocumentPlan& p, V&& v) {
     v("coffers", p.coffers, Rule{}, "A grid of beams below the ceiling.");
     v("bay", p.bay, Rule{}, "The recess of the far wall is all window.");
     v("wall_relief", p.wall_relief, Rule{}, "What walls are built of, beyond their material.");
+    v("cabin", p.cabin, Rule{}, "Of a vehicle or a lift: thin panels, no skirting, panes in rubber.");
+    v("cove_m", p.cove, Rule{.low = 0, .high = 1}, "Radius of the curve between the walls 1 and 3 and the ceiling.");
+    v("tunnel", p.tunnel, Rule{}, "The windows show the wall of a tunnel, and no daylight comes in.");
     v("panelling", p.panelling, Rule{}, "Walls are panelled to the height of a chair's back.");
     v("asked", p.asked, Rule{}, "What was said of windows, doors and other parts of the shell.");
 }

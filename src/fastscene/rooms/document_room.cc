@@ -69,6 +69,7 @@ DocumentPlan plan_of(const Plan& plan) {
     out.measured = plan.measured, out.beams = plan.beams, out.tray = plan.tray, out.neon = plan.neon;
     out.recessed_lights = plan.recessed_lights, out.coffers = plan.coffers, out.bay = plan.bay;
     out.wall_relief = plan.relief;
+    out.cabin = plan.cabin, out.tunnel = plan.tunnel, out.cove = plan.cove;
     out.panelling = plan.panelling;
     if (plan.accent) out.accent_wall = plan.accent_wall;
     out.neon_color = plan.neon_color;
@@ -172,6 +173,7 @@ class Builder {
         plan.beams = given.beams, plan.tray = given.tray, plan.neon = given.neon;
         plan.recessed_lights = given.recessed_lights, plan.coffers = given.coffers, plan.bay = given.bay;
         plan.relief = given.wall_relief;
+        plan.cabin = given.cabin, plan.tunnel = given.tunnel, plan.cove = given.cove;
         plan.panelling = given.panelling;
         plan.accent = given.accent_wall.has_value();
         plan.accent_wall = given.accent_wall.value_or(0);

@@ -43,7 +43,7 @@ void Editor::light(const std::string& value) {
         // All of them, those too of which something else was said.
         for (std::size_t i = 0; i < result_.document.things.size(); ++i)
             if (!is_flame(placed(static_cast<int>(i)))) result_.document.things[i].lit.reset();
-    } else if (is_one_of(value, {"garden", "city", "sea", "mountains", "forest"})) {
+    } else if (is_one_of(value, {"garden", "city", "sea", "mountains", "forest", "street"})) {
         light.outlook = value;
     } else if (is_one_of(value, {"brighter", "darker", "lamps brighter", "lamps darker"})) {
         return brighten(value.ends_with("brighter"), value.starts_with("lamps"));

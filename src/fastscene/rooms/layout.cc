@@ -60,7 +60,10 @@ bool blocks_opening(const Plan& plan, const Footprint& box) {
     const float height = box.y1;
     for (const Opening& o : plan.openings) {
         const WallFace face = plan.wall(o.wall);
-        if (o.kind == Opening::Kind::window && height > o.y0 - kSillThickness) {
+        // Panes of cabins have neither sills nor curtains.
+        if (plan.cabin && o.kind == Opening::Kind::window && !is_doors(o.glazing)) continue;
+        const bool door = o.kind != Opening::Kind::window || is_doors(o.glazing);
+        if (!door && height > o.y0 - kSillThickness) {
             const Vec3f middle = face.point((o.u0 + o.u1) / 2, 0) + face.inward * (kSillReach / 2);
             if (overlap(box, {flat(middle),
                               {(o.u1 - o.u0) / 2 + kSillBeside, kSillReach / 2},
@@ -69,7 +72,6 @@ bool blocks_opening(const Plan& plan, const Footprint& box) {
                               o.y0}))
                 return true;
         }
-        const bool door = o.kind != Opening::Kind::window;
         // What is on a desk may reach a little above the sill.
         constexpr float kAboveSill = 0.2f;
         const float below = free_before(o, kAboveSill);
@@ -89,9 +91,10 @@ bool blocks_opening(const Plan& plan, const Footprint& box) {
 }
 
 bool wall_is_free(const Plan& plan, const WallFace& face, float u0, float u1, float y0, float y1) {
+    const float beside = plan.cabin ? 0.04f : 0.1f;  // metres; of its frame
     return std::none_of(plan.openings.begin(), plan.openings.end(), [&](const Opening& o) {
-        return o.wall == face.wall && u0 + face.from < o.u1 + 0.1f && u1 + face.from > o.u0 - 0.1f &&
-               y0 < o.y1 + 0.1f && y1 > o.y0 - 0.1f;
+        return o.wall == face.wall && u0 + face.from < o.u1 + beside && u1 + face.from > o.u0 - beside &&
+               y0 < o.y1 + beside && y1 > o.y0 - beside;
     });
 }
 

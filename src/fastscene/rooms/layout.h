@@ -200,6 +200,8 @@ class Layout {
     struct Surroundings;
     Surroundings surroundings() const;
     float ease_of(Vec3f eye, const Surroundings& things) const;
+    bool looks_along() const;
+    Vec3f position_along(float share) const;
     // Whether a thing may stand there on its top: in the room, out of others. `self`: its own index, if it has one.
     bool free_on_top(const Placed& placed, int self = -1) const;
     // Anew, when pieces have moved or left.

@@ -5,6 +5,7 @@
 
 #include "fastscene/rooms/layout.h"
 #include "fastscene/rooms/layout_sight.h"
+#include "fastscene/rooms/room_type.h"
 
 namespace fastscene {
 namespace {
@@ -90,7 +91,31 @@ float Layout::ease_of(Vec3f eye, const Surroundings& things) const {
     return score;
 }
 
+bool Layout::looks_along() const { return room_type(spec_.room).look_along && !plan_.joined; }
+
+// In a corridor or an aisle: near this share of the depth, in the middle of what is free there.
+Vec3f Layout::position_along(float share) const {
+    constexpr float kAside_m = 0.6f, kAhead_m = 1.2f, kStep_m = 0.1f, kEnough_m = 0.6f;
+    const Surroundings things = surroundings();
+    const float from = plan_.depth * (share - 0.5f);
+    Vec3f best{0, kEyeHeight, from};
+    float best_score = -1e9f;
+    for (float x = -kAside_m; x <= kAside_m; x += kStep_m)
+        for (float z = from - kAhead_m; z <= from + kAhead_m; z += kStep_m) {
+            const Vec2f at{x, z};
+            float free = std::min(kEnough_m, plan_.wall_distance(at));
+            for (const auto* boxes : {&things.tall, &things.low})
+                for (const auto& [box, axes] : *boxes) free = std::min(free, distance_to(box, axes, at));
+            const Vec3f eye{x, kEyeHeight, z};
+            const float score = 4.f * free - 0.5f * std::abs(x) - 0.3f * std::abs(z - from) -
+                                kWorthSeeing * static_cast<float>(likely_hidden(eye));
+            if (score > best_score) best_score = score, best = eye;
+        }
+    return best;
+}
+
 Vec3f Layout::camera_position() const {
+    if (looks_along()) return position_along(*room_type(spec_.room).look_along);
     Vec3f best{0, kEyeHeight, 0};
     float best_score = -1e9f;
     const Surroundings things = surroundings();
@@ -109,6 +134,7 @@ Vec3f Layout::camera_position() const {
 
 // The place by boxes, if all is seen from there; else the best of places some steps apart.
 Vec3f Layout::viewpoint() const {
+    if (looks_along()) return camera_position();
     Vec3f best = camera_position();
     const std::size_t hidden = unseen(best).size();
     if (hidden == 0) return best;

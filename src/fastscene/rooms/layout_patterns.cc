@@ -245,6 +245,7 @@ void place_lights(Placement& p, const RecipeStep& step, int) {
             if (!lights.open()) return;
             const Vec2f at{plan.width * ((static_cast<float>(i) + 0.5f) / static_cast<float>(columns) - 0.5f),
                            plan.depth * ((static_cast<float>(j) + 0.5f) / static_cast<float>(rows) - 0.5f)};
+            if (std::abs(at.x) < step.aisle_m / 2) continue;
             const PromptObject* wish = p.wishes().next(thing);
             PieceRequest request = p.layout().request(thing, wish);
             if (step.fill)
@@ -278,8 +279,8 @@ std::span<const StepKind> pattern_kinds() {
          place_counter},
         {"line", {"thing", "first_asked", "probability", "pitch_m", "gap_m", "side_m"}, true, {}, place_line},
         {"run",
-         {"thing", "first_asked", "other", "thing_share", "probability", "walls", "gap_m", "side_m", "off_m", "block",
-          "most", "alike", "then"},
+         {"thing", "first_asked", "other", "thing_share", "probability", "walls", "gap_m", "side_m", "off_m",
+          "length_m", "block", "most", "alike", "then"},
          false,
          {},
          place_run},
@@ -295,7 +296,7 @@ std::span<const StepKind> pattern_kinds() {
          {},
          place_bare},
         {"corners", {"thing", "first_asked", "probability", "then"}, false, {}, place_corners},
-        {"lights", {"thing", "first_asked", "probability", "pitch_m", "fill"}, false, {}, place_lights},
+        {"lights", {"thing", "first_asked", "probability", "pitch_m", "aisle_m", "fill"}, false, {}, place_lights},
     }};
     return all;
 }

@@ -17,7 +17,10 @@ Placement::Placement(Layout& layout) : l_(layout), wishes_(layout.spec()), clutt
     if (is_left() || !is_furnished() || spec.clutter == "minimal") clutter_ = 0.f;
 }
 
-bool Placement::is_furnished() const { return !is_one_of(l_.spec().clutter, {"empty", "renovation"}); }
+// An empty bus is one without people.
+bool Placement::is_furnished() const {
+    return l_.plan().cabin || !is_one_of(l_.spec().clutter, {"empty", "renovation"});
+}
 bool Placement::is_left() const { return is_one_of(l_.spec().clutter, {"abandoned", "moving"}); }
 
 void Placement::place_the_rest() {

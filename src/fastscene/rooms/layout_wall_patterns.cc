@@ -11,6 +11,7 @@ void place_run(Placement& p, const RecipeStep& step, int) {
     const std::string thing = thing_of(step, p);
     Pattern run(p, thing, step.alike);
     if (!run.open() || !is_due(p, step, thing)) return;
+    if (step.length_m > 0) run.sized({step.length_m, 0, 0});
     constexpr float kTry = 0.1f;
     int placed = 0;
     for (const int wall : step.walls) {

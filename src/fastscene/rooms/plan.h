@@ -23,8 +23,9 @@ inline constexpr float kWallThickness = 0.22f;
 // A window's sill: how far it reaches into the room, beside the window, and how thick it is. A column's capital: how
 // far it stands proud.
 inline constexpr float kSillReach = 0.04f, kSillBeside = 0.05f, kSillThickness = 0.03f, kCapitalReach = 0.025f;
-inline constexpr float kRevealDepth = 0.12f;  // of a window: from the wall's face to the frame
-inline constexpr float kBeamDepth = 0.18f;    // from the ceiling down
+inline constexpr float kPanelThickness = 0.06f;  // of a cabin's walls
+inline constexpr float kRevealDepth = 0.12f;     // of a window: from the wall's face to the frame
+inline constexpr float kBeamDepth = 0.18f;       // from the ceiling down
 inline constexpr float kBeamWidth = 0.16f;
 
 // How far a tray ceiling steps down along the walls, and how wide that border is.
@@ -39,7 +40,8 @@ struct Opening {
     int wall = 0;
     float u0 = 0, u1 = 0, y0 = 0, y1 = 0;  // of the box about it, whatever its shape
     bool requested = false;
-    enum class Shape : unsigned char { square, arched, round } shape = Shape::square;
+    enum class Shape : unsigned char { square, arched, round, rounded } shape = Shape::square;  // rounded: its corners
+    Glazing glazing = Glazing::window;
 };
 // How high an arch rises above where it springs; a wide one is flatter than half a circle, and legs are left below it.
 inline float arch_rise(const Opening& o) {
@@ -92,6 +94,9 @@ struct Plan {
     bool coffers = false;             // a grid of beams in the color of the trim
     bool bay = false;                 // the recess of the far wall is all window
     WallRelief relief = WallRelief::flat;
+    bool cabin = false;      // of a vehicle or a lift: thin panels, no skirting, panes in rubber
+    float cove = 0;          // radius of the curve between walls 1 and 3 and the ceiling
+    bool tunnel = false;     // the room is in one
     bool panelling = false;  // walls are panelled to the height of a chair's back
     std::vector<Block> blocks;
     std::vector<PromptObject> asked_parts;  // what of is_shell the prompt asks for
@@ -103,6 +108,7 @@ struct Plan {
     bool joined = false;                   // this is such a next room: its near wall (2) is built by the other
 
     WallFace wall(int i) const;
+    float wall_thickness() const { return cabin ? kPanelThickness : kWallThickness; }
     const Material& wall_material(int i) const;
     // What the prompt says of a part of the shell, or nothing.
     const PromptObject* asked(std::string_view kind) const;

@@ -83,7 +83,10 @@ const PromptObject* Plan::asked(std::string_view kind) const {
 }
 
 float Plan::ceiling_at(Vec2f p) const {
-    if (!(knee > 0)) return height;
+    if (!(knee > 0)) {
+        const float in = cove - std::max(0.f, width / 2 - std::abs(p.x));  // how far within the curve's box
+        return in > 0 ? height - cove + std::sqrt(std::max(0.f, cove * cove - in * in)) : height;
+    }
     return std::min(height, knee + std::max(0.f, width / 2 - std::abs(p.x)) * (height - knee) / slope_run);
 }
 

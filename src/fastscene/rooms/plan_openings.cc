@@ -67,15 +67,15 @@ bool add_window_pair(const PromptSpec& spec, Plan& plan, const PromptObject* wis
 // One after the other along whole walls: a church, a classroom, a shop's front.
 void add_regular_windows(const RoomWindows& like, Plan& plan) {
     constexpr float kLintelAbove = 0.2f, kCorner = 0.45f, kNarrowestPane = 0.4f;
-    for (const int wall : like.walls) {
-        const auto [low, high] = plan.free_span(wall, 2.1f);
-        const float from = wall == 2 ? low + kClearOfDoor : low + kCorner, to = high - kCorner, length = to - from;
+    const auto add = [&](int wall, float from, float to) {
+        const float length = to - from;
         const int count = std::max(1, static_cast<int>((length + like.every_m - like.width_m) / like.every_m));
         const float wide = std::min(like.width_m, length / static_cast<float>(count) - 0.1f);
-        if (wide < kNarrowestPane) continue;
+        if (wide < kNarrowestPane) return;
         for (int i = 0; i < count; ++i) {
             Opening window;
             window.wall = wall;
+            if (plan.cabin) window.shape = Opening::Shape::rounded;
             const float middle = from + length * (static_cast<float>(i) + 0.5f) / static_cast<float>(count);
             window.u0 = middle - wide / 2, window.u1 = middle + wide / 2;
             window.y1 = std::min(plan.height - kLintelAbove, like.head_m);
@@ -87,6 +87,45 @@ void add_regular_windows(const RoomWindows& like, Plan& plan) {
             }
             plan.openings.push_back(window);
         }
+    };
+    for (const int wall : like.walls) {
+        const auto [low, high] = plan.free_span(wall, 2.1f);
+        if (!plan.cabin) {
+            add(wall, wall == 2 ? low + kClearOfDoor : low + kCorner, high - kCorner);
+            continue;
+        }
+        // Between what is glazed already, with posts beside it.
+        constexpr float kPost = 0.14f;
+        std::vector<std::pair<float, float>> taken{{high, high}};
+        for (const Opening& o : plan.openings)
+            if (o.wall == wall) taken.push_back({o.u0, o.u1});
+        std::sort(taken.begin(), taken.end());
+        float from = low;
+        for (const auto& [u0, u1] : taken) {
+            if (u0 - from > kPost) add(wall, from + kPost, u0 - kPost);
+            from = u1;
+        }
+    }
+}
+
+// The screen and the doors of a vehicle.
+void add_glazed_parts(const RoomWindows& like, Plan& plan) {
+    constexpr float kBeside = 0.1f, kAbove = 0.1f;
+    for (const GlazedPart& part : like.glazed) {
+        const float length = plan.wall(part.wall).length,
+                    wide = std::min(part.width_m > 0 ? part.width_m : length, length - 2 * kBeside);
+        for (const float place : part.places) {
+            // u runs from the right end as seen from inside: on wall 1 that is the far one.
+            const float middle = std::clamp(length * (part.wall == 1 ? place : 1 - place), wide / 2 + kBeside,
+                                            length - wide / 2 - kBeside);
+            Opening o;
+            o.wall = part.wall;
+            o.glazing = part.glazing;
+            if (!is_doors(part.glazing)) o.shape = Opening::Shape::rounded;
+            o.u0 = middle - wide / 2, o.u1 = middle + wide / 2;
+            o.y0 = part.sill_m, o.y1 = std::min(part.head_m, plan.height - kAbove);
+            plan.openings.push_back(o);
+        }
     }
 }
 
@@ -95,8 +134,13 @@ void add_regular_windows(const RoomWindows& like, Plan& plan) {
 void add_windows(PromptSpec& spec, Plan& plan, Random& rng) {
     const PromptObject* wish = wish_for(spec, "window");
     if (wish_for(spec, "window", true)) return;
-    if (const RoomWindows& like = room_type(spec.room).windows; like.regular && !wish && !(plan.knee > 0))
-        return add_regular_windows(like, plan);
+    if (const RoomWindows& like = room_type(spec.room).windows;
+        like.regular && (!wish || plan.cabin) && !(plan.knee > 0)) {
+        add_glazed_parts(like, plan);
+        add_regular_windows(like, plan);
+        for (Opening& o : plan.openings) o.requested = wish != nullptr;
+        return;
+    }
     const AtWindows asked = at_windows(spec);
     const bool paired = asked.between && (!wish || wish->count <= 2) && !(plan.knee > 0);
     if (paired && add_window_pair(spec, plan, wish, rng)) {
@@ -183,7 +227,7 @@ void add_windows(PromptSpec& spec, Plan& plan, Random& rng) {
 }
 
 void add_door(PromptSpec& spec, Plan& plan, Random& rng) {
-    if (wish_for(spec, "door", true)) return;
+    if (wish_for(spec, "door", true) || !room_type(spec.room).door) return;
     Opening door;
     door.kind = Opening::Kind::door;
     door.wall = 2;

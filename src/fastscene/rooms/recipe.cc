@@ -17,6 +17,7 @@ using furnishing::StepKind;
 constexpr double kMostPull = 5, kLeastGap = -1, kMostGap = 3, kLongest = 6;  // the latter in metres
 constexpr int kMostTimes = 20, kMostPieces = 99;
 constexpr double kLongestRun = 12;  // metres
+constexpr double kWidestPitch = 20;  // metres: one vault over a whole hall
 
 // Keys that every step may have.
 constexpr std::string_view kEveryStep[] = {"do",        "only_asked",    "if_asked",     "if_not_asked",  "if_to_place",
@@ -123,7 +124,7 @@ class StepReader {
             for (const std::string& name : t_.texts("walls"))
                 s_.walls.push_back(static_cast<int>(t_.choice_of("walls", name, file_fields::kWallNames)));
         }
-        s_.pitch_m = number("pitch_m", s_.pitch_m, 0.2, kLongest);
+        s_.pitch_m = number("pitch_m", s_.pitch_m, 0.2, kWidestPitch);
         s_.aisle_m = number("aisle_m", s_.aisle_m, 0, kLongest);
         s_.side_m = number("side_m", s_.side_m, 0, kLongest);
         s_.front_m = number("front_m", s_.front_m, 0, kLongestRun);

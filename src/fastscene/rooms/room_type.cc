@@ -52,7 +52,8 @@ const std::vector<std::string>& keys_of_types() {
                                                "own_things",     "table",        "table_when_near", "cooks",
                                                "upright_chairs", "per_person",   "most_people",     "mess",
                                                "meanings",       "size",         "shape",           "windows",
-                                               "touches",        "furnished_as", "recipe"};
+                                               "touches",        "furnished_as", "recipe",          "glazed",
+                                               "look_along"};
     return keys;
 }
 
@@ -95,6 +96,7 @@ class TypeReader {
 
     void read_styles() {
         t_.look_at = one_thing("look_at");
+        if (top_.has("look_along")) t_.look_along = share(top_, "look_along");
         t_.styles = top_.texts("styles");
         const std::vector<std::string> known = styles();
         for (std::size_t i = 0; i < t_.styles.size(); ++i)
@@ -119,7 +121,7 @@ class TypeReader {
         const TomlTable shape = table(
             "shape", {"breast_probability", "corner_probability", "bay_probability", "alcove_probability",
                       "doorway_probability", "sloped_ceiling", "high_ceiling", "coffers", "panelling", "accent_wall",
-                      "wall_tiles", "wall_relief", "middle_door", "beams"});
+                      "wall_tiles", "wall_relief", "middle_door", "beams", "door", "cabin", "cove_m"});
         t_.breast_probability = share(shape, "breast_probability");
         t_.corner_probability = share(shape, "corner_probability");
         t_.bay_probability = share(shape, "bay_probability");
@@ -133,6 +135,10 @@ class TypeReader {
         t_.accent_wall = shape.flag("accent_wall", t_.accent_wall);
         t_.wall_tiles = shape.flag("wall_tiles", t_.wall_tiles);
         t_.middle_door = shape.flag("middle_door", t_.middle_door);
+        t_.door = shape.flag("door", t_.door);
+        t_.cabin = shape.flag("cabin", t_.cabin);
+        constexpr double kWidestCove_m = 1;
+        t_.cove_m = static_cast<float>(shape.number("cove_m", t_.cove_m, 0, kWidestCove_m));
         if (shape.has("wall_relief")) t_.wall_relief = file_fields::choice<WallRelief>(shape, "wall_relief");
     }
 
@@ -151,14 +157,37 @@ class TypeReader {
         w.round = t.flag("round", false);
     }
 
+    void read_glazed() {
+        constexpr double kWidest_m = 6, kHighest_m = 6;
+        for (const toml::table* part : top_.tables("glazed")) {
+            const TomlTable t(*part, top_.file(), "[[glazed]]",
+                              {"glazing", "wall", "places", "width_m", "sill_m", "head_m"});
+            GlazedPart g;
+            g.glazing = file_fields::choice<Glazing>(t, "glazing");
+            g.wall = static_cast<int>(t.needed_choice("wall", file_fields::kWallNames));
+            for (const double place : t.numbers("places")) {
+                if (!(place >= 0 && place <= 1)) t.fail("places", fmt::format("expected 0 to 1, found {}", place));
+                g.places.push_back(static_cast<float>(place));
+            }
+            if (g.places.empty()) g.places = {0.5f};
+            g.width_m = static_cast<float>(t.number("width_m", 0, 0, kWidest_m));
+            g.sill_m = static_cast<float>(t.needed_number("sill_m", 0, kHighest_m));
+            g.head_m = static_cast<float>(t.needed_number("head_m", 0.5, kHighest_m));
+            t_.windows.glazed.push_back(std::move(g));
+        }
+    }
+
     void read_windows() {
+        read_glazed();
         if (!top_.has("windows")) return;
         constexpr double kHighestSill = 2;
-        const TomlTable t = table("windows", {"size", "count", "second_probability", "first_on_far_wall",
-                                              "least_sill_m", "sill_beyond_doorway_m", "outlook", "outlook_probability",
-                                              "walls", "every_m", "width_m", "sill_m", "head_m", "arched", "round"});
+        const TomlTable t = table(
+            "windows", {"size", "count", "second_probability", "first_on_far_wall", "least_sill_m",
+                        "sill_beyond_doorway_m", "outlook", "outlook_probability", "walls", "every_m", "width_m",
+                        "sill_m", "head_m", "arched", "round", "tunnel"});
         RoomWindows& w = t_.windows;
         read_regular_windows(t);
+        w.tunnel = t.flag("tunnel", w.tunnel);
         if (t.has("size")) w.size = file_fields::choice<WindowSize>(t, "size");
         w.count = t.whole("count", w.count, 0, 4);
         w.second_probability = share_or(t, "second_probability", w.second_probability);

@@ -17,6 +17,21 @@ namespace fastscene {
 enum class WindowSize : unsigned char { usual, small, large };
 template <>
 inline constexpr std::array<std::string_view, 3> kNamesOf<WindowSize>{"usual", "small", "large"};
+// What stands in an opening that is glazed: a window; of cabins also the screen before the driver, and pairs of doors.
+enum class Glazing : unsigned char { window, windscreen, folding_doors, sliding_doors };
+template <>
+inline constexpr std::array<std::string_view, 4> kNamesOf<Glazing>{"window", "windscreen", "folding doors",
+                                                                   "sliding doors"};
+inline bool is_doors(Glazing g) { return g == Glazing::folding_doors || g == Glazing::sliding_doors; }
+// Glazed parts of a cabin's wall that stand at certain places.
+struct GlazedPart {
+    Glazing glazing = Glazing::windscreen;
+    int wall = 0;
+    std::vector<float> places;  // of their middles, from 0 at the far end of a side wall to 1; of others: from the left
+    float width_m = 0;          // 0: the whole wall
+    float sill_m = 0, head_m = 2;
+};
+
 struct RoomWindows {
     WindowSize size = WindowSize::usual;
     int count = 0;  // 0: one, or two with second_probability
@@ -32,6 +47,8 @@ struct RoomWindows {
     bool round = false;                // portholes, as high as they are wide
     std::optional<Sky::View> outlook;  // what they show; nothing: as the style has it
     float outlook_probability = 0;
+    bool tunnel = false;             // the room is in one: nothing but its wall is seen, and no daylight comes in
+    std::vector<GlazedPart> glazed;  // before the regular ones, which stand between them
 };
 
 // What walls are built of, where that is more than their material: logs that lie one on the other, rough rock.
@@ -70,6 +87,7 @@ struct RoomType {
     std::string second_room;                // "a second room" of no named type is one of these
     std::vector<std::string> styles;        // that suit it; empty: any
     std::string look_at;                    // the thing that the first view looks at
+    std::optional<float> look_along;        // it looks along the room to the far wall, from this share of its depth
     bool house = false;                     // other rooms may be in it: "a bedroom in a log cabin"
     std::string kind_of;                    // "kids" is a kind of "bedroom": who names both means one room
     bool sloped_ceiling = false;            // lies below a roof
@@ -79,6 +97,9 @@ struct RoomType {
     bool panelling = true;                  // its walls may be panelled
     bool accent_wall = true;                // one wall may have a paint of its own
     bool middle_door = false;               // the door is in the middle of its wall, not at an end
+    bool door = true;                       // has a door of houses
+    bool cabin = false;                     // of a vehicle or a lift: thin panels, no skirting, panes in rubber
+    float cove_m = 0;                       // radius of the curve between its side walls and its ceiling
     WallRelief wall_relief = WallRelief::flat;
     bool wall_tiles = false;  // tiles that a prompt names are on its walls
     RoomWindows windows;

@@ -11,20 +11,6 @@ namespace {
 
 using namespace shell;
 
-// What an arched or round opening leaves of the box about it.
-void fill_corners(const WallBuilder& wall, const Opening& o, int material) {
-    if (o.shape == Opening::Shape::square) return;
-    const std::vector<Vec2f> inner = edge_of(o, 0);
-    std::vector<Vec2f> outer = inner;
-    const Vec2f middle{(o.u0 + o.u1) / 2, (o.y0 + o.y1) / 2}, half{(o.u1 - o.u0) / 2, (o.y1 - o.y0) / 2};
-    for (Vec2f& p : outer) {
-        const Vec2f d = p - middle;
-        if (o.shape == Opening::Shape::arched) p.y = o.y1;
-        else p = middle + d * (1.f / std::max(std::abs(d.x) / half.x, std::abs(d.y) / half.y));
-    }
-    wall.band(inner, outer, -kWallThickness, 0, material);
-}
-
 // Walls of logs or rock: their crests are in the wall's face, all else lies behind it, so that what stands or hangs at
 // a wall needs to know nothing of it.
 constexpr float kLogGroove = 0.06f, kRockDepth = 0.16f;
@@ -79,7 +65,7 @@ void build_wall(const Plan& plan, int index, Room& room, int material) {
     const WallFace face = plan.wall(index);
     const WallBuilder wall(face, room);
     // Far and near walls reach over the corners, so that the shell is closed.
-    const float over = index % 2 == 0 ? kWallThickness : 0.f;
+    const float over = index % 2 == 0 ? plan.wall_thickness() : 0.f;
     std::vector<Opening> holes;
     for (const Opening& o : plan.openings)
         if (o.wall == index && o.kind != Opening::Kind::door) holes.push_back(o);
@@ -88,7 +74,7 @@ void build_wall(const Plan& plan, int index, Room& room, int material) {
     const float top = plan.knee > 0 && index % 2 == 1 ? plan.knee + 0.02f : plan.height;
     const float behind = relief_depth(plan);
     const auto solid = [&](float u0, float u1, float y0, float y1) {
-        wall.box(u0, u1, y0, y1, -kWallThickness, -behind, material);
+        wall.box(u0, u1, y0, y1, -plan.wall_thickness(), -behind, material);
         if (!(behind > 0 && y1 > y0)) return;
         const float from = std::max(u0, 0.f), to = std::min(u1, face.length);
         if (!(to > from)) return;
@@ -107,7 +93,7 @@ void build_wall(const Plan& plan, int index, Room& room, int material) {
             for (const auto& [from, to] : {std::pair{hole.y0 - kJamb, hole.y0}, {hole.y1, hole.y1 + kJamb}})
                 wall.box(hole.u0 - kJamb, hole.u1 + kJamb, std::max(from, 0.f), to, -behind, 0, material);
         }
-        fill_corners(wall, hole, material);
+        fill_corners(wall, hole, -plan.wall_thickness(), 0, material, -1);
         u = hole.u1;
     }
     solid(u, face.length + over, 0, top);
@@ -144,6 +130,28 @@ void merge(Room& room, Room part, const Rigid& room_from_part) {
 }  // namespace
 
 namespace shell {
+
+void fill_corners(const WallBuilder& wall, const Opening& o, float w0, float w1, int material, int object) {
+    if (o.shape == Opening::Shape::square) return;
+    const std::vector<Vec2f> inner = edge_of(o, 0);
+    if (o.shape == Opening::Shape::rounded) {
+        const std::array<Vec2f, 4> corners{Vec2f{o.u1, o.y1}, {o.u0, o.y1}, {o.u0, o.y0}, {o.u1, o.y0}};
+        for (std::size_t i = 0; i < 4; ++i) {
+            const auto from = inner.begin() + static_cast<std::ptrdiff_t>(i * (kCornerSteps + 1));
+            wall.band({from, from + kCornerSteps + 1}, std::vector(kCornerSteps + 1, corners[i]), w0, w1, material,
+                      object);
+        }
+        return;
+    }
+    std::vector<Vec2f> outer = inner;
+    const Vec2f middle{(o.u0 + o.u1) / 2, (o.y0 + o.y1) / 2}, half{(o.u1 - o.u0) / 2, (o.y1 - o.y0) / 2};
+    for (Vec2f& p : outer) {
+        const Vec2f d = p - middle;
+        if (o.shape == Opening::Shape::arched) p.y = o.y1;
+        else p = middle + d * (1.f / std::max(std::abs(d.x) / half.x, std::abs(d.y) / half.y));
+    }
+    wall.band(inner, outer, w0, w1, material, object);
+}
 
 void WallBuilder::band(const std::vector<Vec2f>& inner, const std::vector<Vec2f>& outer, float w0, float w1,
                        int material, int object) const {
@@ -184,6 +192,19 @@ void WallBuilder::band(const std::vector<Vec2f>& inner, const std::vector<Vec2f>
 }
 
 std::vector<Vec2f> edge_of(const Opening& o, float grow) {
+    if (o.shape == Opening::Shape::rounded) {
+        constexpr float kRadius = 0.11f;
+        const float r = std::min({kRadius, 0.4f * (o.u1 - o.u0), 0.4f * (o.y1 - o.y0)});
+        std::vector<Vec2f> out;
+        for (int corner = 0; corner < 4; ++corner)
+            for (int i = 0; i <= kCornerSteps; ++i) {
+                const float a = 0.5f * kPi * (static_cast<float>(corner) + static_cast<float>(i) / kCornerSteps);
+                const Vec2f middle{corner == 0 || corner == 3 ? o.u1 - r : o.u0 + r, corner < 2 ? o.y1 - r : o.y0 + r};
+                out.push_back(middle + Vec2f{std::cos(a), std::sin(a)} * (r + grow));
+            }
+        out.push_back(out.front());
+        return out;
+    }
     const bool round = o.shape == Opening::Shape::round;
     const int steps = round ? 64 : 32;  // corners of a square about a circle are among them
     const float rise = round ? (o.y1 - o.y0) / 2 : arch_rise(o), span = (o.u1 - o.u0) / 2;
@@ -253,6 +274,8 @@ void build_shell(const Plan& plan, Room& room) {
     build_openings(plan, m, room);
     if (plan.knee > 0) build_skylights(plan, m, room);
     build_trim(plan, m, room);
+    if (plan.cove > 0) build_cove(plan, m.ceiling, room);
+    if (plan.tunnel) build_tunnel(plan, room);
     if (plan.next) {
         Room next;
         next.seed = room.seed + 1;

@@ -37,6 +37,10 @@ class WallBuilder {
 // or all around.
 std::vector<Vec2f> edge_of(const Opening& o, float grow);
 
+// What an arched, round or rounded opening leaves of the box about it, from depth w0 to w1.
+void fill_corners(const WallBuilder& wall, const Opening& o, float w0, float w1, int material, int object);
+inline constexpr int kCornerSteps = 6;  // of the arc in a rounded corner
+
 // Indices of the shell's materials in room.materials.
 struct Materials {
     int wall, accent, trim, floor, ceiling;
@@ -58,6 +62,16 @@ inline constexpr float kHair_m = 0.001f;
 // The parts of a face that no opening of these kinds takes between heights y0 and y1, with `margin` beside openings.
 std::vector<std::pair<float, float>> between_openings(const Plan& plan, const WallFace& face, float y0, float y1,
                                                       float margin);
+
+// A ring about an opening that is not square, from `inside` to `outside` metres of its edge.
+inline void ring(const WallBuilder& wall, const Opening& o, float inside, float outside, float w0, float w1,
+                 int material, int object) {
+    wall.band(edge_of(o, inside), edge_of(o, outside), w0, w1, material, object);
+}
+// Panes in rubber and doors of glass; the curve below the ceiling; the tunnel outside: shell_cabin.cc.
+void build_cabin_opening(const Plan& plan, const Opening& o, const WallBuilder& wall, Room& room, int object);
+void build_cove(const Plan& plan, int material, Room& room);
+void build_tunnel(const Plan& plan, Room& room);
 
 void build_openings(const Plan& plan, const Materials& materials, Room& room);   // windows, doors, doorways
 void build_skylights(const Plan& plan, const Materials& materials, Room& room);  // with the slopes they are in

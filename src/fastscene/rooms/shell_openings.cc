@@ -39,12 +39,6 @@ std::pair<float, float> extent_at(const Opening& o, float u) {
     return {round ? o.y1 - rise - lift : o.y0, o.y1 - rise + lift};
 }
 
-// A ring about an arched or round opening, from `inside` to `outside` metres of its edge.
-void ring(const WallBuilder& wall, const Opening& o, float inside, float outside, float w0, float w1, int material,
-          int object) {
-    wall.band(edge_of(o, inside), edge_of(o, outside), w0, w1, material, object);
-}
-
 // It covers the wall below the window.
 void build_sill(const Opening& o, const WallBuilder& wall, int material, int object) {
     wall.box(o.u0 - kSillBeside, o.u1 + kSillBeside, o.y0 - kSillThickness, o.y0 + kHair_m, -kRevealDepth, kSillReach,
@@ -106,11 +100,14 @@ void build_shaped_window(const Plan& plan, const Opening& o, const WallBuilder& 
 void build_window(const Plan& plan, const Opening& o, Room& room, int trim) {
     const WallFace face = plan.wall(o.wall);
     const WallBuilder wall(face, room);
-    const int object = add_object(plan, room, "window", o, face, kWallThickness);
+    const int object = add_object(plan, room, is_doors(o.glazing) ? "door" : "window", o, face, plan.wall_thickness());
     const int frame = plan.asked("window") ? add_material(room, as_asked(plan, "window", plan.style.trim)) : trim;
     // The light comes in through the outer face of the wall; u x v points into the room.
-    add_portal(room, face.point(o.u0, o.y0) - face.inward * kWallThickness, face.along * (o.u1 - o.u0),
-               {0, o.y1 - o.y0, 0}, face.inward);
+    if (!plan.tunnel)
+        add_portal(room, face.point(o.u0, o.y0) - face.inward * plan.wall_thickness(), face.along * (o.u1 - o.u0),
+                   {0, o.y1 - o.y0, 0}, face.inward);
+    if (o.shape == Opening::Shape::rounded || is_doors(o.glazing))
+        return build_cabin_opening(plan, o, wall, room, object);
     if (o.shape != Opening::Shape::square) return build_shaped_window(plan, o, wall, room, frame, object);
     // Frame and bars stand in the outer half of the wall, so that there is a reveal inside.
     const float w0 = -0.17f, w1 = -kRevealDepth, bar = 0.05f;

@@ -252,7 +252,7 @@ void build_trim(const Plan& plan, const Materials& m, Room& room) {
     }
     for (const WallFace& face : plan.faces()) {
         if (plan.joined && face.wall == 2) continue;
-        if (plan.relief == WallRelief::flat) build_skirting(plan, face, room, m.trim);
+        if (plan.relief == WallRelief::flat && !plan.cabin) build_skirting(plan, face, room, m.trim);
         if (plan.panelling) build_panelling(plan, face, room, panel, panels);
     }
     build_columns(plan, room, m.trim);

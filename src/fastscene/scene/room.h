@@ -131,7 +131,7 @@ struct Sky {
     Vec3f sun_dir{0, -1, 0};              // world, unit, towards the sun (or the moon)
     Vec3f sun_irradiance{};               // on a surface facing it; zero = hidden
     Vec3f zenith{}, horizon{}, ground{};  // radiances
-    enum class View : std::uint8_t { garden, city, sea, mountains, forest } view = View::garden;
+    enum class View : std::uint8_t { garden, city, sea, mountains, forest, street } view = View::garden;
     bool snow = false;  // covers everything outside
     float seen =
         1.f;  // share of the outside's radiance shown to cameras, to reduce overexposure, as by a graduated filter

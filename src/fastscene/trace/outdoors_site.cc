@@ -133,13 +133,14 @@ Vec3f snow_albedo(Vec2f p, float footprint, std::uint32_t seed) {
 }
 
 World make_world(const Sky& sky, float facing) {
-    Site site(sky, facing);
+    Site site(sky, sky.view == Sky::View::street ? street_layout(facing) : Layout(facing));
     switch (sky.view) {
         case Sky::View::garden: lay_out_garden(site); break;
         case Sky::View::city: lay_out_city(site); break;
         case Sky::View::sea: lay_out_sea(site); break;
         case Sky::View::mountains: lay_out_mountains(site); break;
         case Sky::View::forest: lay_out_forest(site); break;
+        case Sky::View::street: lay_out_street(site); break;
     }
     return std::move(site.world);
 }

@@ -108,9 +108,10 @@ void build_rows(Site& site) {
                 right += kind.wide + 0.02f;
                 if (off_cross_street(middle) < kStreetHalf_m + 0.5f * kind.wide) continue;
                 const Vec2f near{std::max(0.f, std::abs(middle) - 0.5f * kind.wide),
-                                 std::max(0.f, std::abs(ahead) - 0.5f * kDeep_m)};
-                if (length(near) < kClear_m && side < 0 && row == 0) continue;
-                if (length(near) < 10) continue;
+                                 std::max(0.f, std::abs(ahead - site.stands) - 0.5f * kDeep_m)};
+                const bool inside = site.stands == 0;  // of a building, which is not seen
+                if (inside && length(near) < kClear_m && side < 0 && row == 0) continue;
+                if (inside && length(near) < 10) continue;
                 site.world.stand(kind.mesh, site.place(middle, ahead), site.facing + (side > 0 ? 0 : kPi),
                                  {1, r.uniform(0.94f, 1.06f), 1});
             }
@@ -217,17 +218,35 @@ void set_sail(Site& site) {
 
 }  // namespace
 
-void lay_out_city(Site& site) {
-    site.world.eye_m = 11.f;
+Layout street_layout(float azimuth) {
+    constexpr float kLane_m = 0.6f;  // right of the middle of the road: clear of parked cars
+    return Layout(azimuth - 0.5f * kPi, kStreet_m - kLane_m);
+}
+
+namespace {
+
+void lay_out_streets(Site& site) {
     const std::uint32_t seed = site.sky.seed;
     const bool snow = site.sky.snow;
     site.world.height = [](Vec2f) { return 0.f; };
-    site.world.ground = [seed, snow, layout = Layout(site.facing)](Vec3f at, float footprint) {
+    site.world.ground = [seed, snow, layout = static_cast<const Layout&>(site)](Vec3f at, float footprint) {
         return street_albedo(layout.laid_out({at.x, at.z}), footprint, seed, snow);
     };
     build_rows(site);
     furnish_streets(site);
     spread_ground(site, 3000, 40, 90);
+}
+
+}  // namespace
+
+void lay_out_city(Site& site) {
+    site.world.eye_m = 11.f;
+    lay_out_streets(site);
+}
+
+void lay_out_street(Site& site) {
+    site.world.eye_m = 2.3f;  // of who stands in a bus
+    lay_out_streets(site);
 }
 
 void lay_out_mountains(Site& site) {

@@ -11,16 +11,20 @@
 
 namespace fastscene::outdoors {
 
-// Metres to the right and ahead of the main window.
+// Metres to the right and ahead of the main window; the viewer is `stands` metres ahead of their origin.
 struct Layout {
-    explicit Layout(float azimuth) : facing(azimuth), s(std::sin(azimuth)), c(std::cos(azimuth)) {}
-    Vec2f place(float right, float ahead) const { return {right * c + ahead * s, ahead * c - right * s}; }
-    Vec2f laid_out(Vec2f p) const { return {p.x * c - p.y * s, p.x * s + p.y * c}; }  // the inverse
-    float facing, s, c;
+    explicit Layout(float azimuth, float viewer_ahead = 0)
+        : facing(azimuth), s(std::sin(azimuth)), c(std::cos(azimuth)), stands(viewer_ahead) {}
+    Vec2f place(float right, float ahead) const {
+        const float off = ahead - stands;
+        return {right * c + off * s, off * c - right * s};
+    }
+    Vec2f laid_out(Vec2f p) const { return {p.x * c - p.y * s, p.x * s + p.y * c + stands}; }  // the inverse
+    float facing, s, c, stands;
 };
 
 struct Site : Layout {
-    Site(const Sky& from, float azimuth) : Layout(azimuth), sky(from), random(from.seed, "outdoors.site") {
+    Site(const Sky& from, const Layout& layout) : Layout(layout), sky(from), random(from.seed, "outdoors.site") {
         world.paints = standard_paints();
         const bool thick = sky.clouds > 0.9f;
         world.clear_m = sky.snow ? 420.f : thick ? 900.f : 2600.f;
@@ -55,6 +59,9 @@ Vec3f snow_albedo(Vec2f p, float footprint, std::uint32_t seed);
 void lay_out_garden(Site& site);
 void lay_out_forest(Site& site);
 void lay_out_city(Site& site);
+// The same city, seen from its main street.
+Layout street_layout(float azimuth);
+void lay_out_street(Site& site);
 void lay_out_mountains(Site& site);
 void lay_out_sea(Site& site);
 

@@ -157,6 +157,18 @@ TEST(Outdoors, FoliageIsSampledUntilItIsSmooth) {
     EXPECT_LT(std::sqrt(error), 0.17 * bright);
 }
 
+// Who looks ahead in a bus sees along the road, with walks at its sides; from a house the road runs across.
+TEST(Outdoors, AStreetRunsAhead) {
+    constexpr float kFootprint = 0.1f, kAsphalt = 0.12f;  // metres; albedo
+    const World street = make_world(day(Sky::View::street), 0), city = make_world(day(Sky::View::city), 0);
+    EXPECT_LT(street.eye_m, 3.f);
+    EXPECT_LT(street.ground({0.8f, 0, 20}, kFootprint).x, kAsphalt);
+    EXPECT_GT(street.ground({5.f, 0, 20}, kFootprint).x, kAsphalt);
+    EXPECT_GT(street.ground({-6.f, 0, 20}, kFootprint).x, kAsphalt);
+    EXPECT_LT(city.ground({9.f, 0, 15.5f}, kFootprint).x, kAsphalt);
+    EXPECT_GT(city.ground({9.f, 0, 19.f}, kFootprint).x, kAsphalt);
+}
+
 TEST(Outdoors, AnyNumberOfThreadsShowsTheSame) {
     const Sky sky = day(Sky::View::city);
     const auto pictured = [&](int threads) {

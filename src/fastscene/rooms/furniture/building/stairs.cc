@@ -189,12 +189,51 @@ void build_escalator(Kit& k) {
     k.piece.clearance_front_m = 1.2f;
 }
 
+namespace {
+
+// Steel that is brushed: it shines, and shows no picture of the room.
+Material brushed(const char* name, Vec3f tone) {
+    Material m = plain(name, tone, 0.42f);
+    m.metal = 0.35f;
+    return m;
+}
+
+// A digit of seven lit segments, by the middle of its lower edge.
+void lit_digit(Kit& k, int ink, int digit, Vec3f at, float high) {
+    constexpr std::array<unsigned, 10> kSegments{0x3f, 0x06, 0x5b, 0x4f, 0x66, 0x6d, 0x7d, 0x07, 0x7f, 0x6f};
+    const float wide = 0.5f * high, thick = 0.13f * high, half = 0.5f * high;
+    const std::array<std::pair<Vec2f, bool>, 7> places{{{{0, high - thick}, false},
+                                                        {{0.5f * wide, half}, true},
+                                                        {{0.5f * wide, 0}, true},
+                                                        {{0, 0}, false},
+                                                        {{-0.5f * wide, 0}, true},
+                                                        {{-0.5f * wide, half}, true},
+                                                        {{0, half - 0.5f * thick}, false}}};
+    for (std::size_t i = 0; i < places.size(); ++i) {
+        if (!(kSegments[static_cast<std::size_t>(digit)] >> i & 1u)) continue;
+        const auto& [p, upright] = places[i];
+        block(k, ink, at + Vec3f{p.x, p.y, 0}, upright ? Vec3f{thick, half, 0.003f} : Vec3f{wide, thick, 0.003f});
+    }
+}
+
+// An arrow that points up.
+void lit_arrow(Kit& k, int ink, Vec3f at, float high) {
+    block(k, ink, at, {0.16f * high, 0.7f * high, 0.003f});
+    for (const float side : {-1.f, 1.f})
+        slat(k, ink, at + Vec3f{side * 0.32f * high, 0.58f * high, 0}, at + Vec3f{0, 0.95f * high, 0}, 0.16f * high,
+             0.003f);
+}
+
+}  // namespace
+
 // The leaves of a lift's door in a steel frame, with a lamp that tells the floor.
 void build_elevator_doors(Kit& k) {
     const Vec3f s = k.wanted({1.3f, 2.1f, 0.07f});
-    const int leaf = k.main(steel()), frame = color(k, "frame", {0.3f, 0.3f, 0.31f}, 0.35f),
-              dark = color(k, "gap", {0.01f, 0.01f, 0.01f}, 0.7f), panel = color(k, "plate", {0.4f, 0.4f, 0.4f}, 0.3f);
-    Material number = glow("floor", {2.6f, 0.5f, 0.2f});
+    const int leaf = k.main(brushed("brushed steel", {0.5f, 0.505f, 0.51f})),
+              frame = k.material(brushed("door frame", {0.33f, 0.335f, 0.34f})),
+              dark = color(k, "gap", {0.01f, 0.01f, 0.01f}, 0.7f),
+              panel = color(k, "plate", {0.012f, 0.012f, 0.014f}, 0.2f);
+    Material number = glow("floor", {3.2f, 0.5f, 0.15f});
     number.pattern = Pattern::screen;
     const int lamp = k.material(std::move(number));
     const float w = 0.5f * (s.x - 0.2f), high = s.y - 0.22f;
@@ -204,32 +243,58 @@ void build_elevator_doors(Kit& k) {
     }
     block(k, dark, {0, 0, 0.034f}, {0.006f, high, 0.006f});
     k.board(frame, {0, high, 0.5f * s.z}, {s.x, s.y - high, s.z}, 0.006f);
-    block(k, panel, {0, high + 0.05f, s.z}, {0.3f, 0.12f, 0.006f});
-    block(k, lamp, {0, high + 0.075f, s.z + 0.004f}, {0.06f, 0.07f, 0.004f});
+    block(k, panel, {0, high + 0.04f, s.z}, {0.34f, 0.14f, 0.006f});
+    lit_digit(k, lamp, 2 + k.rng.index(8), {0.05f, high + 0.065f, s.z + 0.006f}, 0.09f);
+    lit_arrow(k, lamp, {-0.07f, high + 0.065f, s.z + 0.006f}, 0.09f);
+    // The sill, and the seams of the leaves.
+    block(k, frame, {0, 0, 0.045f}, {2 * w, 0.012f, 0.04f});
+    for (const float sx : {-1.f, 1.f})
+        block(k, frame, {sx * (w - 0.012f), 0.02f, 0.0345f}, {0.012f, high - 0.02f, 0.003f});
     k.piece.against_wall = true, k.piece.clearance_front_m = 0.5f;
 }
 
 // The plate with the buttons of the floors.
 void build_elevator_panel(Kit& k) {
-    const Vec3f s = k.wanted({0.3f, 1.3f, 0.03f});
-    const int plate = k.main(steel()), ring = color(k, "button ring", {0.2f, 0.2f, 0.2f}, 0.3f),
-              dark = color(k, "display", {0.01f, 0.01f, 0.01f}, 0.2f);
-    Material on = glow("button", {1.8f, 1.7f, 1.5f}), told = glow("display digit", {3.0f, 0.4f, 0.15f});
-    on.pattern = told.pattern = Pattern::screen;
-    const int light = k.material(std::move(on)), digit = k.material(std::move(told));
+    const Vec3f s = k.wanted({0.3f, 1.36f, 0.03f});
+    const int plate = k.main(brushed("button plate", {0.55f, 0.555f, 0.56f})),
+              ring = color(k, "button ring", {0.1f, 0.1f, 0.1f}, 0.3f),
+              dark = color(k, "display", {0.01f, 0.01f, 0.012f}, 0.2f),
+              ink = color(k, "number", {0.05f, 0.05f, 0.055f}, 0.5f);
+    const auto shining = [&](const char* name, Vec3f radiance) {
+        Material m = glow(name, radiance);
+        m.pattern = Pattern::screen;
+        return k.material(std::move(m));
+    };
+    const int pale = shining("button", {0.85f, 0.85f, 0.82f}), chosen = shining("chosen button", {3.4f, 1.3f, 0.12f}),
+              digit = shining("display digit", {3.2f, 0.5f, 0.15f}),
+              alarm = color(k, "alarm button", {0.6f, 0.03f, 0.02f}, 0.3f);
     k.board(plate, {0, 0, 0.5f * s.z}, s, 0.006f);
-    block(k, dark, {0, s.y - 0.2f, s.z}, {0.16f, 0.12f, 0.004f});
-    block(k, digit, {-0.02f, s.y - 0.18f, s.z + 0.002f}, {0.03f, 0.08f, 0.004f});
-    block(k, digit, {0.03f, s.y - 0.18f, s.z + 0.002f}, {0.03f, 0.08f, 0.004f});
-    for (int j = 0; j < 7; ++j)
+    block(k, dark, {0, s.y - 0.23f, s.z}, {0.2f, 0.16f, 0.004f});
+    const int floor = 2 + k.rng.index(7);
+    lit_digit(k, digit, floor, {0.035f, s.y - 0.205f, s.z + 0.004f}, 0.1f);
+    lit_arrow(k, digit, {-0.05f, s.y - 0.2f, s.z + 0.004f}, 0.09f);
+    constexpr int kRows = 6;
+    for (int j = 0; j < kRows; ++j)
         for (int i = 0; i < 2; ++i) {
-            const Vec3f at{0.07f * (i == 0 ? -1.f : 1.f), 0.14f + 0.12f * static_cast<float>(j), s.z};
-            for (const auto& [r, deep, material] : {std::tuple{0.035f, 0.008f, ring}, {0.026f, 0.012f, light}}) {
-                Mesh disc = shapes::prism(shapes::circle(r, 18), 0, deep, 0.002f);
+            const int number = 2 * j + i;
+            const Vec3f at{0.062f * (i == 0 ? -1.f : 1.f), 0.26f + 0.135f * static_cast<float>(j), s.z};
+            const int face = number == floor + 2 || number == 0 ? chosen : pale;
+            for (const auto& [r, deep, material] : {std::tuple{0.037f, 0.008f, ring}, {0.03f, 0.012f, face}}) {
+                Mesh disc = shapes::prism(shapes::circle(r, 20), 0, deep, 0.002f);
                 shapes::turn(disc, {1, 0, 0}, 90);
                 k.add(std::move(disc), material, at + Vec3f{0, 0, deep});
             }
+            const float z = s.z + 0.024f;
+            if (number < 10) lit_digit(k, ink, number, at + Vec3f{0, -0.014f, z - s.z}, 0.028f);
+            else
+                for (const auto& [d, x] : {std::pair{1, -0.01f}, {number - 10, 0.01f}})
+                    lit_digit(k, ink, d, at + Vec3f{x, -0.014f, z - s.z}, 0.026f);
         }
+    for (const float x : {-0.062f, 0.062f}) {
+        Mesh disc = shapes::prism(shapes::circle(0.032f, 20), 0, 0.014f, 0.003f);
+        shapes::turn(disc, {1, 0, 0}, 90);
+        k.add(std::move(disc), x < 0 ? alarm : ring, {x, 0.11f, s.z + 0.014f});
+    }
     k.piece.mount = Mount::wall, k.piece.hang_height_m = 0.75f;
 }
 
@@ -241,64 +306,6 @@ void build_handrail(Kit& k) {
     for (float x = -0.5f * s.x + 0.12f; x < 0.5f * s.x; x += std::max(0.4f, s.x - 0.24f))
         k.rod(metal, {x, 0.04f, 0.f}, {x, 0.04f, 0.07f}, 0.012f, -1, 8);
     k.piece.mount = Mount::wall, k.piece.hang_height_m = 0.88f;
-}
-
-// A shop seen from the walk before it: a glazed front, goods and figures behind it, its sign above.
-void build_shop_front(Kit& k) {
-    const Vec3f s = k.wanted({3.8f, 3.1f, 1.3f});
-    const Vec3f tone = k.request.color ? *k.request.color : k.accent();
-    const int
-        frame = k.main(plain("shop frame", tone * 0.5f, 0.35f)),
-        pane = k.material(glass()), wall = color(k, "shop wall", {0.66f, 0.64f, 0.6f}, 0.8f),
-        floor = k.material(k.style.wood), ink = k.material([&] {
-            Material m = glow("sign", tone / std::max(0.1f, max_component(tone)) * 2.4f + Vec3f{0.3f, 0.3f, 0.3f});
-            m.pattern = Pattern::screen;
-            return m;
-        }()),
-        strip = k.material([] {
-            Material m = glow("shop light", {6.5f, 6.f, 5.2f});
-            m.pattern = Pattern::screen;
-            return m;
-        }()),
-        dark = color(k, "fascia", {0.03f, 0.03f, 0.033f}, 0.4f);
-    const float back = -0.5f * s.z, front = 0.5f * s.z, sign = 0.6f, head = s.y - sign;
-    block(k, wall, {0, 0, back + 0.02f}, {s.x, head, 0.04f});
-    for (const float sx : {-1.f, 1.f}) {
-        block(k, wall, {sx * (0.5f * s.x - 0.03f), 0, 0}, {0.06f, head, s.z - 0.04f});
-        k.board(frame, {sx * (0.5f * s.x - 0.05f), 0, front - 0.06f}, {0.1f, head, 0.12f}, 0.006f);
-    }
-    k.board(floor, {0, 0, 0}, {s.x, 0.12f, s.z - 0.02f}, 0.004f);
-    k.board(dark, {0, head, 0}, {s.x, sign, s.z}, 0.006f);
-    k.board(strip, {0, head - 0.03f, back + 0.5f}, {s.x - 0.5f, 0.03f, 0.12f});
-    k.board(frame, {0, head - 0.1f, front - 0.06f}, {s.x, 0.1f, 0.12f}, 0.006f);
-    // The name.
-    float x = -0.32f * s.x;
-    const int letters = 5 + k.rng.index(4);
-    for (int i = 0; i < letters && x < 0.34f * s.x; ++i) {
-        const float wide = k.rng.uniform(0.14f, 0.22f);
-        block(k, ink, {x + 0.5f * wide, head + 0.18f, front + 0.01f}, {wide, 0.26f, 0.02f});
-        x += wide + 0.06f;
-    }
-    // Panes left and right of a door.
-    const float door = 1.1f, side = 0.5f * (s.x - 0.2f - door);
-    for (const float sx : {-1.f, 1.f}) {
-        const float wx = sx * (0.5f * door + 0.5f * side);
-        block(k, pane, {wx, 0.14f, front - 0.06f}, {side, head - 0.24f, 0.012f});
-        k.board(frame, {sx * 0.5f * door, 0, front - 0.06f}, {0.06f, head, 0.1f}, 0.005f);
-        // What is shown: shelves with goods, or figures.
-        if (k.rng.chance(0.5f)) {
-            const Goods goods = std::array{Goods::shoes, Goods::toys, Goods::books,
-                                           Goods::boxes}[static_cast<std::size_t>(k.rng.index(4))];
-            for (int level = 0; level < 4; ++level) {
-                const float y = 0.35f + 0.48f * static_cast<float>(level);
-                k.board(floor, {wx, y - 0.03f, back + 0.22f}, {side - 0.1f, 0.03f, 0.36f}, 0.003f);
-                stock(k, goods, wx - 0.5f * side + 0.1f, wx + 0.5f * side - 0.1f, y, 0.44f, back + 0.4f, 0.32f);
-            }
-        } else {
-            k.merge(k.small("mannequin"), {wx, 0.12f, 0.05f * sx});
-        }
-    }
-    k.piece.against_wall = true, k.piece.clearance_front_m = 1.2f;
 }
 
 // One bay of a groin vault: two barrels that cross, on four springers.

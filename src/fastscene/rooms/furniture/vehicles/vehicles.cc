@@ -147,13 +147,19 @@ void build_bicycle(Kit& k) {
 void build_train_seat(Kit& k) {
     const int cloth = k.main(tinted(k.style.fabric, {0.05f, 0.12f, 0.3f})),
               shell = color(k, "shell", {0.16f, 0.17f, 0.18f}, 0.4f), metal = k.material(steel()),
-              white = color(k, "head cloth", {0.7f, 0.69f, 0.66f}, 0.9f);
+              white = color(k, "head cloth", {0.7f, 0.69f, 0.66f}, 0.9f),
+              tray = color(k, "tray", {0.42f, 0.42f, 0.41f}, 0.45f),
+              net = color(k, "net", {0.03f, 0.03f, 0.035f}, 0.9f);
     k.board(shell, {0, 0, -0.02f}, {0.9f, 0.3f, 0.16f}, 0.02f);
     for (const float sx : {-1.f, 1.f}) {
         k.soft(cloth, {sx * 0.235f, 0.34f, 0.05f}, {0.45f, 0.13f, 0.48f}, {0.04f, 0.015f, 0.001f, 7});
         Mesh back = shapes::soft_box({0.45f, 0.78f, 0.13f}, {0.04f, 0.018f, 0.001f, 7, k.seed()}),
              head = shapes::box({0.3f, 0.2f, 0.012f}, 0.004f);
         shapes::turn(back, {1, 0, 0}, -8), shapes::turn(head, {1, 0, 0}, -8);
+        // Behind it, a tray that folds down, and a net.
+        k.board(tray, {sx * 0.225f, 0.76f, -0.352f}, {0.38f, 0.25f, 0.02f}, 0.008f);
+        k.board(shell, {sx * 0.225f, 1.02f, -0.352f}, {0.05f, 0.025f, 0.025f}, 0.008f);
+        k.board(net, {sx * 0.225f, 0.46f, -0.35f}, {0.34f, 0.2f, 0.014f}, 0.006f);
         k.add(std::move(back), cloth, {sx * 0.235f, 0.82f, -0.24f}),
             k.add(std::move(head), white, {sx * 0.235f, 1.07f, -0.205f}),
             k.board(shell, {sx * 0.485f, 0.55f, 0.02f}, {0.05f, 0.05f, 0.4f}, 0.015f);
@@ -163,13 +169,22 @@ void build_train_seat(Kit& k) {
     k.piece.clearance_front_m = 0.35f;
 }
 
-// A pole to hold on to, with loops.
+// A pole to hold on to, with a button.
 void build_grab_pole(Kit& k) {
-    const Vec3f s = k.wanted({0.1f, 2.1f, 0.1f});
-    const int metal = k.main(plain("pole", {0.6f, 0.42f, 0.03f}, 0.25f));
+    const Vec3f s = k.wanted({0.1f, 2.27f, 0.1f});
+    const int metal = k.main(plain("pole", {0.6f, 0.42f, 0.03f}, 0.25f)),
+              box = color(k, "stop box", {0.5f, 0.02f, 0.015f}, 0.35f),
+              button = color(k, "stop button", {0.65f, 0.63f, 0.58f}, 0.3f);
     k.rod(metal, {0, 0, 0}, {0, s.y, 0}, 0.018f, -1, 14);
     for (const float y : {0.f, s.y - 0.03f})
         k.add(shapes::prism(shapes::circle(0.05f, 18), y, y + 0.03f, 0.004f), metal);
+    // The button that asks the driver to stop, on both sides.
+    k.board(box, {0, 1.22f, 0}, {0.06f, 0.14f, 0.06f}, 0.016f);
+    for (const float side : {-1.f, 1.f}) {
+        Mesh disc = shapes::prism(shapes::circle(0.021f, 16), 0, 0.008f, 0.002f);
+        shapes::turn(disc, {1, 0, 0}, 90 * side);
+        k.add(std::move(disc), button, {0, 1.28f, side * 0.033f});
+    }
 }
 
 }  // namespace fastscene::furniture
