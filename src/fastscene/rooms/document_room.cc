@@ -172,6 +172,7 @@ class Builder {
         plan.beams = given.beams, plan.tray = given.tray, plan.neon = given.neon;
         plan.recessed_lights = given.recessed_lights, plan.coffers = given.coffers, plan.bay = given.bay;
         plan.relief = given.wall_relief;
+        plan.glazed = type.windows.glazed;
         plan.panelling = given.panelling;
         plan.accent = given.accent_wall.has_value();
         plan.accent_wall = given.accent_wall.value_or(0);

@@ -91,6 +91,7 @@ struct Plan {
     bool recessed_lights = false;     // small lamps sunk into the ceiling
     bool coffers = false;             // a grid of beams in the color of the trim
     bool bay = false;                 // the recess of the far wall is all window
+    bool glazed = true;               // windows have frames and panes; else they are the open arches of an arcade
     WallRelief relief = WallRelief::flat;
     bool panelling = false;  // walls are panelled to the height of a chair's back
     std::vector<Block> blocks;

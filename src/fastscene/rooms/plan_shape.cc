@@ -223,6 +223,7 @@ void shape_plan(PromptSpec& spec, Plan& plan, Random& rng) {
     }
     if (!plan.beams && rich && !(plan.knee > 0)) plan.coffers = type.coffers && rng.chance(0.6f);
     plan.relief = type.wall_relief;
+    plan.glazed = type.windows.glazed;
     plan.panelling = decide(spec, "wainscoting", old && type.panelling ? 0.6f : 0.f, rng);
 }
 

@@ -59,6 +59,8 @@ inline constexpr float kHair_m = 0.001f;
 std::vector<std::pair<float, float>> between_openings(const Plan& plan, const WallFace& face, float y0, float y1,
                                                       float margin);
 
+// A window without frame and panes: columns at its sides, the arch's moulding, a bench of stone below.
+void build_arcade_arch(const Opening& o, const WallFace& face, Room& room, int wall, int object);
 void build_openings(const Plan& plan, const Materials& materials, Room& room);   // windows, doors, doorways
 void build_skylights(const Plan& plan, const Materials& materials, Room& room);  // with the slopes they are in
 void build_trim(const Plan& plan, const Materials& materials,

@@ -100,7 +100,8 @@ template <>
 inline constexpr std::array<std::string_view, 2> kNamesOf<FloorLampForm>{"straight", "arc"};
 
 template <>
-inline constexpr std::array<std::string_view, 5> kNamesOf<Sky::View>{"garden", "city", "sea", "mountains", "forest"};
+inline constexpr std::array<std::string_view, 7> kNamesOf<Sky::View>{"garden", "city",     "sea",  "mountains",
+                                                                     "forest", "airfield", "court"};
 
 // The procedural patterns of materials.
 template <>

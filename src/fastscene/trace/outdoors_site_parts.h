@@ -57,5 +57,7 @@ void lay_out_forest(Site& site);
 void lay_out_city(Site& site);
 void lay_out_mountains(Site& site);
 void lay_out_sea(Site& site);
+void lay_out_airfield(Site& site);
+void lay_out_court(Site& site);
 
 }  // namespace fastscene::outdoors

@@ -22,16 +22,19 @@ void append(TextureWords& out, const TextureImage* picture) {
 
 TextureWords texture_words(std::span<const Material> materials) {
     TextureWords out;
-    for (const Material& m : materials)
+    for (const Material& m : materials) {
+        if (m.pattern == Pattern::screen) append(out, m.image.get());
         if (m.pattern == Pattern::image)
             for (const TextureImage* picture : {m.image.get(), m.normals.get(), m.metallic_roughness.get()})
                 append(out, picture);
+    }
     return out;
 }
 
 MaterialData material_data(const Material& m, const TextureWords& textures, std::uint64_t address) {
     const auto address_of = [&](const std::shared_ptr<const TextureImage>& picture) -> std::uint64_t {
-        if (m.pattern != Pattern::image || !picture) return 0;
+        const bool used = m.pattern == Pattern::image || (m.pattern == Pattern::screen && picture == m.image);
+        if (!used || !picture) return 0;
         return address + sizeof(std::uint32_t) * textures.first.at(picture.get());
     };
     MaterialData out{};
@@ -42,7 +45,8 @@ MaterialData material_data(const Material& m, const TextureWords& textures, std:
     out.pattern = static_cast<std::uint32_t>(m.pattern), out.seed = m.seed, out.variant = m.variant;
     out.image = address_of(m.image);
     out.normals = address_of(m.normals), out.metallic_roughness = address_of(m.metallic_roughness);
-    out.maps = (out.normals ? kHasNormals : 0) | (out.metallic_roughness ? kHasMetallicRoughness : 0);
+    out.maps = (out.normals ? kHasNormals : 0) | (out.metallic_roughness ? kHasMetallicRoughness : 0) |
+               (m.pattern == Pattern::screen && out.image ? kShowsPicture : 0);
     return out;
 }
 
