@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <tuple>
 #include <vector>
 
 #include "fastscene/trace/outdoors_buildings.h"
@@ -228,10 +229,11 @@ QuadMesh build_bridge(World& world, float stand, float paint_hue) {
         steel = world.add({Finish::matt, {0.3f, 0.3f, 0.29f}, {}, 0.1f});
     constexpr float kHigh = 2.6f, kSill = 3.3f;  // of the tunnel; of its floor at the door
     const float door_x = stand + 2.9f, door_z = kNose_m + 5.6f;
-    const Vec3f hub{stand + 12.f, kHallFloor_m - 0.6f, 12.f}, head{door_x, kSill, door_z};
+    const Vec3f hub{stand + 7.5f, kHallFloor_m - 0.6f, 14.f}, head{door_x, kSill, door_z};
     add_tube(mesh, {hub.x, 0, hub.z}, {hub.x, hub.y, hub.z}, 0.8f, 0.8f, 16, steel);
-    add_tube(mesh, hub, hub + Vec3f{0, kHigh + 0.3f, 0}, 2.1f, 2.1f, 22, wall);
-    add_tunnel(mesh, {hub.x + 3, hub.y, 6}, hub, 1.4f, kHigh, wall, pane);
+    for (const auto& [low, high, paint] : {std::tuple{0.f, 1.f, wall}, {1.f, 2.1f, pane}, {2.1f, kHigh + 0.3f, wall}})
+        add_tube(mesh, hub + Vec3f{0, low, 0}, hub + Vec3f{0, high, 0}, 1.8f, 1.8f, 22, paint);
+    add_tunnel(mesh, {hub.x + 2, hub.y, 8}, hub, 1.4f, kHigh, wall, pane);
     const Vec3f joint = lerp(hub, head, 0.55f);
     add_tunnel(mesh, hub, joint, 1.6f, kHigh + 0.25f, wall, pane);
     add_tunnel(mesh, joint, head, 1.35f, kHigh, wall, pane);

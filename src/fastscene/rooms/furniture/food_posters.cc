@@ -2,6 +2,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <span>
+#include <utility>
+#include <vector>
 
 #include "fastscene/rooms/furniture/print_designs.h"
 
@@ -195,6 +198,35 @@ void pasta(Patch& p, Random& rng, Vec2f c, float r) {
     beside_plate(p);
 }
 
+void rolls(Patch& p, Random& rng, Vec2f c, float r) {
+    p.disc(c + Vec2f{0.03f, -0.06f} * r, {1.1f * r, 0.86f * r}, {0.02f, 0.015f, 0.01f}, 0.5f);
+    p.disc(c, {1.1f * r, 0.84f * r}, {0.26f, 0.14f, 0.06f}), p.disc(c, {1.f * r, 0.74f * r}, {0.14f, 0.07f, 0.03f});
+    for (const Vec2f at :
+         {Vec2f{-0.56f, 0.3f}, {0.02f, 0.4f}, {0.58f, 0.28f}, {-0.36f, -0.08f}, {0.32f, -0.06f}, {-0.02f, -0.42f}}) {
+        const Vec2f o = c + at * r;
+        p.disc(o + Vec2f{0.02f, -0.04f} * r, {0.35f * r, 0.29f * r}, kDarkCrust * 0.6f);
+        p.disc(o, {0.33f * r, 0.27f * r}, kDarkCrust), p.disc(o + Vec2f{0, 0.03f} * r, {0.28f * r, 0.22f * r}, kCrust);
+        p.line(o + Vec2f{-0.2f, 0.02f} * r, o + Vec2f{0.2f, 0.06f} * r, 0.07f * r, kCrumb);
+        for (int i = 0; i < 12; ++i) p.disc(strewn(rng, o, 0.22f * r), {1.3f, 1.1f}, kCreamy, 0.8f);
+    }
+}
+void pretzel(Patch& p, Random& rng, Vec2f c, float r) {
+    // From one end, which lies on the lower bow, through the crossing, all around and back through it.
+    constexpr std::array<Vec2f, 15> kKnot{Vec2f{-0.46f, -0.52f}, {-0.22f, -0.16f}, {0.f, 0.1f},     {0.3f, 0.5f},
+                                          {0.66f, 0.62f},        {0.94f, 0.3f},    {0.84f, -0.24f}, {0.f, -0.68f},
+                                          {-0.84f, -0.24f},      {-0.94f, 0.3f},   {-0.66f, 0.62f}, {-0.3f, 0.5f},
+                                          {0.f, 0.1f},           {0.22f, -0.16f},  {0.46f, -0.52f}};
+    std::vector<Vec2f> path = shapes::curve(kKnot, 6);
+    for (Vec2f& at : path) at = c + at * r;
+    for (const auto& [wide, color] : {std::pair{0.34f, kDarkCrust * 0.5f}, {0.29f, kDarkCrust}, {0.18f, kCrust}})
+        for (std::size_t i = 0; i + 1 < path.size(); ++i) p.line(path[i], path[i + 1], wide * r, color);
+    for (int i = 0; i < 46; ++i) {
+        const Vec2f at = strewn(rng, path[static_cast<std::size_t>(rng.index(static_cast<int>(path.size())))],
+                                0.09f * r);
+        p.fill(at, at + Vec2f{2.6f, 2.2f}, kCreamy);
+    }
+}
+
 struct Dish {
     std::string_view word;
     void (*draw)(Patch&, Random&, Vec2f, float);
@@ -208,18 +240,24 @@ constexpr std::array<Dish, 8> kDishes{{{"FRESH BREAD", loaves},
                                        {"BREAKFAST", breakfast},
                                        {"PASTA", pasta}}};
 
-}  // namespace
+constexpr std::array<Dish, 4> kBaked{
+    {{"FRESH BREAD", loaves}, {"CAKES", cakes}, {"ROLLS", rolls}, {"PRETZELS", pretzel}}};
 
-void food_poster(Patch& p, Random& rng, const PrintStyle&) {
+void dish_poster(Patch& p, Random& rng, std::span<const Dish> dishes) {
     const Vec3f ground = varied(rng, one_of(rng, Colors(kTables))),
                 ink = luminance(ground) > 0.3f ? kPrintBlack : kPrintWhite;
     p.fill(ground);
     for (int i = 0; i < 9; ++i)
         p.fill({0, p.h * static_cast<float>(i) / 9}, {p.w, p.h * static_cast<float>(i) / 9 + 1.5f}, ground * 0.7f);
-    const Dish& dish = one_of(rng, std::span<const Dish>(kDishes));
+    const Dish& dish = one_of(rng, dishes);
     dish.draw(p, rng, spot(p, 0.5f, 0.43f), 0.36f * p.w);
     p.title(dish.word, 0.5f * p.w, 0.82f * p.h, 0.86f * p.w, 0.1f * p.h, ink);
     small_print(p, rng, spot(p, 0.25f, 0.04f), spot(p, 0.75f, 0.1f), 0.012f * p.h, ink);
 }
+
+}  // namespace
+
+void food_poster(Patch& p, Random& rng, const PrintStyle&) { dish_poster(p, rng, kDishes); }
+void bakery_poster(Patch& p, Random& rng, const PrintStyle&) { dish_poster(p, rng, kBaked); }
 
 }  // namespace fastscene::furniture

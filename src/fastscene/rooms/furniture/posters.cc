@@ -258,6 +258,7 @@ std::span<const PrintStyle> poster_styles() {
             {"notices", 4, 2, kWide, kHigh, kPaper, 0.5f, notice, kNoticeGrounds, kNoticeInks, kNoticeWords},
             {"fashion posters", 4, 2, kWide, kHigh, kPaper, 0.3f, fashion_poster, kFashionGrounds, kFashionInks,
              kFashionWords},
+            {"bakery posters", 4, 2, kWide, kHigh, kPaper, 0.35f, bakery_poster, {}, {}, {}},
         }};
     return all;
 }

@@ -28,7 +28,9 @@ const PrintStyle& style_of(Print print);
 std::span<const PrintStyle> goods_styles();   // print_designs.cc: from the first Print up to the posters
 std::span<const PrintStyle> poster_styles();  // posters.cc: the others
 
-void food_poster(Patch& p, Random& rng, const PrintStyle& s);  // food_posters.cc
+// food_posters.cc
+void food_poster(Patch& p, Random& rng, const PrintStyle& s);
+void bakery_poster(Patch& p, Random& rng, const PrintStyle& s);
 
 // ---- what designs share
 

@@ -15,9 +15,10 @@ void ridge(Patch& p, float base, float swing, float waves, float phase, Vec3f co
     }
 }
 void halo(Patch& p, Vec2f at, float radius, Vec3f color) {
-    for (int i = 8; i > 0; --i) {
-        const float r = radius * static_cast<float>(i) / 8;
-        p.disc(at, {r, r}, color, 0.07f);
+    constexpr int kDiscs = 28;
+    for (int i = kDiscs; i > 0; --i) {
+        const float t = static_cast<float>(i) / kDiscs, r = radius * t * t;
+        p.disc(at, {r, r}, color, 0.028f);
     }
 }
 void text_lines(Patch& p, Random& rng, Vec2f low, Vec2f high, float pitch, Vec3f ink) {

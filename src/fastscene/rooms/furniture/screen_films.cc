@@ -35,18 +35,19 @@ void sundown(Patch& p, Random& rng) {
 void night_street(Patch& p, Random& rng) {
     fade(p, {0, 0}, {p.w, p.h}, {0.06f, 0.09f, 0.15f}, {0.012f, 0.022f, 0.06f});
     halo(p, spot(p, 0.5f, 0.42f), 0.5f * p.h, {0.3f, 0.36f, 0.5f});
-    for (int i = 5; i >= 0; --i) {  // houses, nearer and nearer
-        const float near = 1.f / (1.f + static_cast<float>(i)), in = 0.46f * (1 - near), up = 0.42f + 0.6f * near;
-        const Vec3f wall = lerp(Vec3f{0.06f, 0.08f, 0.13f}, kShownBlack, near);
-        const float wide = 0.46f * near + 0.02f;
+    for (int i = 6; i >= 0; --i) {  // houses, nearer and nearer
+        const float near = 1.f / (1.6f + 0.9f * static_cast<float>(i)), edge = 0.5f - 0.44f * near;
+        const Vec3f wall = lerp(Vec3f{0.07f, 0.085f, 0.14f}, {0.012f, 0.013f, 0.02f}, std::min(1.f, 1.5f * near));
         for (const bool left : {true, false}) {
-            const float x0 = left ? in - 0.1f : 1.f - in - wide, x1 = left ? in + wide : 1.f - in + 0.1f;
-            p.fill(spot(p, x0, 0.36f - 0.4f * near), spot(p, x1, up + rng.uniform(-0.05f, 0.05f)), wall);
-            for (float y = 0.42f; y < up - 0.1f; y += 0.16f * near + 0.03f)
-                for (float x = x0 + 0.03f * near; x < x1 - 0.06f * near; x += 0.09f * near + 0.012f)
-                    if (rng.chance(0.4f))
-                        p.fill(spot(p, x, y), spot(p, x + 0.045f * near, y + 0.08f * near),
-                               Vec3f{0.95f, 0.6f, 0.2f} * rng.uniform(0.3f, 1.f));
+            const float up = 0.42f + near * rng.uniform(0.55f, 0.9f);
+            p.fill(spot(p, left ? 0.f : 1 - edge, 0.36f - 0.4f * near), spot(p, left ? edge : 1.f, up), wall);
+            for (float y = 0.44f; y < up - 0.06f; y += 0.13f * near + 0.02f)
+                for (float x = 0.02f * near; x < edge - 0.05f * near; x += 0.075f * near + 0.006f) {
+                    if (!rng.chance(0.4f)) continue;
+                    const float x0 = left ? edge - x - 0.04f * near : 1 - edge + x;
+                    p.fill(spot(p, x0, y), spot(p, x0 + 0.04f * near, y + 0.07f * near),
+                           Vec3f{0.95f, 0.6f, 0.2f} * rng.uniform(0.2f, 0.9f));
+                }
         }
     }
     // The wet street, with the light of lamps in it.

@@ -56,12 +56,12 @@ void build_projector_screen(Kit& k) {
     const Vec3f s = k.wanted({2.8f, 0, 0});
     const float w = s.x, h = s.y > 0 ? s.y : 0.5625f * w;
     const int border = k.main(plain("screen border", {0.02f, 0.02f, 0.02f}, 0.9f));
-    // Cloth, not glass: white and matt.
+    // Cloth, not glass: matt. Its own white would let the lamps of the room wash out the picture.
     constexpr Vec3f kProjected{1.9f, 1.85f, 1.8f};
     const int shown = lit_screen(k, k.request.pattern == kFilmPattern ? Shown::film : Shown::slides, kProjected,
                                  w - 0.12f);
     Material& cloth = k.piece.materials[static_cast<std::size_t>(shown)];
-    cloth.color_a = cloth.color_b = cloth.color_c = {0.5f, 0.5f, 0.5f}, cloth.roughness = 0.9f;
+    cloth.color_a = cloth.color_b = cloth.color_c = {0.06f, 0.06f, 0.06f}, cloth.roughness = 0.9f;
     k.board(border, {0, 0, 0.02f}, {w, h, 0.04f}, 0.006f);
     k.add(screen_box({w - 0.12f, h - 0.12f, 0.004f}), shown, {0, 0.06f, 0.042f});
     k.piece.mount = Mount::wall;

@@ -13,7 +13,8 @@ namespace {
 
 // Metres; z runs to the front.
 constexpr float kCarEnd_m = 2.1f, kAxle_m = 1.29f, kHub_m = 0.31f, kTyre_m = 0.31f, kArch_m = 0.365f,
-                kCarHalf_m = 0.86f;
+                kCarHalf_m = 0.86f,
+                kNose_m = 0.06f;  // how far nose and tail stand out in the middle
 constexpr float kCowl_m = 0.88f, kScreenTop_m = 0.1f, kRoofEnd_m = -1.3f, kHatch_m = -1.9f;
 
 // A line of the car: y by z.
@@ -85,13 +86,14 @@ struct CarBody {
     }
     // Hood, panes and roof; s from -1 to 1 across.
     Vec3f top(float z, float s, float out = 0) const {
-        const float y = edge_y(z);
-        return {s * edge_x(z), y + (crown(z) - y) * (1 - s * s * std::fabs(s)) + out, z};
+        const float y = edge_y(z),
+                    nose = kNose_m * (1 - s * s) * std::copysign(std::pow(std::fabs(z) / kCarEnd_m, 10.f), z);
+        return {s * edge_x(z), y + (crown(z) - y) * (1 - s * s * std::fabs(s)) + out, z + nose};
     }
     // Nose (end = 1) and tail (-1).
     Vec3f cap(float end, float s, float t, float out = 0) const {
         const Vec3f at = side(1, end * kCarEnd_m, t);
-        const float bulge = (1 - s * s) * (0.06f + 0.05f * std::sin(kPi * t));
+        const float bulge = (1 - s * s) * (kNose_m + 0.05f * std::sin(kPi * t));
         return {s * at.x, at.y, end * (kCarEnd_m + bulge + out)};
     }
 };
