@@ -32,10 +32,9 @@ TextureWords texture_words(std::span<const Material> materials) {
 }
 
 MaterialData material_data(const Material& m, const TextureWords& textures, std::uint64_t address) {
-    const auto address_of = [&](const std::shared_ptr<const TextureImage>& picture) -> std::uint64_t {
-        const bool used = m.pattern == Pattern::image || (m.pattern == Pattern::screen && picture == m.image);
-        if (!used || !picture) return 0;
-        return address + sizeof(std::uint32_t) * textures.first.at(picture.get());
+    const bool is_image = m.pattern == Pattern::image;
+    const auto address_of = [&](const std::shared_ptr<const TextureImage>& picture, bool used) -> std::uint64_t {
+        return used && picture ? address + sizeof(std::uint32_t) * textures.first.at(picture.get()) : 0;
     };
     MaterialData out{};
     out.color_a = m.color_a, out.color_b = m.color_b, out.color_c = m.color_c, out.emission = m.emission;
@@ -43,8 +42,8 @@ MaterialData material_data(const Material& m, const TextureWords& textures, std:
     out.roughness = m.roughness, out.specular = m.specular, out.metal = m.metal, out.transmission = m.transmission;
     out.mirror = m.mirror, out.burns = m.burns;
     out.pattern = static_cast<std::uint32_t>(m.pattern), out.seed = m.seed, out.variant = m.variant;
-    out.image = address_of(m.image);
-    out.normals = address_of(m.normals), out.metallic_roughness = address_of(m.metallic_roughness);
+    out.image = address_of(m.image, is_image || m.pattern == Pattern::screen);
+    out.normals = address_of(m.normals, is_image), out.metallic_roughness = address_of(m.metallic_roughness, is_image);
     out.maps = (out.normals ? kHasNormals : 0) | (out.metallic_roughness ? kHasMetallicRoughness : 0) |
                (m.pattern == Pattern::screen && out.image ? kShowsPicture : 0);
     return out;

@@ -133,20 +133,20 @@ std::vector<float> car_steps(float z0, float z1, int steps) {
     return at;
 }
 
-void car_wheel(Kit& k, int tyre, int metal, int dark, float sx, Vec3f at) {
+void car_wheel(Kit& k, int tyre, int metal, float sx, Vec3f at) {
     constexpr float r = kTyre_m, w = 0.2f, rim = 0.7f * r;
-    const std::array<Vec2f, 8> rubber{Vec2f{rim, -0.44f * w}, {0.8f * r, -0.5f * w}, {0.95f * r, -0.47f * w},
+    // The tyre, and the dark inside of the wheel that its spokes stand before.
+    const std::array<Vec2f, 9> rubber{Vec2f{rim, -0.44f * w}, {0.8f * r, -0.5f * w}, {0.95f * r, -0.47f * w},
                                       {r, -0.33f * w},        {r, 0.33f * w},        {0.95f * r, 0.47f * w},
-                                      {0.8f * r, 0.5f * w},   {rim, 0.44f * w}};
+                                      {0.8f * r, 0.5f * w},   {rim, 0.44f * w},      {0.98f * rim, 0.05f * w}};
     const std::array<Vec2f, 4> ring{
         Vec2f{0.9f * rim, 0.1f * w}, {0.93f * rim, 0.4f * w}, {1.02f * rim, 0.46f * w}, {1.03f * rim, 0.3f * w}};
-    const std::array<Vec2f, 2> well{Vec2f{rim, -0.3f * w}, {rim, 0.02f * w}};
     const std::array<Vec2f, 3> cap{Vec2f{0.2f * rim, 0.1f * w}, {0.2f * rim, 0.4f * w}, {0.12f * rim, 0.45f * w}};
     const auto put = [&](std::span<const Vec2f> profile, int sides, int material) {
         Mesh m = shapes::lathe(profile, sides);
         k.add(std::move(shapes::turn(m, {0, 0, 1}, sx > 0 ? -90.f : 90.f)), material, at);
     };
-    put(rubber, 36, tyre), put(ring, 32, metal), put(well, 24, dark), put(cap, 16, metal);
+    put(rubber, 36, tyre), put(ring, 32, metal), put(cap, 16, metal);
     const float x = at.x + sx * 0.3f * w;
     for (int i = 0; i < 5; ++i)
         for (const float split : {-0.11f, 0.11f}) {  // double spokes
@@ -179,6 +179,9 @@ void build_car(Kit& k) {
         const auto over_window = [&](float z, float t) { return body.window(sx, z, t, kSeam_m); };
         car_skin(k, paint, sx, whole, 14, 0, 1, side);
         car_skin(k, pane, sx, car_steps(kHatch_m, kCowl_m, 44), 6, 0, 1, window);
+        // The edges of hood and tail.
+        car_skin(k, paint, sx, car_steps(kCowl_m, kCarEnd_m, 24), 2, 0, 1, window);
+        car_skin(k, paint, sx, car_steps(-kCarEnd_m, kHatch_m, 8), 2, 0, 1, window);
         // Pillars, the frame along the roof and the belt; seams of the doors.
         car_skin(k, paint, sx, car_steps(kHatch_m, kRear_m - 0.22f, 10), 6, 0, 1, over_window);
         for (const float z : {kDoor_m, kRear_m + 0.02f})
@@ -215,7 +218,7 @@ void build_car(Kit& k) {
             }
             k.add(shapes::tube(lip, 0.012f, 6), paint);
             k.board(dark, {sx * 0.42f, 0.2f, axle}, {0.12f, 0.4f, 0.62f}, 0.01f);
-            car_wheel(k, tyre, metal, dark, sx, {sx * (kCarHalf_m - 0.12f), kHub_m, axle});
+            car_wheel(k, tyre, metal, sx, {sx * (kCarHalf_m - 0.12f), kHub_m, axle});
         }
         // Mirrors.
         k.rod(dark, {sx * 0.76f, 0.95f, 0.66f}, {sx * 0.9f, 0.99f, 0.64f}, 0.018f, -1, 8);
