@@ -406,6 +406,18 @@ TEST(Furniture, LampsShineAndUnknownClassesThrow) {
     EXPECT_THROW((void)style_named("spaceship"), Error);
 }
 
+// A car is smooth, and light enough for a garage of them.
+TEST(Piece, ACarIsOfModestSize) {
+    const Piece car = make("car", "modern", 2);
+    std::size_t triangles = 0;
+    for (const Mesh& m : car.meshes) triangles += m.triangles.size() / 3;
+    EXPECT_GT(triangles, 8'000u);
+    EXPECT_LT(triangles, 27'000u);
+    EXPECT_NEAR(car.size_m.z, 4.3f, 0.2f);
+    EXPECT_NEAR(car.size_m.y, 1.46f, 0.05f);
+    EXPECT_LT(car.size_m.x, 2.2f);
+}
+
 // A lit screen shows a picture, in light and dark.
 TEST(Piece, LitScreensShowPictures) {
     for (const std::string kind : {"projector_screen", "monitor", "laptop", "tv", "arcade_machine", "slot_machine",

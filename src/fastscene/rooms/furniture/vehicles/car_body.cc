@@ -191,7 +191,7 @@ void build_car(Kit& k) {
         for (const float z : {kCowl_m - 0.06f, kDoor_m, kRear_m + 0.2f})
             car_skin(k, dark, sx, car_steps(z - 0.004f, z + 0.004f, 1), 10, z < -1.f ? 0.55f : 0.06f, 0.995f,
                      over_side);
-        for (const float z : {0.02f, -0.92f}) {
+        for (const float z : {-0.06f, -0.77f}) {
             const Vec3f at = body.side(sx, z, 0.8f);
             k.board(dark, at + Vec3f{0, -0.02f, 0}, {0.022f, 0.045f, 0.15f}, 0.006f);
             k.board(paint, at + Vec3f{sx * 0.016f, 0.002f, 0}, {0.018f, 0.022f, 0.17f}, 0.006f);
