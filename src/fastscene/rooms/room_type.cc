@@ -155,9 +155,10 @@ class TypeReader {
     void read_windows() {
         if (!top_.has("windows")) return;
         constexpr double kHighestSill = 2;
-        const TomlTable t = table("windows", {"size", "count", "second_probability", "first_on_far_wall",
-                                              "least_sill_m", "sill_beyond_doorway_m", "outlook", "outlook_probability",
-                                              "walls", "every_m", "width_m", "sill_m", "head_m", "arched", "round", "glazed"});
+        const TomlTable t = table(
+            "windows", {"size", "count", "second_probability", "first_on_far_wall", "least_sill_m",
+                        "sill_beyond_doorway_m", "outlook", "outlook_probability", "walls", "every_m", "width_m",
+                        "sill_m", "head_m", "arched", "round", "glazed"});
         RoomWindows& w = t_.windows;
         read_regular_windows(t);
         if (t.has("size")) w.size = file_fields::choice<WindowSize>(t, "size");
