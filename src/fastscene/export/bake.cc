@@ -110,13 +110,15 @@ int pack_rows(std::vector<Piece>& pieces, int width) {
     return y + row;
 }
 
+bool shows_picture(const Material& m) { return m.pattern == Pattern::screen && m.image; }
+// Coordinates of a picture are shares of its width.
+float metres_per_unit(const Material& m) { return m.pattern == Pattern::image || shows_picture(m) ? m.scale_m : 1.f; }
+
 // Places the pieces within texture_size, as densely as asked for or as fits. Throws UsageError if not even a texel for
 // each does.
 void lay_out(Atlas& atlas, const Material& material, const BakeParams& params) {
-    // Coordinates of a picture are shares of its width.
-    const float metres_per_unit = material.pattern == Pattern::image ? material.scale_m : 1.f;
     const int most = params.texture_size;
-    for (float density = params.texels_per_metre * metres_per_unit;; density *= kDensityStep) {
+    for (float density = params.texels_per_metre * metres_per_unit(material);; density *= kDensityStep) {
         double area = 0;
         int widest = 0;
         bool can_shrink = false;
@@ -147,10 +149,15 @@ void lay_out(Atlas& atlas, const Material& material, const BakeParams& params) {
 BakedMaterial bake_texture(const Atlas& atlas, const Material& material) {
     BakedMaterial baked;
     baked.texture = ImageRgb8(atlas.width, atlas.height, srgb8_from_linear(mean_albedo(material)));
+    if (shows_picture(material)) {
+        Material white = material;
+        white.emission = {1, 1, 1};
+        baked.shown = ImageRgb8(atlas.width, atlas.height, srgb8_from_linear(mean_emission(white)));
+    }
     Vec3<double> sum{};
     double roughness = 0, count = 0;
     for (const Piece& p : atlas.pieces) {
-        const float footprint = 1.f / p.texels_per_unit * (material.pattern == Pattern::image ? material.scale_m : 1.f);
+        const float footprint = 1.f / p.texels_per_unit * metres_per_unit(material);
         const int rows = p.height + 2 * kGutter;
         std::vector<Vec3<double>> row_sum(at(rows));
         std::vector<double> row_roughness(at(rows));
@@ -161,6 +168,7 @@ BakedMaterial bake_texture(const Atlas& atlas, const Material& material) {
                                                    (1.f / p.texels_per_unit);
                     const TextureValue v = sample_texture(material, {p.coords_at(flat), flat, footprint});
                     baked.texture.at(p.x + i, p.y + j) = srgb8_from_linear(v.albedo);
+                    if (!baked.shown.empty()) baked.shown.at(p.x + i, p.y + j) = srgb8_from_linear(v.shown);
                     row_sum[at(j + kGutter)] += Vec3<double>{v.albedo.x, v.albedo.y, v.albedo.z};
                     row_roughness[at(j + kGutter)] += static_cast<double>(v.roughness);
                 }
@@ -232,7 +240,7 @@ BakedRoom bake(const Room& room, const std::vector<int>& same, const BakeParams&
     }
     for (std::size_t m = 0; m < room.materials.size(); ++m)
         if (room.materials[m].pattern == Pattern::plain)
-            baked.materials[m] = {{}, room.materials[m].color_a, room.materials[m].roughness};
+            baked.materials[m] = {{}, {}, room.materials[m].color_a, room.materials[m].roughness};
     for (std::size_t m = 0; m < room.meshes.size(); ++m) {
         const auto found = atlases.find(same[at(room.meshes[m].material)]);
         baked.meshes.push_back(

@@ -24,6 +24,7 @@ void visit_fields(BakeParams& p, V&& v) {
 
 struct BakedMaterial {
     ImageRgb8 texture;  // sRGB; empty: `color` everywhere
+    ImageRgb8 shown;    // sRGB, as large: factors of the emission; empty: 1 everywhere
     Vec3f color;        // linear; the mean of the texture
     float roughness = 0.6f;
 };

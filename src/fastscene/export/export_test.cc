@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 #include <meshoptimizer.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <optional>
@@ -330,6 +331,24 @@ TEST(Bake, PutsThePatternWhereTheMeshShowsIt) {
             compared += length(linear_from_srgb8(found) - wanted) < 0.1f;
         }
     EXPECT_GE(compared, 33) << "of 36";
+}
+
+// A screen's picture is the texture of its light.
+TEST(RoomGlb, AScreenShinesWithItsPicture) {
+    const Room room = room_from("an office with a desk and a monitor");
+    const RoomModel model = room_model(room, {.texels_per_metre = 64}, kQuiet);
+    int pictures = 0;
+    for (const ModelMaterial& m : model.materials) {
+        if (m.shown < 0) continue;
+        ++pictures;
+        EXPECT_GT(max_component(m.emission), 0.f);
+        const ImageRgb8& shown = model.textures.at(static_cast<std::size_t>(m.shown));
+        const auto [dark, bright] = std::minmax_element(shown.pixels.begin(), shown.pixels.end(),
+                                                        [](Rgb8 a, Rgb8 b) { return a.g < b.g; });
+        EXPECT_GT(bright->g - dark->g, 100);
+    }
+    EXPECT_GT(pictures, 0);
+    EXPECT_NE(room_glb_bytes(room, model).find("emissiveTexture"), std::string::npos);
 }
 
 TEST(Bake, MeanColorIsTheMaterials) {

@@ -95,6 +95,7 @@ class Writer {
         }
         if (const float most = max_component(of.emission); most > 0) {
             out["emissiveFactor"] = json_list(of.emission / most);
+            if (of.shown >= 0) out["emissiveTexture"] = {{"index", texture(of.shown, of.name + " picture")}};
             gltf_.use("KHR_materials_emissive_strength");
             out["extensions"]["KHR_materials_emissive_strength"]["emissiveStrength"] = most;
         }

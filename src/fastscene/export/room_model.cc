@@ -150,6 +150,10 @@ class Builder {
                 out.ior = (1 + r) / (1 - r);
             }
             out.emission = m.emission;
+            if (!baked.shown.empty()) {
+                out.shown = static_cast<int>(model_.textures.size());
+                model_.textures.push_back(std::move(baked.shown));
+            }
             model_.materials.push_back(std::move(out));
         }
     }

@@ -21,6 +21,7 @@ struct ModelMaterial {
     int texture = -1;  // index into RoomModel::textures; -1: none
     float metal = 0, roughness = 1, ior = kUsualIor, opacity = 1;
     Vec3f emission{};    // radiance
+    int shown = -1;      // index into RoomModel::textures: factors of `emission`; -1: none
     bool unlit = false;  // the texture is what is seen, light and all
 };
 // Triangles with one material, in the axes of the node that shows them.

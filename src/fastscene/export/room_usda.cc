@@ -163,27 +163,37 @@ class UsdaRoomWriter {
         out_.line(fmt::format("float inputs:roughness = {:.4g}", surface.roughness));
         out_.line(fmt::format("float inputs:ior = {:.4g}", surface.ior));
         if (surface.opacity < 1) out_.line(fmt::format("float inputs:opacity = {:.4g}", surface.opacity));
-        if (max_component(surface.emission) > 0)
+        if (surface.shown >= 0)
+            out_.line(fmt::format("color3f inputs:emissiveColor.connect = <{}/picture.outputs:rgb>", path));
+        else if (max_component(surface.emission) > 0)
             out_.line("color3f inputs:emissiveColor = " + usda_tuple(surface.emission));
         out_.line("token outputs:surface");
         out_.end();
-        if (surface.texture >= 0) add_texture(path, surface.texture);
+        if (surface.texture >= 0) add_texture(path, "texture", surface.texture);
+        if (surface.shown >= 0) add_texture(path, "picture", surface.shown, surface.emission);
+        if (surface.texture >= 0 || surface.shown >= 0) add_coordinates();
         out_.end();
     }
-    void add_texture(const std::string& material_path, int index) {
+    // `scale`: factors of its colors, {} for none.
+    void add_texture(const std::string& material_path, const char* role, int index, Vec3f scale = {}) {
         std::string& file = texture_files_[index];
         if (file.empty()) {
-            file = material_path.substr(material_path.rfind('/') + 1) + ".jpg";
+            file = material_path.substr(material_path.rfind('/') + 1) +
+                   (scale == Vec3f{} ? std::string{} : fmt::format("_{}", role)) + ".jpg";
             textures_.push_back({file, texture_jpeg(model_.textures[at(index)])});
         }
-        out_.begin("def Shader", "texture");
+        out_.begin("def Shader", role);
         out_.line("uniform token info:id = \"UsdUVTexture\"");
         out_.line(fmt::format("asset inputs:file = @./{}/{}@", folder_, file));
         out_.line("token inputs:sourceColorSpace = \"sRGB\"");
         out_.line(fmt::format("float2 inputs:st.connect = <{}/coordinates.outputs:result>", material_path));
         for (const char* wrap : {"wrapS", "wrapT"}) out_.line(fmt::format("token inputs:{} = \"clamp\"", wrap));
+        if (!(scale == Vec3f{}))
+            out_.line(fmt::format("float4 inputs:scale = ({:.6g}, {:.6g}, {:.6g}, 1)", scale.x, scale.y, scale.z));
         out_.line("float3 outputs:rgb");
         out_.end();
+    }
+    void add_coordinates() {
         out_.begin("def Shader", "coordinates");
         out_.line("uniform token info:id = \"UsdPrimvarReader_float2\"");
         out_.line("string inputs:varname = \"st\"");

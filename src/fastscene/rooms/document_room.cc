@@ -174,6 +174,7 @@ class Builder {
         plan.recessed_lights = given.recessed_lights, plan.coffers = given.coffers, plan.bay = given.bay;
         plan.relief = given.wall_relief;
         plan.cabin = given.cabin, plan.tunnel = given.tunnel, plan.cove = given.cove;
+        plan.glazed = type.windows.glazed;
         plan.panelling = given.panelling;
         plan.accent = given.accent_wall.has_value();
         plan.accent_wall = given.accent_wall.value_or(0);

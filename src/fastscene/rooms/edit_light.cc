@@ -9,6 +9,7 @@
 #include "fastscene/rooms/catalogue.h"
 #include "fastscene/rooms/edit_parts.h"
 #include "fastscene/rooms/lexicon.h"
+#include "fastscene/rooms/style_choices.h"
 
 namespace fastscene::editing {
 namespace {
@@ -43,7 +44,7 @@ void Editor::light(const std::string& value) {
         // All of them, those too of which something else was said.
         for (std::size_t i = 0; i < result_.document.things.size(); ++i)
             if (!is_flame(placed(static_cast<int>(i)))) result_.document.things[i].lit.reset();
-    } else if (is_one_of(value, {"garden", "city", "sea", "mountains", "forest", "street"})) {
+    } else if (std::ranges::find(kNamesOf<Sky::View>, value) != kNamesOf<Sky::View>.end()) {
         light.outlook = value;
     } else if (is_one_of(value, {"brighter", "darker", "lamps brighter", "lamps darker"})) {
         return brighten(value.ends_with("brighter"), value.starts_with("lamps"));

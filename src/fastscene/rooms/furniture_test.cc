@@ -406,6 +406,46 @@ TEST(Furniture, LampsShineAndUnknownClassesThrow) {
     EXPECT_THROW((void)style_named("spaceship"), Error);
 }
 
+// A car is smooth, and light enough for a garage of them.
+TEST(Piece, ACarIsOfModestSize) {
+    const Piece car = make("car", "modern", 2);
+    std::size_t triangles = 0;
+    for (const Mesh& m : car.meshes) triangles += m.triangles.size() / 3;
+    EXPECT_GT(triangles, 8'000u);
+    EXPECT_LT(triangles, 27'000u);
+    EXPECT_NEAR(car.size_m.z, 4.3f, 0.2f);
+    EXPECT_NEAR(car.size_m.y, 1.46f, 0.05f);
+    EXPECT_LT(car.size_m.x, 2.2f);
+}
+
+// A lit screen shows a picture, in light and dark.
+TEST(Piece, LitScreensShowPictures) {
+    for (const std::string kind : {"projector_screen", "monitor", "laptop", "tv", "arcade_machine", "slot_machine",
+                                   "departure_board", "check_in_desk", "ticket_machine", "video_wall", "treadmill"}) {
+        int pictures = 0;
+        for (std::uint64_t seed = 1; seed < 9; ++seed) {
+            const Piece p = make(kind, "modern", seed);
+            for (const Mesh& mesh : p.meshes) {
+                const Material& m = p.materials[static_cast<std::size_t>(mesh.material)];
+                if (m.pattern != Pattern::screen || !m.image) continue;
+                ++pictures;
+                ASSERT_EQ(m.image->levels.back().size(), 1u) << kind;
+                double sum = 0, squares = 0;
+                for (const Rgb8 c : m.image->levels[0].pixels) {
+                    const double bright = luminance(linear_from_srgb8(c));
+                    sum += bright, squares += bright * bright;
+                }
+                const double count = static_cast<double>(m.image->levels[0].size()), mean = sum / count;
+                EXPECT_GT(std::sqrt(squares / count - mean * mean), 0.3 * mean) << kind << " " << m.name;
+                EXPECT_GT(mean, 0.004) << kind << " " << m.name;
+                // The whole picture, or a part of it.
+                for (const Vec3f c : mesh.coords) EXPECT_TRUE(c.x > 0 && c.x < 1 && c.y > 0 && c.y < 1) << kind;
+            }
+        }
+        EXPECT_GT(pictures, 0) << kind;
+    }
+}
+
 // What is printed and bound has the dull colors of ink and cloth, many of them, and real albedos.
 TEST(Piece, BooksAndGoodsAreDull) {
     for (const std::string kind : {"bookshelf", "library_shelf", "book_island", "grocery_shelf", "grocery_island",

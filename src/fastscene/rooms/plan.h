@@ -93,6 +93,7 @@ struct Plan {
     bool recessed_lights = false;     // small lamps sunk into the ceiling
     bool coffers = false;             // a grid of beams in the color of the trim
     bool bay = false;                 // the recess of the far wall is all window
+    bool glazed = true;               // windows have frames and panes; else they are the open arches of an arcade
     WallRelief relief = WallRelief::flat;
     bool cabin = false;      // of a vehicle or a lift: thin panels, no skirting, panes in rubber
     float cove = 0;          // radius of the curve between walls 1 and 3 and the ceiling

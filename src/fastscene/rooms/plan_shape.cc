@@ -225,6 +225,7 @@ void shape_plan(PromptSpec& spec, Plan& plan, Random& rng) {
     plan.relief = type.wall_relief;
     plan.cabin = type.cabin, plan.tunnel = type.windows.tunnel;
     plan.cove = plan.knee > 0 ? 0.f : type.cove_m;
+    plan.glazed = type.windows.glazed;
     plan.panelling = decide(spec, "wainscoting", old && type.panelling ? 0.6f : 0.f, rng);
 }
 

@@ -237,6 +237,24 @@ TEST(Room, LampsAreLitWhereTheLightIsDim) {
     }
 }
 
+TEST(Room, AnAirportLooksOutOnItsAirfield) {
+    for (const std::uint64_t seed : {1u, 2u}) EXPECT_EQ(room_of("an airport hall", seed).sky.view, Sky::View::airfield);
+    EXPECT_EQ(room_of("an airport hall with a view of the sea", 1).sky.view, Sky::View::sea);
+}
+
+// An arcade is open: columns and arches of stone, neither frames nor bars.
+TEST(Room, ACloisterHasOpenArches) {
+    const Room room = room_of("a cloister", 1);
+    EXPECT_EQ(room.sky.view, Sky::View::court);
+    int arches = 0;
+    for (const RoomObject& o : room.objects) arches += o.kind == "window";
+    EXPECT_GE(arches, 5);
+    for (const Mesh& m : room.meshes)
+        if (m.object >= 0 && room.objects[static_cast<std::size_t>(m.object)].kind == "window") {
+            EXPECT_EQ(room.materials[static_cast<std::size_t>(m.material)].name, "carved stone");
+        }
+}
+
 // Candles that were asked for burn by day too; where nobody lit one there is no flame to be seen.
 TEST(Room, FlamesBurnOrAreNotThere) {
     const auto flames = [](const Room& room) {

@@ -155,6 +155,7 @@ class TypeReader {
         w.head_m = static_cast<float>(t.number("head_m", w.head_m, 0.5, kMost_m));
         w.arched = t.flag("arched", false);
         w.round = t.flag("round", false);
+        w.glazed = t.flag("glazed", true);
     }
 
     void read_glazed() {
@@ -184,7 +185,7 @@ class TypeReader {
         const TomlTable t = table(
             "windows", {"size", "count", "second_probability", "first_on_far_wall", "least_sill_m",
                         "sill_beyond_doorway_m", "outlook", "outlook_probability", "walls", "every_m", "width_m",
-                        "sill_m", "head_m", "arched", "round", "tunnel"});
+                        "sill_m", "head_m", "arched", "round", "tunnel", "glazed"});
         RoomWindows& w = t_.windows;
         read_regular_windows(t);
         w.tunnel = t.flag("tunnel", w.tunnel);

@@ -45,6 +45,7 @@ struct RoomWindows {
     float every_m = 2.4f, width_m = 1.4f, sill_m = 0.9f, head_m = 2.3f;
     bool arched = false;
     bool round = false;                // portholes, as high as they are wide
+    bool glazed = true;                // else open, with columns
     std::optional<Sky::View> outlook;  // what they show; nothing: as the style has it
     float outlook_probability = 0;
     bool tunnel = false;             // the room is in one: nothing but its wall is seen, and no daylight comes in

@@ -65,7 +65,7 @@ struct PromptSpec {
     std::string light;        // bright dim "lamps on" neon
     std::string light_color;  // of neon: "purple"; empty: pink and blue
     std::string clutter;      // cluttered bare, or empty: nothing but what is named ("only a bed")
-    std::string outlook;      // what the windows show: garden city sea mountains forest
+    std::string outlook;      // what the windows show: garden city sea mountains forest airfield court
     std::vector<PromptObject> objects;
     std::vector<std::string> colors;  // global accents, bound to no object
     std::vector<std::string>

@@ -73,6 +73,8 @@ void build_cabin_opening(const Plan& plan, const Opening& o, const WallBuilder& 
 void build_cove(const Plan& plan, int material, Room& room);
 void build_tunnel(const Plan& plan, Room& room);
 
+// A window without frame and panes: columns at its sides, the arch's moulding, a bench of stone below.
+void build_arcade_arch(const Opening& o, const WallFace& face, Room& room, int wall, int object);
 void build_openings(const Plan& plan, const Materials& materials, Room& room);   // windows, doors, doorways
 void build_skylights(const Plan& plan, const Materials& materials, Room& room);  // with the slopes they are in
 void build_trim(const Plan& plan, const Materials& materials,

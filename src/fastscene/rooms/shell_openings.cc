@@ -97,17 +97,18 @@ void build_shaped_window(const Plan& plan, const Opening& o, const WallBuilder& 
     ring(wall, o, 0, kCasing, 0, 0.025f, frame, object);
 }
 
-void build_window(const Plan& plan, const Opening& o, Room& room, int trim) {
+void build_window(const Plan& plan, const Opening& o, Room& room, const Materials& m) {
     const WallFace face = plan.wall(o.wall);
     const WallBuilder wall(face, room);
     const int object = add_object(plan, room, is_doors(o.glazing) ? "door" : "window", o, face, plan.wall_thickness());
-    const int frame = plan.asked("window") ? add_material(room, as_asked(plan, "window", plan.style.trim)) : trim;
+    const int frame = plan.asked("window") ? add_material(room, as_asked(plan, "window", plan.style.trim)) : m.trim;
     // The light comes in through the outer face of the wall; u x v points into the room.
     if (!plan.tunnel)
         add_portal(room, face.point(o.u0, o.y0) - face.inward * plan.wall_thickness(), face.along * (o.u1 - o.u0),
                    {0, o.y1 - o.y0, 0}, face.inward);
     if (o.shape == Opening::Shape::rounded || is_doors(o.glazing))
         return build_cabin_opening(plan, o, wall, room, object);
+    if (!plan.glazed && !plan.asked("window")) return build_arcade_arch(o, face, room, m.wall, object);
     if (o.shape != Opening::Shape::square) return build_shaped_window(plan, o, wall, room, frame, object);
     // Frame and bars stand in the outer half of the wall, so that there is a reveal inside.
     const float w0 = -0.17f, w1 = -kRevealDepth, bar = 0.05f;
@@ -265,7 +266,7 @@ void build_slope(const Plan& plan, int wall, const Materials& m, Room& room) {
 void build_openings(const Plan& plan, const Materials& m, Room& room) {
     Random rng(room.seed, "door");
     for (const Opening& o : plan.openings) {
-        if (o.kind == Opening::Kind::window) build_window(plan, o, room, m.trim);
+        if (o.kind == Opening::Kind::window) build_window(plan, o, room, m);
         else if (o.kind == Opening::Kind::door) build_door(plan, o, room, m.trim, rng);
         else if (!plan.joined) build_doorway(plan, o, room, m.trim);
     }

@@ -100,8 +100,8 @@ template <>
 inline constexpr std::array<std::string_view, 2> kNamesOf<FloorLampForm>{"straight", "arc"};
 
 template <>
-inline constexpr std::array<std::string_view, 6> kNamesOf<Sky::View>{"garden",    "city",   "sea",
-                                                                     "mountains", "forest", "street"};
+inline constexpr std::array<std::string_view, 8> kNamesOf<Sky::View>{"garden", "city",   "sea",      "mountains",
+                                                                     "forest", "street", "airfield", "court"};
 
 // The procedural patterns of materials.
 template <>

@@ -87,11 +87,13 @@ struct Material {
     float metal = 0.f;                // 1: the albedo is the mirror's color
     float transmission = 0.f;         // thin sheets (curtains, leaves, shades): share of diffuse light let through
     float mirror = 0.f;               // 1: perfect mirror (mirror glass)
-    Vec3f emission{};                 // radiance of lamps, screens and flames
+    Vec3f emission{};                 // radiance of lamps, screens (of white in their picture) and flames
     bool burns = false;               // a flame: lit also by day, and invisible when not lit
     std::uint32_t seed = 0;           // random variation of the pattern
     std::uint8_t variant = 0;         // Pattern::art: which of its kArtDesigns designs
-    std::shared_ptr<const TextureImage> image{};  // Pattern::image: never null; scale_m = metres spanned by u = 1
+    // Pattern::image: never null. Pattern::screen: the picture that it shows, factors of `emission`; may be null.
+    // scale_m = metres spanned by u = 1.
+    std::shared_ptr<const TextureImage> image{};
     // Pattern::image, over the same coordinates, may be null: normals in tangent space (rgb 0..255 is -1..1, green
     // along v), and factors of `roughness` (green) and `metal` (blue). As glTF stores them.
     std::shared_ptr<const TextureImage> normals{}, metallic_roughness{};
@@ -131,7 +133,16 @@ struct Sky {
     Vec3f sun_dir{0, -1, 0};              // world, unit, towards the sun (or the moon)
     Vec3f sun_irradiance{};               // on a surface facing it; zero = hidden
     Vec3f zenith{}, horizon{}, ground{};  // radiances
-    enum class View : std::uint8_t { garden, city, sea, mountains, forest, street } view = View::garden;
+    enum class View : std::uint8_t {
+        garden,
+        city,
+        sea,
+        mountains,
+        forest,
+        street,
+        airfield,
+        court
+    } view = View::garden;
     bool snow = false;  // covers everything outside
     float seen =
         1.f;  // share of the outside's radiance shown to cameras, to reduce overexposure, as by a graduated filter

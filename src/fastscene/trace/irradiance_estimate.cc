@@ -142,7 +142,7 @@ IrradianceCache::Bounce IrradianceCache::bounced(const Room& room, const SceneBv
         irradiance += (front.sun * reflected(room, material, normal, direction, false) +
                        behind.sun * reflected(room, material, normal, direction, true)) *
                       kPi;
-    if (lights.is_large(hit.mesh)) irradiance += m.emission * kPi;
+    if (lights.is_large(hit.mesh)) irradiance += mean_emission(m) * kPi;
     return {irradiance, direction, hit.distance, false};
 }
 

@@ -6,6 +6,7 @@
 
 #include "fastscene/trace/irradiance_cells.h"
 #include "fastscene/trace/response.h"
+#include "fastscene/trace/texture.h"
 
 namespace fastscene {
 namespace {
@@ -38,7 +39,9 @@ float area_of(const std::array<Vec3f, 3>& t) { return 0.5f * length(cross(t[1] -
 const Material& material_of(const Room& room, int mesh) {
     return room.materials[static_cast<std::size_t>(room.meshes[static_cast<std::size_t>(mesh)].material)];
 }
-Vec3f emission_of(const Room& room, int mesh) { return material_of(room, mesh).emission; }
+// What light sampling has of a picture is its mean: rays that meet it see it blurred, and sharp reflections, which do
+// not, give samples little weight.
+Vec3f emission_of(const Room& room, int mesh) { return mean_emission(material_of(room, mesh)); }
 // Share of an emissive triangle's light that gets away from it. It only weights samples, so a few rays will do.
 float openness(const SceneBvh& bvh, const std::array<Vec3f, 3>& abc, Vec3f normal, bool two_sided) {
     constexpr std::uint32_t kRays = 16;

@@ -97,6 +97,8 @@ std::array<Wall, 4> walls_of_box(float wide, float deep) {
             Wall{{-a, 0, b}, {0, 0, -1}, {-1, 0, 0}}, Wall{{a, 0, -b}, {0, 0, 1}, {1, 0, 0}}};
 }
 
+}  // namespace
+
 void add_box(QuadMesh& mesh, Vec3f low, Vec3f high, std::uint16_t paint) {
     const Vec3f size = high - low, middle = (low + high) * 0.5f;
     for (const Wall& w : walls_of_box(size.x, size.z)) {
@@ -107,8 +109,6 @@ void add_box(QuadMesh& mesh, Vec3f low, Vec3f high, std::uint16_t paint) {
     mesh.quad({low.x, high.y, low.z}, {high.x, high.y, low.z}, {high.x, high.y, high.z}, {low.x, high.y, high.z},
               paint);
 }
-
-}  // namespace
 
 QuadMesh build_house(World& world, std::uint32_t seed) {
     Random random(seed, "outdoors.house");

@@ -141,6 +141,8 @@ World make_world(const Sky& sky, float facing) {
         case Sky::View::mountains: lay_out_mountains(site); break;
         case Sky::View::forest: lay_out_forest(site); break;
         case Sky::View::street: lay_out_street(site); break;
+        case Sky::View::airfield: lay_out_airfield(site); break;
+        case Sky::View::court: lay_out_court(site); break;
     }
     return std::move(site.world);
 }

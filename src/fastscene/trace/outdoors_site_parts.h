@@ -64,5 +64,7 @@ Layout street_layout(float azimuth);
 void lay_out_street(Site& site);
 void lay_out_mountains(Site& site);
 void lay_out_sea(Site& site);
+void lay_out_airfield(Site& site);
+void lay_out_court(Site& site);
 
 }  // namespace fastscene::outdoors

@@ -217,6 +217,27 @@ TEST(Outdoors, AGardenIsInBloomAllAround) {
     for (const int b : bloom) EXPECT_GT(b, kAround / kSectors * kDown / 500);
 }
 
+// Airliners stand before the windows of both sides of a terminal, clear of it, and nothing taller is near.
+TEST(Outdoors, AnAirfieldHasAirlinersOnBothSides) {
+    const Sky sky = day(Sky::View::airfield, 3);
+    const outdoors::World world = make_world(sky, 0);
+    const float eye_m = world.eye_m;
+    const Tracer tracer(sky, make_world(sky, 0));
+    for (const float facing : {0.f, kPi}) {
+        int near = 0, grounds = 0;
+        for (int i = -60; i <= 60; ++i)
+            for (int j = -30; j <= 10; ++j) {
+                const Vec3f d = way(facing + 0.012f * static_cast<float>(i), 0.006f * static_cast<float>(j));
+                const float far = tracer.distance(d);
+                EXPECT_GT(far, 8.f);
+                if (!(far < 75)) continue;
+                // Above the apron, so no part of it.
+                (eye_m - d.y * far > 1.5f ? near : grounds) += 1;
+            }
+        EXPECT_GT(near, 300) << facing;
+    }
+}
+
 // The farther away, the more a thing looks like the sky behind it.
 TEST(Outdoors, HazeGrowsWithDistance) {
     Sky sky = day(Sky::View::garden);

@@ -53,9 +53,11 @@ struct Tracer::Impl {
         rtcCommitScene(scene);
         to_sun = flipped(sky.sun_dir);
         sunny = sky_irradiance({0, 1, 0}) + sky.sun_irradiance * std::max(0.f, to_sun.y);
-        bounced = sunny * (sky.snow                                                       ? Vec3f{0.5f, 0.52f, 0.56f}
-                           : sky.view == Sky::View::city || sky.view == Sky::View::street ? Vec3f{0.22f, 0.21f, 0.195f}
-                           : sky.view == Sky::View::sea                                   ? Vec3f{0.17f, 0.155f, 0.13f}
+        const bool paved = sky.view == Sky::View::city || sky.view == Sky::View::street ||
+                           sky.view == Sky::View::airfield;
+        bounced = sunny * (sky.snow                     ? Vec3f{0.5f, 0.52f, 0.56f}
+                           : paved                      ? Vec3f{0.22f, 0.21f, 0.195f}
+                           : sky.view == Sky::View::sea ? Vec3f{0.17f, 0.155f, 0.13f}
                                                         : Vec3f{0.11f, 0.105f, 0.07f});
         for (int j = 0; j <= kRises; ++j)
             for (int i = 0; i < kTurns; ++i) {

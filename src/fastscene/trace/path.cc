@@ -110,7 +110,7 @@ Vec3f path_radiance(const PathScene& scene, Vec3f origin, Vec3f direction, float
             origin = offset_from(s.position, dot(direction, s.normal) > 0 ? s.normal : -s.normal);
             continue;
         }
-        sum += throughput * (clearly ? lamp_as_seen(scene.room.look, m.emission) : m.emission) * mis_weight;
+        sum += throughput * (clearly ? emission_as_seen(scene.room.look, s) : s.emission()) * mis_weight;
         if (clearly && is_clear(m)) {
             const Pane pane = pane_of(s, direction);
             const float way = sampler.next();

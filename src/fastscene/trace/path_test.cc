@@ -127,6 +127,37 @@ TEST(Lights, AThinScreenShinesFromItsFrontAlone) {
     EXPECT_LT(light.largest, 2 * wanted);
 }
 
+// Cameras see a screen's picture; the room is lit as by its bright parts alone.
+TEST(Path, AScreensPictureIsSeenAndLightsTheRoomAsItsBrightPartsWould) {
+    const float half = 0.15f, front = 1.2f;
+    const auto room_with = [&](const Material& screen, float right) {
+        Room room = box_room(diffuse({0.5f, 0.5f, 0.5f}));
+        room.materials.push_back(screen);
+        room.meshes.push_back(box_mesh({-half, -half, front}, {right, half, front + 0.001f}, 1, -1, false));
+        spread_picture(room.meshes.back());
+        return room;
+    };
+    constexpr Vec3f kWhite{0.9f, 0.9f, 0.9f};
+    const Room picture = room_with(half_lit_screen(kWhite), half), bright = room_with(diffuse({0, 0, 0}, kWhite), 0);
+    for (const float y : {-0.08f, 0.08f}) {
+        EXPECT_NEAR(mean_radiance(picture, normalize(Vec3f{-0.08f, y, front}), 256), 0.9f, 0.02f);
+        EXPECT_NEAR(mean_radiance(picture, normalize(Vec3f{0.08f, y, front}), 256), 0.f, 0.02f);
+    }
+    const double far = front + 2, wanted = 0.5 * 0.9 * 4 * half * half / (far * far);  // form factor, times pi
+    EXPECT_NEAR(sampled_light(picture, {0, 0, -2}, {0, 0, 1}, 8192, 4).mean / wanted, 1, 0.04);
+    const Vec3f to_wall = normalize(Vec3f{0.1f, 0.1f, -1});
+    EXPECT_NEAR(mean_radiance(picture, to_wall, 60'000) / mean_radiance(bright, to_wall, 60'000), 1, 0.05);
+    // The same of one that is too large to be sampled.
+    Room wide = box_room(diffuse({0.5f, 0.5f, 0.5f}));
+    wide.materials.push_back(half_lit_screen(kWhite));
+    wide.meshes.push_back(box_mesh({-1.2f, -0.8f, 2}, {1.2f, 0.8f, 2.01f}, 1, -1, false));
+    spread_picture(wide.meshes.back());
+    Room lamp = box_room(diffuse({0.5f, 0.5f, 0.5f}));
+    lamp.materials.push_back(diffuse({0, 0, 0}, kWhite));
+    lamp.meshes.push_back(box_mesh({-1.2f, -0.8f, 2}, {0, 0.8f, 2.01f}, 1, -1, false));
+    EXPECT_NEAR(mean_radiance(wide, to_wall, 60'000) / mean_radiance(lamp, to_wall, 60'000), 1, 0.06);
+}
+
 // At night a town's windows provide most of the light: sampling must follow their radiance, not that of the dark sky.
 TEST(Lights, ALitTownIsNoRareSpark) {
     Room room = box_room(diffuse({0, 0, 0}));

@@ -12,6 +12,10 @@ Vec3f flame_as_seen(const Look& look, const SurfacePointInfo& s, Vec3f direction
     return kernel::flame_as_seen(look.exposure_ev, s.material->emission, s.normal, direction);
 }
 
+Vec3f emission_as_seen(const Look& look, const SurfacePointInfo& s) {
+    return kernel::lamp_as_seen(look.exposure_ev, s.material->emission) * s.texture.shown;
+}
+
 Pane pane_of(const SurfacePointInfo& s, Vec3f direction) {
     return kernel::pane_of(s.texture.albedo, s.normal, direction);
 }

@@ -37,6 +37,8 @@ using kernel::Response, kernel::Pane, kernel::Coat, kernel::kSharpestSun, kernel
 Response response_of(const SurfacePointInfo& surface, Vec3f direction);
 // What a flame adds where a ray enters or leaves it.
 Vec3f flame_as_seen(const Look& look, const SurfacePointInfo& surface, Vec3f direction);
+// What shines as cameras see it. Of a screen the whole picture is dimmed alike, so that it keeps its contrast.
+Vec3f emission_as_seen(const Look& look, const SurfacePointInfo& surface);
 Pane pane_of(const SurfacePointInfo& surface, Vec3f direction);
 // Transmission of colored glass.
 Vec3f dye_of(const SurfacePointInfo& surface);

@@ -50,7 +50,7 @@ Mirrored mirrored_radiance(const ShadeScene& scene, Vec3f origin, Vec3f directio
     const Vec3f even = reflectance * (front.irradiance * (1.f - m.transmission) + back.irradiance * m.transmission) *
                        (1.f / kPi),
                 sun = front.sun * reflected(false) + back.sun * reflected(true);
-    return {sharp ? lamp_as_seen(scene.room.look, m.emission) : m.emission, even + sun * scene.room.look.sun_seen, hit};
+    return {sharp ? emission_as_seen(scene.room.look, s) : s.emission(), even + sun * scene.room.look.sun_seen, hit};
 }
 
 // The glossy reflection: one sample of the GGX lobe and one light sample, combined by MIS. Light sampling finds small
@@ -183,7 +183,7 @@ Shaded shade_from(const ShadeScene& scene, Vec3f origin, Vec3f direction, float 
         if (luminance(front_sun) > 0)
             out.mirrored += sun_glint(scene.room.sky, s, r, direction, front_sun, kSharpestSun);
     }
-    out.radiance = lamp_as_seen(scene.room.look, m.emission) + out.light + out.sun + out.mirrored;
+    out.radiance = emission_as_seen(scene.room.look, s) + out.light + out.sun + out.mirrored;
     if (panes > 0 && is_clear(m))
         return seen_through(scene, s, out, direction, pixel_angle, travelled + hit.distance, panes, sampler);
     return out;

@@ -14,6 +14,8 @@ struct SurfacePointInfo {
     const Material* material = nullptr;
     TextureValue texture;
     bool back = false;  // hit from behind
+
+    Vec3f emission() const { return material->emission * texture.shown; }
 };
 
 // `footprint_m`: width of the sample on the surface. `with_relief`: compute `bumped` (otherwise it equals `normal`).

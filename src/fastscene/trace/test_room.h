@@ -1,6 +1,10 @@
 // For tests: the corners of a small room and a matt material.
 #pragma once
 
+#include <algorithm>
+#include <memory>
+#include <utility>
+
 #include "fastscene/scene/room.h"
 
 namespace fastscene {
@@ -14,6 +18,32 @@ inline Material diffuse(Vec3f albedo, Vec3f emission = {}) {
     m.specular = 0;
     m.roughness = 1;
     return m;
+}
+
+// A screen that shows a picture of which the left half is white, the right one black, over coordinates from 0 to 1.
+inline Material half_lit_screen(Vec3f white) {
+    Material m = diffuse({0, 0, 0}, white);
+    m.pattern = Pattern::screen;
+    auto picture = std::make_shared<TextureImage>();
+    for (int side = 64; side > 0; side /= 2) {
+        ImageRgb8 level(side, side, Rgb8{0, 0, 0});
+        for (int y = 0; y < side; ++y)
+            for (int x = 0; x < std::max(1, side / 2); ++x) level.at(x, y) = {255, 255, 255};
+        if (side == 1) level.at(0, 0) = {188, 188, 188};  // half of the light
+        picture->levels.push_back(std::move(level));
+    }
+    m.image = std::move(picture);
+    return m;
+}
+// Shares of the mesh's extent along x and y.
+inline void spread_picture(Mesh& mesh) {
+    Vec3f low{1e9f, 1e9f, 1e9f}, high{-1e9f, -1e9f, -1e9f};
+    for (const Vec3f p : mesh.positions)
+        for (std::size_t a = 0; a < 3; ++a) low[a] = std::min(low[a], p[a]), high[a] = std::max(high[a], p[a]);
+    for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
+        const Vec3f p = mesh.positions[i];
+        mesh.coords[i] = {(p.x - low.x) / (high.x - low.x), (p.y - low.y) / (high.y - low.y), 0};
+    }
 }
 
 }  // namespace fastscene

@@ -12,11 +12,12 @@ int dominant_axis(Vec3f coords_normal);
 Vec2f flat_coords(Vec3f coords, int axis);
 TextureValue sample_texture(const Material& material, const TexturePoint& point);
 SurfaceTexture texture_with_slope(const Material& material, const TexturePoint& point, int axis, bool relief);
+Vec3f mean_emission(const Material& material);
 
 }  // namespace kernel
 
 using kernel::TexturePoint, kernel::TextureValue, kernel::SurfaceTexture, kernel::dominant_axis, kernel::flat_coords,
-    kernel::sample_texture, kernel::texture_with_slope;
+    kernel::sample_texture, kernel::texture_with_slope, kernel::mean_emission;
 
 // Mean albedo over several units of the pattern: what bounced light sees.
 Vec3f mean_albedo(const Material& material);

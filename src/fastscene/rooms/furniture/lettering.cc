@@ -8,7 +8,7 @@ namespace fastscene::furniture {
 namespace {
 
 // On a grid 4 wide and 6 high: "x y" of each corner as two digits; '|' lifts the pen.
-constexpr std::array<std::pair<char, std::string_view>, 41> kLetters{
+constexpr std::array<std::pair<char, std::string_view>, 42> kLetters{
     {{'A', "00 26 40|12 32"},
      {'B', "00 06 36 45 44 33 03|33 42 41 30 00"},
      {'C', "45 36 16 05 01 10 30 41"},
@@ -45,6 +45,7 @@ constexpr std::array<std::pair<char, std::string_view>, 41> kLetters{
      {'7', "06 46 10"},
      {'8', "13 04 05 16 36 45 44 33 13 02 01 10 30 41 42 33"},
      {'9', "43 13 04 05 16 36 45 41 30 10 01"},
+     {':', "21 22|24 25"},
      {'.', "20 21"},
      {'-', "13 33"},
      {'+', "13 33|22 24"},

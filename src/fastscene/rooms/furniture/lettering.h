@@ -8,8 +8,8 @@
 
 namespace fastscene::furniture {
 
-// The lines of a text in capitals, digits and . - + / ', which begins at the origin and stands on y = 0. Small letters
-// are written as capitals; others are left blank.
+// The lines of a text in capitals, digits and . : - + / ', which begins at the origin and stands on y = 0. Small
+// letters are written as capitals; others are left blank.
 std::vector<std::vector<Vec2f>> letter_strokes(std::string_view text, float height);
 float letters_width(std::string_view text, float height);
 

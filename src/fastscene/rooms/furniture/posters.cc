@@ -21,13 +21,6 @@ constexpr std::array<Vec3f, 5> kOfferGrounds{Vec3f{0.5f, 0.045f, 0.035f},
                                              {0.05f, 0.13f, 0.32f},
                                              {0.62f, 0.25f, 0.03f}};
 constexpr std::array<Vec3f, 3> kOfferInks{Vec3f{0.74f, 0.73f, 0.7f}, {0.66f, 0.5f, 0.06f}, {0.04f, 0.04f, 0.04f}};
-constexpr std::array<Vec3f, 5> kTables{Vec3f{0.24f, 0.13f, 0.06f},
-                                       {0.05f, 0.05f, 0.052f},
-                                       {0.6f, 0.54f, 0.42f},
-                                       {0.1f, 0.18f, 0.13f},
-                                       {0.4f, 0.1f, 0.06f}};
-constexpr std::array<Vec3f, 6> kDishes{Vec3f{0.55f, 0.3f, 0.08f}, {0.42f, 0.08f, 0.04f}, {0.16f, 0.3f, 0.05f},
-                                       {0.62f, 0.45f, 0.16f},     {0.3f, 0.14f, 0.05f},  {0.6f, 0.2f, 0.16f}};
 constexpr std::array<Vec3f, 5> kSportGrounds{Vec3f{0.03f, 0.03f, 0.033f},
                                              {0.46f, 0.05f, 0.03f},
                                              {0.04f, 0.1f, 0.26f},
@@ -64,8 +57,6 @@ constexpr std::array<std::string_view, 10> kPlaces{"LISBON", "KYOTO",  "OSLO",  
                                                    "CUBA",   "ATHENS", "MARSEILLE", "BERGEN", "CAIRO"};
 constexpr std::array<std::string_view, 8> kOfferWords{"SALE", "NEW",       "2 FOR 1",  "FRESH",
                                                       "-50",  "THIS WEEK", "BEST BUY", "OPEN LATE"};
-constexpr std::array<std::string_view, 8> kFoodWords{"FRESH BREAD", "PIZZA",  "SOUP OF THE DAY", "CAKES",
-                                                     "SALADS",      "BURGER", "BREAKFAST",       "PASTA"};
 constexpr std::array<std::string_view, 8> kSportWords{"NO LIMITS", "RUN",    "STRIKE", "LEAGUE NIGHT",
                                                       "TRAIN",     "FINALS", "POWER",  "OPEN CUP"};
 constexpr std::array<std::string_view, 8> kConcertWords{"LIVE", "JAZZ NIGHT", "ON TOUR",  "THE QUARTET",
@@ -75,32 +66,6 @@ constexpr std::array<std::string_view, 8> kChartWords{"ELEMENTS", "PLANTS",  "TH
 constexpr std::array<std::string_view, 8> kNoticeWords{"NOTICE",     "SAFETY FIRST", "NO SMOKING", "PLEASE QUEUE",
                                                        "WASH HANDS", "HOUSE RULES",  "EXIT",       "TIMETABLE"};
 constexpr std::array<std::string_view, 6> kFashionWords{"SUMMER", "NOVA", "ATELIER", "DENIM", "LINEN", "STUDIO"};
-
-// Pixels at these shares of the poster.
-Vec2f spot(const Patch& p, float x, float y) { return {x * p.w, y * p.h}; }
-
-void fade(Patch& p, Vec2f low, Vec2f high, Vec3f below, Vec3f above) {
-    for (float y = low.y; y < high.y; y += 1)
-        p.fill({low.x, y}, {high.x, y + 1}, lerp(below, above, (y - low.y) / (high.y - low.y)));
-}
-
-// A person seen from afar: the head `tall` pixels above the feet, the limbs swung by `stride` in [-1, 1].
-void person(Patch& p, Vec2f feet, float tall, float stride, Vec3f ink) {
-    const float head = 0.07f * tall, limb = 0.075f * tall;
-    const Vec2f hip = feet + Vec2f{0, 0.47f * tall}, neck = hip + Vec2f{0.09f * stride * tall, 0.36f * tall},
-                knee = hip + Vec2f{0.16f * stride * tall, -0.2f * tall};
-    p.disc(neck + Vec2f{0.03f * stride * tall, 0.1f * tall}, {head, 1.2f * head}, ink);
-    p.line(neck, hip, 2.1f * limb, ink);
-    p.line(hip, knee, 1.2f * limb, ink), p.line(knee, knee + Vec2f{-0.04f * stride * tall, -0.26f * tall}, limb, ink);
-    const Vec2f back = hip + Vec2f{(-0.14f * stride - 0.03f) * tall, -0.22f * tall};
-    p.line(hip, back, 1.2f * limb, ink), p.line(back, back + Vec2f{-0.12f * stride * tall, -0.24f * tall}, limb, ink);
-    for (const float side : {-1.f, 1.f}) {
-        const Vec2f elbow = neck + Vec2f{side * (0.13f * std::abs(stride) + 0.09f) * tall, -0.16f * tall};
-        p.line(neck, elbow, 0.8f * limb, ink);
-        p.line(elbow, elbow + Vec2f{0.14f * stride * tall, (stride == 0.f ? -0.16f : side * 0.08f) * tall}, 0.7f * limb,
-               ink);
-    }
-}
 
 void film_poster(Patch& p, Random& rng, const PrintStyle& s) {
     const Vec3f ground = varied(rng, one_of(rng, s.grounds)), ink = contrasting(rng, s.inks, ground),
@@ -168,29 +133,6 @@ void offer(Patch& p, Random& rng, const PrintStyle& s) {
     p.title(one_of(rng, Words(kPrices)), c.x, c.y - 0.24f * r, 1.5f * r, 0.48f * r,
             contrasting(rng, s.grounds, ink) == ground ? ground : other);
     small_print(p, rng, spot(p, 0.12f, 0.04f), spot(p, 0.88f, 0.08f), 0.01f * p.h, ink);
-}
-
-// A plate from above, heaped, on a table; a fork and a knife.
-void food_poster(Patch& p, Random& rng, const PrintStyle& s) {
-    const Vec3f ground = varied(rng, one_of(rng, s.grounds)),
-                ink = luminance(ground) > 0.3f ? kPrintBlack : kPrintWhite;
-    p.fill(ground);
-    for (int i = 0; i < 9; ++i)
-        p.fill({0, p.h * static_cast<float>(i) / 9}, {p.w, p.h * static_cast<float>(i) / 9 + 1.5f}, ground * 0.7f);
-    const Vec2f c = spot(p, 0.5f, 0.43f);
-    const float r = 0.36f * p.w;
-    p.disc(c + Vec2f{0.04f, -0.05f} * r, {1.04f * r, 1.04f * r}, ground * 0.4f, 0.7f);
-    p.disc(c, {r, r}, {0.7f, 0.69f, 0.66f}), p.disc(c, {0.74f * r, 0.74f * r}, {0.62f, 0.61f, 0.58f});
-    for (int i = 0; i < 26; ++i) {
-        const float a = rng.uniform(0, 6.283f), d = 0.58f * r * std::sqrt(rng.uniform());
-        const float size = rng.uniform(0.1f, 0.2f) * r;
-        p.disc(c + Vec2f{std::cos(a), std::sin(a)} * d, {size, size * rng.uniform(0.5f, 1.f)},
-               varied(rng, one_of(rng, s.inks)));
-    }
-    const Vec3f metal{0.5f, 0.5f, 0.5f};
-    for (const float x : {0.07f, 0.93f}) p.line(spot(p, x, 0.25f), spot(p, x, 0.6f), 0.022f * p.w, metal);
-    p.title(one_of(rng, s.words), 0.5f * p.w, 0.82f * p.h, 0.86f * p.w, 0.1f * p.h, ink);
-    small_print(p, rng, spot(p, 0.25f, 0.04f), spot(p, 0.75f, 0.1f), 0.012f * p.h, ink);
 }
 
 void sport_poster(Patch& p, Random& rng, const PrintStyle& s) {
@@ -309,13 +251,14 @@ std::span<const PrintStyle> poster_styles() {
              kPosterFilmWords},
             {"travel posters", 5, 2, kWide, kHigh, kPaper, 0.35f, travel_poster, kTravelSkies, kTravelInks, kPlaces},
             {"offers", 5, 2, kWide, kHigh, kPaper, 0.35f, offer, kOfferGrounds, kOfferInks, kOfferWords},
-            {"food posters", 4, 2, kWide, kHigh, kPaper, 0.35f, food_poster, kTables, kDishes, kFoodWords},
+            {"food posters", 4, 2, kWide, kHigh, kPaper, 0.35f, food_poster, {}, {}, {}},
             {"sport posters", 4, 2, kWide, kHigh, kPaper, 0.35f, sport_poster, kSportGrounds, kSportInks, kSportWords},
             {"concert posters", 4, 2, kWide, kHigh, kPaper, 0.4f, concert_poster, kConcerts, kConcerts, kConcertWords},
             {"charts", 4, 2, kWide, kHigh, kPaper, 0.4f, chart, kChartGrounds, kChartInks, kChartWords},
             {"notices", 4, 2, kWide, kHigh, kPaper, 0.5f, notice, kNoticeGrounds, kNoticeInks, kNoticeWords},
             {"fashion posters", 4, 2, kWide, kHigh, kPaper, 0.3f, fashion_poster, kFashionGrounds, kFashionInks,
              kFashionWords},
+            {"bakery posters", 4, 2, kWide, kHigh, kPaper, 0.35f, bakery_poster, {}, {}, {}},
         }};
     return all;
 }

@@ -35,6 +35,7 @@ enum class Print {
     charts,   // of schools and laboratories
     notices,  // rules and announcements
     fashion_posters,
+    bakery_posters,
     count,
 };
 

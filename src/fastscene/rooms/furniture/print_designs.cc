@@ -28,6 +28,30 @@ void small_print(Patch& p, Random& rng, Vec2f low, Vec2f high, float line, Vec3f
         p.fill({low.x, y}, {low.x + (high.x - low.x) * rng.uniform(0.6f, 1.f), y + 0.8f * line}, ink, 0.7f);
 }
 
+Vec2f spot(const Patch& p, float x, float y) { return {x * p.w, y * p.h}; }
+
+void fade(Patch& p, Vec2f low, Vec2f high, Vec3f below, Vec3f above) {
+    for (float y = low.y; y < high.y; y += 1)
+        p.fill({low.x, y}, {high.x, y + 1}, lerp(below, above, (y - low.y) / (high.y - low.y)));
+}
+
+void person(Patch& p, Vec2f feet, float tall, float stride, Vec3f ink) {
+    const float head = 0.07f * tall, limb = 0.075f * tall;
+    const Vec2f hip = feet + Vec2f{0, 0.47f * tall}, neck = hip + Vec2f{0.09f * stride * tall, 0.36f * tall},
+                knee = hip + Vec2f{0.16f * stride * tall, -0.2f * tall};
+    p.disc(neck + Vec2f{0.03f * stride * tall, 0.1f * tall}, {head, 1.2f * head}, ink);
+    p.line(neck, hip, 2.1f * limb, ink);
+    p.line(hip, knee, 1.2f * limb, ink), p.line(knee, knee + Vec2f{-0.04f * stride * tall, -0.26f * tall}, limb, ink);
+    const Vec2f back = hip + Vec2f{(-0.14f * stride - 0.03f) * tall, -0.22f * tall};
+    p.line(hip, back, 1.2f * limb, ink), p.line(back, back + Vec2f{-0.12f * stride * tall, -0.24f * tall}, limb, ink);
+    for (const float side : {-1.f, 1.f}) {
+        const Vec2f elbow = neck + Vec2f{side * (0.13f * std::abs(stride) + 0.09f) * tall, -0.16f * tall};
+        p.line(neck, elbow, 0.8f * limb, ink);
+        p.line(elbow, elbow + Vec2f{0.14f * stride * tall, (stride == 0.f ? -0.16f : side * 0.08f) * tall}, 0.7f * limb,
+               ink);
+    }
+}
+
 void scene(Patch& p, Random& rng, Vec2f low, Vec2f high, Vec3f sky, Vec3f ink, Vec3f light) {
     const float w = high.x - low.x, h = high.y - low.y;
     Vec2f middle = (low + high) * 0.5f;

@@ -28,6 +28,10 @@ const PrintStyle& style_of(Print print);
 std::span<const PrintStyle> goods_styles();   // print_designs.cc: from the first Print up to the posters
 std::span<const PrintStyle> poster_styles();  // posters.cc: the others
 
+// food_posters.cc
+void food_poster(Patch& p, Random& rng, const PrintStyle& s);
+void bakery_poster(Patch& p, Random& rng, const PrintStyle& s);
+
 // ---- what designs share
 
 inline constexpr Vec3f kPrintBlack{0.025f, 0.024f, 0.024f}, kPrintWhite{0.74f, 0.73f, 0.7f};
@@ -42,6 +46,12 @@ Vec3f varied(Random& rng, Vec3f color);
 Vec3f contrasting(Random& rng, Colors inks, Vec3f ground);
 // Lines of small print, each `line` pixels high.
 void small_print(Patch& p, Random& rng, Vec2f low, Vec2f high, float line, Vec3f ink);
+// Pixels at these shares of the patch.
+Vec2f spot(const Patch& p, float x, float y);
+// From the color `below` to that `above`.
+void fade(Patch& p, Vec2f low, Vec2f high, Vec3f below, Vec3f above);
+// A person seen from afar: the head `tall` pixels above the feet, the limbs swung by `stride` in [-1, 1].
+void person(Patch& p, Vec2f feet, float tall, float stride, Vec3f ink);
 // One large picture: hills and a sun, a figure, discs, a town at night, bands.
 void scene(Patch& p, Random& rng, Vec2f low, Vec2f high, Vec3f sky, Vec3f ink, Vec3f light);
 

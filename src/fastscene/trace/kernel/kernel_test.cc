@@ -155,6 +155,8 @@ TEST_F(Kernels, TexturesAreTheProcessors) {
         float roughness, height;
         Vec2f slope;
         float metal;
+        Vec3f shown;
+        float unused;
     };
     struct Push {
         std::uint64_t materials, queries, answers;
@@ -173,9 +175,11 @@ TEST_F(Kernels, TexturesAreTheProcessors) {
         const SurfaceTexture wanted = texture_with_slope(m, {q.coords, q.plane, q.footprint_m}, q.axis, true);
         const Answer& got = found[i];
         const Vec3f color = got.albedo - wanted.value.albedo;
+        const Vec3f shown = got.shown - wanted.value.shown;
         const Vec2f slope = got.slope - wanted.slope;
         const float off = std::max(
-            {std::abs(color.x), std::abs(color.y), std::abs(color.z), std::abs(got.roughness - wanted.value.roughness),
+            {std::abs(color.x), std::abs(color.y), std::abs(color.z), std::abs(shown.x), std::abs(shown.y),
+             std::abs(shown.z), std::abs(got.roughness - wanted.value.roughness),
              std::abs(got.metal - wanted.value.metal), 0.1f * std::abs(got.height - wanted.value.height)});
         const bool same = off < (has_boards(m.pattern) ? kToleranceOfBoards : kTolerance) &&
                           length(slope) < kSlopeTolerance;  // false for NaN
@@ -217,7 +221,7 @@ TEST_F(Kernels, ResponsesAndSamplesAreTheProcessors) {
         const auto [a, b, c, d, e, f, g] = u;
         SurfacePointInfo p;
         p.normal = p.bumped = direction_of(a, b), p.material = &m;
-        p.texture = {m.color_b, m.roughness, 0, m.metal};
+        p.texture = {m.color_b, m.roughness, 0, m.metal, {1, 1, 1}};
         const Vec3f direction = direction_of(c, d);
         Sky sky;
         sky.sun_dir = direction_of(e, f), sky.seen = 0.2f;

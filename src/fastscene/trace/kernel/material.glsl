@@ -40,12 +40,12 @@ struct Material {
     float roughness, specular, metal, transmission;
     float mirror;
     uint pattern, seed, variant;
-    TextureWords image;  // of Pattern_image only
+    TextureWords image;  // of Pattern_image, and of a Pattern_screen with kShowsPicture
     uint burns;
-    uint maps;                                // kHasNormals, kHasMetallicRoughness: which of these there are
+    uint maps;                                // kHasNormals, kHasMetallicRoughness, kShowsPicture: which there are
     TextureWords normals, metallic_roughness;
 };
-const uint kHasNormals = 1, kHasMetallicRoughness = 2;
+const uint kHasNormals = 1, kHasMetallicRoughness = 2, kShowsPicture = 4;
 layout(buffer_reference, std430, buffer_reference_align = 16) readonly buffer Materials { Material at[]; };
 
 #endif

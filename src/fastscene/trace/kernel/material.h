@@ -28,6 +28,7 @@ struct TextureValue {
     float roughness;  // in [0.02, 1]
     float height;     // relief, in units of Material::bump_m
     float metal;      // 1: the albedo is the mirror's color; only Pattern::image sets it, as a share of Material::metal
+    Vec3f shown;      // factors of Material::emission; only Pattern::screen sets them
 };
 
 struct SurfaceTexture {
@@ -41,6 +42,7 @@ inline TextureValue texture_value(Vec3f albedo, float roughness, float height) {
     v.roughness = roughness;
     v.height = height;
     v.metal = 1;
+    v.shown = vec3(1, 1, 1);
     return v;
 }
 

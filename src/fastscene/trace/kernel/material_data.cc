@@ -22,17 +22,19 @@ void append(TextureWords& out, const TextureImage* picture) {
 
 TextureWords texture_words(std::span<const Material> materials) {
     TextureWords out;
-    for (const Material& m : materials)
+    for (const Material& m : materials) {
+        if (m.pattern == Pattern::screen) append(out, m.image.get());
         if (m.pattern == Pattern::image)
             for (const TextureImage* picture : {m.image.get(), m.normals.get(), m.metallic_roughness.get()})
                 append(out, picture);
+    }
     return out;
 }
 
 MaterialData material_data(const Material& m, const TextureWords& textures, std::uint64_t address) {
-    const auto address_of = [&](const std::shared_ptr<const TextureImage>& picture) -> std::uint64_t {
-        if (m.pattern != Pattern::image || !picture) return 0;
-        return address + sizeof(std::uint32_t) * textures.first.at(picture.get());
+    const bool is_image = m.pattern == Pattern::image;
+    const auto address_of = [&](const std::shared_ptr<const TextureImage>& picture, bool used) -> std::uint64_t {
+        return used && picture ? address + sizeof(std::uint32_t) * textures.first.at(picture.get()) : 0;
     };
     MaterialData out{};
     out.color_a = m.color_a, out.color_b = m.color_b, out.color_c = m.color_c, out.emission = m.emission;
@@ -40,9 +42,10 @@ MaterialData material_data(const Material& m, const TextureWords& textures, std:
     out.roughness = m.roughness, out.specular = m.specular, out.metal = m.metal, out.transmission = m.transmission;
     out.mirror = m.mirror, out.burns = m.burns;
     out.pattern = static_cast<std::uint32_t>(m.pattern), out.seed = m.seed, out.variant = m.variant;
-    out.image = address_of(m.image);
-    out.normals = address_of(m.normals), out.metallic_roughness = address_of(m.metallic_roughness);
-    out.maps = (out.normals ? kHasNormals : 0) | (out.metallic_roughness ? kHasMetallicRoughness : 0);
+    out.image = address_of(m.image, is_image || m.pattern == Pattern::screen);
+    out.normals = address_of(m.normals, is_image), out.metallic_roughness = address_of(m.metallic_roughness, is_image);
+    out.maps = (out.normals ? kHasNormals : 0) | (out.metallic_roughness ? kHasMetallicRoughness : 0) |
+               (m.pattern == Pattern::screen && out.image ? kShowsPicture : 0);
     return out;
 }
 

@@ -27,7 +27,7 @@ struct MaterialData {
     std::uint32_t burns, maps;
     std::uint64_t normals, metallic_roughness;  // as image; `maps` says which there are
 };
-inline constexpr std::uint32_t kHasNormals = 1, kHasMetallicRoughness = 2;
+inline constexpr std::uint32_t kHasNormals = 1, kHasMetallicRoughness = 2, kShowsPicture = 4;
 static_assert(sizeof(MaterialData) == 128);
 static_assert(offsetof(MaterialData, scale_m) == 12 && offsetof(MaterialData, color_b) == 16 &&
               offsetof(MaterialData, color_c) == 32 && offsetof(MaterialData, emission) == 48 &&

@@ -1,4 +1,4 @@
-// Pattern::image: pictures and their mip levels, of color, normals, roughness and metal.
+// Pattern::image and Pattern::screen: pictures and their mip levels, of color, normals, roughness and metal.
 #ifndef FASTSCENE_TRACE_KERNEL_PICTURE_H
 #define FASTSCENE_TRACE_KERNEL_PICTURE_H
 
@@ -19,6 +19,7 @@ static Picture normal_picture(const Material& m) { return m.normals.get(); }
 static Picture gloss_picture(const Material& m) { return m.metallic_roughness.get(); }
 static bool has_normals(const Material& m) { return m.pattern == Pattern::image && m.normals; }
 static bool has_gloss(const Material& m) { return m.metallic_roughness != nullptr; }
+static bool shows_picture(const Material& m) { return m.pattern == Pattern::screen && m.image; }
 static int level_count(Picture t) { return static_cast<int>(t->levels.size()); }
 static const ImageRgb8& level_at(Picture t, int level) { return t->levels[static_cast<std::size_t>(level)]; }
 static int level_width(Picture t, int level) { return level_at(t, level).width; }
@@ -35,6 +36,7 @@ Picture normal_picture(Material m) { return m.normals; }
 Picture gloss_picture(Material m) { return m.metallic_roughness; }
 bool has_normals(Material m) { return (m.maps & kHasNormals) != 0; }
 bool has_gloss(Material m) { return (m.maps & kHasMetallicRoughness) != 0; }
+bool shows_picture(Material m) { return (m.maps & kShowsPicture) != 0; }
 int level_count(Picture t) { return int(t.at[0]); }
 int level_width(Picture t, int level) { return int(t.at[2 + 3 * level]); }
 int level_height(Picture t, int level) { return int(t.at[3 + 3 * level]); }
@@ -92,6 +94,23 @@ TextureValue image(IN(Material) m, IN(TexturePoint) p) {
         v.metal = factors.z;
     }
     return v;
+}
+
+// A screen: what it shows is light, its glass has one color.
+TextureValue screen(IN(Material) m, IN(TexturePoint) p) {
+    TextureValue v = texture_value(m.color_a, m.roughness, 1.f);
+    if (shows_picture(m)) {
+        Picture colors = color_picture(m);
+        v.shown = sampled_color(colors, level_for(colors, m, p.footprint_m), p.plane);
+    }
+    return v;
+}
+
+// Radiance over the whole surface on average: what sampled light and bounced light have of it.
+Vec3f mean_emission(IN(Material) m) {
+    if (!shows_picture(m)) return m.emission;
+    Picture colors = color_picture(m);
+    return m.emission * linear_texel(colors, level_count(colors) - 1, 0, 0);
 }
 
 // Slope of the relief along u and v that a normal map stands for.

@@ -96,7 +96,8 @@ static TexturePoint moved(IN(TexturePoint) p, int axis, float du, float dv) {
 }
 
 static TextureValue in_range(IN(Material) m, TextureValue v) {
-    v.metal = m.metal * (m.pattern == PATTERN(image) ? v.metal : 1.f);  // only pictures say it
+    v.metal = m.metal * (m.pattern == PATTERN(image) ? v.metal : 1.f);  // only pictures say it,
+    if (m.pattern != PATTERN(screen)) v.shown = vec3(1, 1, 1);          // and only screens this
     v.albedo = vec3(unit_clamp(v.albedo.x), unit_clamp(v.albedo.y), unit_clamp(v.albedo.z));
     v.roughness = clamp(v.roughness, 0.02f, 1.f);
     return v;

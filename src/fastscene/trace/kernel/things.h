@@ -1,4 +1,4 @@
-// Other materials: metal, pictures, books, leaves, grass, screens.
+// Other materials: metal, pictures, books, leaves, grass.
 #ifndef FASTSCENE_TRACE_KERNEL_THINGS_H
 #define FASTSCENE_TRACE_KERNEL_THINGS_H
 
@@ -205,14 +205,6 @@ TextureValue grass(IN(Material) m, IN(TexturePoint) p) {
     v.albedo = lerp(m.color_a, m.color_b, broad) * (0.6f + 0.8f * blade);
     v.roughness = 0.95f;
     v.height = blade;
-    return v;
-}
-
-TextureValue screen(IN(Material) m, IN(TexturePoint)) {
-    TextureValue v;
-    v.albedo = m.color_a;
-    v.roughness = m.roughness;
-    v.height = 1.f;
     return v;
 }
 

@@ -5,6 +5,7 @@
 #include "fastscene/base/parallel.h"
 #include "fastscene/base/random.h"
 #include "fastscene/trace/irradiance_cells.h"
+#include "fastscene/trace/texture.h"
 
 namespace fastscene::vulkan {
 
@@ -78,7 +79,7 @@ void CardGatherer::update(const IrradianceCache::Tables& cache, Changed what) {
                 const Material& material = tracer_.material(m);
                 coats.push_back(vec4(cache.reflectances[m], material.transmission));
                 coats.push_back(vec4(c.across, c.sharp)), coats.push_back(vec4(c.grazing, c.alpha));
-                coats.push_back(vec4(material.emission));
+                coats.push_back(vec4(mean_emission(material)));
             }
             scene.set_cache(CardScene::kCoats, coats);
             return;

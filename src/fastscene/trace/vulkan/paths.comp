@@ -93,7 +93,7 @@ void main() {
             origin = s.position + ahead * kSurfaceOffset;
             passes = true;
         } else {
-            sum += throughput * (clearly ? lamp_seen(w, m.emission) : m.emission) * mis_weight;
+            sum += throughput * (clearly ? lamp_seen(w, m.emission) : m.emission) * s.texture.shown * mis_weight;
             if (clearly && is_clear(m)) {
                 const Pane pane = pane_of(s.texture.albedo, s.normal, direction);
                 const float way = next(random);

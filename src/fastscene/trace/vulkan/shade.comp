@@ -142,7 +142,7 @@ void main() {
                                                                  direction, false) +
                                  readings[1].sun * sun_reflected(sun_dir, reflectance, coat, m.transmission, s.normal,
                                                                  direction, true);
-                found_light = sharp ? lamp_seen(w, m.emission) : m.emission;
+                found_light = (sharp ? lamp_seen(w, m.emission) : m.emission) * s.texture.shown;
                 found_rest = even + sun * sun_seen;
                 is_reflected = true;
             } else {
@@ -152,7 +152,7 @@ void main() {
                 seen = nothing_shaded();
                 seen.albedo = s.texture.albedo, seen.position = s.position, seen.normal = s.normal;
                 position = s.position, normal = s.normal, bumped = s.bumped, specular = r.specular, alpha = r.alpha;
-                emitted = lamp_seen(w, m.emission);
+                emitted = lamp_seen(w, m.emission) * s.texture.shown;
                 is_pane = panes > 0 && clear;
                 if (is_pane) pane = pane_of(s.texture.albedo, s.normal, direction);
 

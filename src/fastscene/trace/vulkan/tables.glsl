@@ -71,4 +71,7 @@ vec4 world_look(World w) { return w.look; }
 vec4 world_curve(World w) { return w.curve; }
 vec4 world_band(World w) { return w.band; }
 vec4 world_cache(World w) { return w.cache; }
-vec3 emission_of(World w, uint material) { return w.materials.at[material].emission; }
+vec3 emission_of(World w, uint material) {
+    Material m = w.materials.at[material];
+    return mean_emission(m);
+}

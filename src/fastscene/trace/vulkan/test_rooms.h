@@ -33,12 +33,12 @@ inline Mesh heap_mesh(int count, int material, Vec3f middle, float size, std::ui
 }
 
 // Lamps, a window with a pane and a curtain, sun, a mirror, lacquer, metal, velvet, a candle's flame, a glass in front
-// of a box, a heap of scraps.
+// of a box, a heap of scraps, a screen.
 inline Room everything_room() {
     Room room;
     room.min_corner = kLow, room.max_corner = kHigh;
-    enum { kWalls, kLamp, kRed, kMetal, kMirror, kGlass, kCurtain, kLacquer, kFlame, kVelvet, kScraps };
-    room.materials.assign(11, diffuse({0.7f, 0.65f, 0.6f}));
+    enum { kWalls, kLamp, kRed, kMetal, kMirror, kGlass, kCurtain, kLacquer, kFlame, kVelvet, kScraps, kScreen };
+    room.materials.assign(12, diffuse({0.7f, 0.65f, 0.6f}));
     room.materials[kLamp].emission = {9, 8, 7};
     room.materials[kRed] = diffuse({0.7f, 0.05f, 0.04f});
     Material& metal = room.materials[kMetal];
@@ -55,6 +55,7 @@ inline Room everything_room() {
     flame.emission = {30, 18, 6}, flame.burns = true;
     room.materials[kVelvet].sheen = 0.8f;
     room.materials[kScraps] = diffuse({0.3f, 0.5f, 0.25f});
+    room.materials[kScreen] = half_lit_screen({3, 2.5f, 2});
 
     // The wall at +x has a hole. Nothing stands on the floor: which of two faces at one place a ray meets is open.
     Mesh shell = add_box(kLow, kHigh, true, kWalls);
@@ -89,6 +90,9 @@ inline Room everything_room() {
     room.meshes.push_back(add_box({-1.4f, 1.2f, -0.5f}, {1.4f, 1.3f, 0.5f}, false, kLacquer));
     room.meshes.push_back(add_box({0.2f, 0.8f, 0.9f}, {0.25f, 0.95f, 0.95f}, false, kFlame));
     room.meshes.push_back(add_box({-1.9f, 0.8f, -0.6f}, {-1.5f, 1.45f, 0.6f}, false, kVelvet));
+    Mesh screen = add_box({-1.5f, -0.7f, -2.3f}, {-0.9f, -0.3f, -2.28f}, false, kScreen);
+    spread_picture(screen);
+    room.meshes.push_back(screen);
     room.meshes.push_back(heap_mesh(1500, kScraps, {0.6f, 1.1f, -1.5f}, 0.4f, 3));
     room.sky.zenith = {0.4f, 0.6f, 1.f}, room.sky.horizon = {0.8f, 0.85f, 1.f}, room.sky.ground = {0.3f, 0.3f, 0.25f};
     room.sky.sun_dir = normalize(Vec3f{0.8f, -0.5f, 0.2f});

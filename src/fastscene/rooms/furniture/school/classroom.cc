@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "fastscene/rooms/furniture/shop/goods.h"
+#include "fastscene/rooms/furniture/screen.h"
 
 namespace fastscene::furniture {
 
@@ -55,14 +56,14 @@ void build_projector_screen(Kit& k) {
     const Vec3f s = k.wanted({2.8f, 0, 0});
     const float w = s.x, h = s.y > 0 ? s.y : 0.5625f * w;
     const int border = k.main(plain("screen border", {0.02f, 0.02f, 0.02f}, 0.9f));
-    Material shown = plain("projected picture", {0.5f, 0.5f, 0.5f}, 0.9f);
-    shown.pattern = Pattern::screen;
-    shown.emission = {1.1f, 1.05f, 1.0f};
-    shown.scale_m = h;
-    shown.seed = k.seed();
+    // Cloth, not glass: matt. Its own white would let the lamps of the room wash out the picture.
+    constexpr Vec3f kProjected{1.9f, 1.85f, 1.8f};
+    const int shown = lit_screen(k, k.request.pattern == kFilmPattern ? Shown::film : Shown::slides, kProjected,
+                                 w - 0.12f);
+    Material& cloth = k.piece.materials[static_cast<std::size_t>(shown)];
+    cloth.color_a = cloth.color_b = cloth.color_c = {0.06f, 0.06f, 0.06f}, cloth.roughness = 0.9f;
     k.board(border, {0, 0, 0.02f}, {w, h, 0.04f}, 0.006f);
-    Mesh face = shapes::box({w - 0.12f, h - 0.12f, 0.004f}, 0.001f);
-    k.add(std::move(face), k.material(shown), {0, 0.5f * h, 0.042f});
+    k.add(screen_box({w - 0.12f, h - 0.12f, 0.004f}), shown, {0, 0.06f, 0.042f});
     k.piece.mount = Mount::wall;
     k.piece.hang_height_m = 0.95f;
 }

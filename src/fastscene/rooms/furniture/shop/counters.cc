@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "fastscene/rooms/furniture/shop/goods.h"
+#include "fastscene/rooms/furniture/screen.h"
 
 namespace fastscene::furniture {
 namespace {
@@ -229,16 +230,14 @@ void espresso_machine(Kit& k, Vec3f at) {
 
 void till(Kit& k, Vec3f at) {
     const int dark = color(k, "till", {0.04f, 0.04f, 0.045f}, 0.4f);
-    Material screen = plain("screen", {0.1f, 0.16f, 0.24f}, 0.2f);
-    screen.pattern = Pattern::screen;
-    screen.emission = {0.4f, 0.5f, 0.6f};
     k.board(dark, at, {0.34f, 0.09f, 0.34f}, 0.008f);
     k.rod(dark, at + Vec3f{0, 0.08f, 0}, at + Vec3f{0, 0.2f, 0.02f}, 0.02f);
-    Mesh lid = shapes::box({0.32f, 0.22f, 0.02f}, 0.004f), face = shapes::box({0.29f, 0.19f, 0.003f}, 0.0005f);
-    shapes::move(face, {0, 0, -0.0115f});
+    Mesh lid = shapes::box({0.32f, 0.22f, 0.02f}, 0.004f), face = screen_box({0.29f, 0.19f, 0.003f});
+    // It looks to -z, to who serves.
+    shapes::move(shapes::turn(face, {0, 1, 0}, 180), {0, -0.095f, -0.0115f});
     for (Mesh* m : {&lid, &face}) shapes::turn(*m, {1, 0, 0}, 20);
     k.add(std::move(lid), dark, at + Vec3f{0, 0.27f, 0.02f});
-    k.add(std::move(face), k.material(screen), at + Vec3f{0, 0.27f, 0.02f});
+    k.add(std::move(face), lit_screen(k, Shown::till, kMonitorWhite, 0.29f), at + Vec3f{0, 0.27f, 0.02f});
 }
 
 Material stone(const char* name) { return *material_named(name); }

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "fastscene/rooms/furniture/shop/goods.h"
+#include "fastscene/rooms/furniture/screen.h"
 
 namespace fastscene::furniture {
 
@@ -51,11 +52,8 @@ void build_slot_machine(Kit& k) {
     const int body = k.main(plain("cabinet", k.accent(), 0.25f)), chrome = k.material(steel()),
               dark = color(k, "panel", {0.02f, 0.02f, 0.025f}, 0.2f),
               knob = color(k, "knob", {0.5f, 0.02f, 0.02f}, 0.15f);
-    Material shown = plain("reels", {0.2f, 0.2f, 0.2f}, 0.3f), sign = shown;
-    shown.pattern = sign.pattern = Pattern::screen;
-    shown.emission = {1.6f, 1.2f, 0.9f}, shown.seed = k.seed(), shown.scale_m = 0.3f;
-    sign.emission = {2.2f, 0.9f, 0.3f}, sign.seed = k.seed(), sign.scale_m = 0.24f;
-    const int reels = k.material(shown), top = k.material(sign);
+    const int reels = lit_screen(k, Shown::reels, kGameWhite, 0.48f),
+              top = lit_screen(k, Shown::jackpot, kGameWhite, 0.48f);
     k.board(body, {0, 0, -0.03f}, {0.62f, 0.72f, 0.54f}, 0.02f);
     k.board(body, {0, 0.72f, -0.12f}, {0.6f, 1.0f, 0.36f}, 0.02f);
     k.board(dark, {0, 0.76f, 0.0f}, {0.56f, 0.07f, 0.36f}, 0.02f);
@@ -63,9 +61,9 @@ void build_slot_machine(Kit& k) {
         k.rod(i % 2 ? knob : chrome, {-0.18f + 0.09f * static_cast<float>(i), 0.83f, 0.1f},
               {-0.18f + 0.09f * static_cast<float>(i), 0.845f, 0.1f}, 0.025f, -1, 12);
     k.board(chrome, {0, 0.92f, 0.06f}, {0.54f, 0.4f, 0.02f}, 0.006f),
-        k.board(reels, {0, 0.95f, 0.07f}, {0.48f, 0.34f, 0.006f}, 0.001f);
+        k.add(screen_box({0.48f, 0.34f, 0.006f}), reels, {0, 0.95f, 0.07f});
     k.board(chrome, {0, 1.38f, 0.06f}, {0.54f, 0.3f, 0.02f}, 0.006f),
-        k.board(top, {0, 1.41f, 0.07f}, {0.48f, 0.24f, 0.006f}, 0.001f);
+        k.add(screen_box({0.48f, 0.24f, 0.006f}), top, {0, 1.41f, 0.07f});
     k.board(chrome, {0, 0.2f, 0.24f}, {0.4f, 0.12f, 0.06f}, 0.02f);
     k.rod(chrome, {0.33f, 0.9f, -0.1f}, {0.36f, 1.2f, -0.02f}, 0.014f),
         k.add(shapes::ball({0.36f, 1.22f, -0.015f}, {0.035f, 0.035f, 0.035f}, 14), knob);
@@ -78,20 +76,16 @@ void build_arcade_machine(Kit& k) {
               dark = color(k, "panel", {0.02f, 0.02f, 0.022f}, 0.5f),
               knob = color(k, "joystick", {0.5f, 0.03f, 0.03f}, 0.2f),
               blue = color(k, "button", {0.04f, 0.15f, 0.5f}, 0.2f);
-    Material shown = plain("game", {0.15f, 0.15f, 0.2f}, 0.2f), sign = shown;
-    shown.pattern = sign.pattern = Pattern::screen;
-    shown.emission = {0.7f, 1.0f, 1.6f}, shown.seed = k.seed(), shown.scale_m = 0.4f;
-    sign.emission = {2.0f, 0.6f, 1.4f}, sign.seed = k.seed(), sign.scale_m = 0.2f;
     for (const float sx : {-1.f, 1.f})
         k.board(side, {sx * 0.32f, 0, -0.05f}, {0.03f, 1.8f, 0.6f}, 0.006f),
             k.board(side, {sx * 0.32f, 0.6f, 0.2f}, {0.03f, 0.4f, 0.4f}, 0.02f);
     k.board(dark, {0, 0, -0.05f}, {0.62f, 0.85f, 0.55f}, 0.006f),
         k.board(dark, {0, 0.85f, -0.22f}, {0.62f, 0.95f, 0.25f}, 0.006f),
         k.board(dark, {0, 0.85f, 0.15f}, {0.61f, 0.06f, 0.45f}, 0.01f);
-    Mesh face = shapes::box({0.54f, 0.42f, 0.01f}, 0.002f);
-    shapes::turn(face, {1, 0, 0}, -15);
-    k.add(std::move(face), k.material(shown), {0, 1.2f, -0.04f}),
-        k.board(k.material(sign), {0, 1.55f, 0.1f}, {0.6f, 0.2f, 0.02f}, 0.003f),
+    Mesh face = screen_box({0.54f, 0.42f, 0.01f});
+    shapes::move(face, {0, -0.21f, 0}), shapes::turn(face, {1, 0, 0}, -15);
+    k.add(std::move(face), lit_screen(k, Shown::game, kGameWhite, 0.54f), {0, 1.2f, -0.04f}),
+        k.add(screen_box({0.6f, 0.2f, 0.02f}), lit_screen(k, Shown::marquee, kGameWhite, 0.6f), {0, 1.55f, 0.1f}),
         k.board(dark, {0, 1.5f, 0.0f}, {0.61f, 0.04f, 0.3f}, 0.004f);
     for (const float sx : {-1.f, 1.f}) {
         k.rod(dark, {sx * 0.17f, 0.9f, 0.2f}, {sx * 0.17f, 0.98f, 0.2f}, 0.008f),

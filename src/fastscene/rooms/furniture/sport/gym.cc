@@ -5,14 +5,13 @@
 #include <utility>
 
 #include "fastscene/rooms/furniture/shop/goods.h"
+#include "fastscene/rooms/furniture/screen.h"
 
 namespace fastscene::furniture {
 
 void build_treadmill(Kit& k) {
     const int frame = k.main(plain("treadmill lacquer", {0.06f, 0.06f, 0.065f}, 0.35f)),
               belt = color(k, "belt", {0.025f, 0.025f, 0.025f}, 0.9f), metal = k.material(steel());
-    Material scr = plain("screen", {0.1f, 0.16f, 0.24f}, 0.2f);
-    scr.pattern = Pattern::screen, scr.emission = {0.5f, 0.7f, 0.9f};
     k.board(frame, {0, 0.05f, 0}, {0.82f, 0.11f, 1.75f}, 0.02f);
     k.board(belt, {0, 0.155f, 0.06f}, {0.52f, 0.012f, 1.5f}, 0.003f);
     k.board(frame, {0, 0.14f, -0.72f}, {0.8f, 0.12f, 0.32f}, 0.03f);
@@ -21,10 +20,11 @@ void build_treadmill(Kit& k) {
         k.rod(metal, {sx * 0.38f, 0.15f, -0.62f}, {sx * 0.36f, 1.2f, -0.74f}, 0.03f, -1, 12);
         k.rod(frame, {sx * 0.36f, 0.98f, -0.7f}, {sx * 0.36f, 0.95f, -0.2f}, 0.022f, -1, 12);
     }
-    Mesh panel = shapes::box({0.84f, 0.3f, 0.06f}, 0.02f), face = shapes::box({0.42f, 0.2f, 0.004f}, 0.001f);
-    shapes::move(face, {0, 0, 0.032f});
+    Mesh panel = shapes::box({0.84f, 0.3f, 0.06f}, 0.02f), face = screen_box({0.42f, 0.2f, 0.004f});
+    shapes::move(face, {0, -0.1f, 0.032f});
     for (Mesh* m : {&panel, &face}) shapes::turn(*m, {1, 0, 0}, -25);
-    k.add(std::move(panel), frame, {0, 1.3f, -0.76f}), k.add(std::move(face), k.material(scr), {0, 1.3f, -0.76f});
+    k.add(std::move(panel), frame, {0, 1.3f, -0.76f}),
+        k.add(std::move(face), lit_screen(k, Shown::workout, kMonitorWhite, 0.42f), {0, 1.3f, -0.76f});
     k.piece.clearance_front_m = 0.6f;
 }
 

@@ -6,23 +6,15 @@
 #include <vector>
 
 #include "fastscene/rooms/furniture/shop/goods.h"
+#include "fastscene/rooms/furniture/print.h"
+#include "fastscene/rooms/furniture/screen.h"
 
 namespace fastscene::furniture {
-namespace {
-
-int screen(Kit& k, Vec3f radiance, float scale_m) {
-    Material m = plain("screen", {0.1f, 0.1f, 0.1f}, 0.1f);
-    m.pattern = Pattern::screen, m.emission = radiance, m.seed = k.seed(), m.scale_m = scale_m;
-    return k.material(std::move(m));
-}
-
-}  // namespace
-
 // A camera with a prompter on a wheeled pedestal; it looks along +z.
 void build_studio_camera(Kit& k) {
     const int body = k.main(plain("camera", {0.03f, 0.031f, 0.033f}, 0.45f)), metal = k.material(steel()),
               lens = color(k, "lens", {0.01f, 0.012f, 0.02f}, 0.05f), pane = k.material(glass()),
-              shown = screen(k, {0.5f, 0.6f, 0.8f}, 0.12f), tally = k.material([] {
+              shown = lit_screen(k, Shown::broadcast, kMonitorWhite, 0.3f), tally = k.material([] {
                   Material m = glow("tally", {4.f, 0.15f, 0.1f});
                   m.pattern = Pattern::screen;
                   return m;
@@ -44,7 +36,9 @@ void build_studio_camera(Kit& k) {
     k.add(shapes::ball({0, 1.28f, 0.5f}, {0.082f, 0.082f, 0.04f}, 18), lens);
     // The prompter: a hood, a pane at 45 degrees, its display below.
     k.board(body, {0, 1.06f, 0.66f}, {0.36f, 0.03f, 0.3f}, 0.006f);
-    block(k, shown, {0, 1.092f, 0.66f}, {0.3f, 0.004f, 0.24f});
+    Mesh prompter = screen_box({0.3f, 0.24f, 0.004f}), finder = screen_box({0.2f, 0.14f, 0.004f});
+    shapes::turn(prompter, {1, 0, 0}, -90), shapes::turn(finder, {0, 1, 0}, 180);
+    k.add(std::move(prompter), shown, {0, 1.094f, 0.78f});
     Mesh sheet = shapes::box({0.34f, 0.4f, 0.006f}, 0.001f);
     shapes::turn(sheet, {1, 0, 0}, 45);
     k.add(std::move(sheet), pane, {0, 1.26f, 0.66f});
@@ -52,7 +46,7 @@ void build_studio_camera(Kit& k) {
     k.board(body, {0, 1.43f, 0.6f}, {0.38f, 0.012f, 0.34f}, 0.003f);
     // Viewfinder, tally lamp, pan bars.
     k.board(body, {0, 1.42f, -0.2f}, {0.24f, 0.18f, 0.1f}, 0.01f);
-    block(k, shown, {0, 1.44f, -0.254f}, {0.2f, 0.14f, 0.004f});
+    k.add(std::move(finder), shown, {0, 1.44f, -0.254f});
     block(k, tally, {0, 1.6f, -0.2f}, {0.08f, 0.03f, 0.05f});
     for (const float sx : {-1.f, 1.f})
         k.rod(metal, {sx * 0.09f, 1.1f, -0.05f}, {sx * 0.3f, 0.98f, -0.66f}, 0.013f, -1, 8);
@@ -170,17 +164,23 @@ void build_news_desk(Kit& k) {
 
 // Screens side by side, one picture over all of them.
 void build_video_wall(Kit& k) {
+    constexpr Vec3f kWallWhite{1.3f, 1.3f, 1.3f};
+    constexpr float kInset = 0.002f;  // share of the picture that a bezel hides
     const Vec3f s = k.wanted({3.6f, 1.9f, 0.12f});
     const int frame = k.main(plain("bezel", {0.015f, 0.015f, 0.016f}, 0.35f)),
-              shown = screen(k, {0.09f, 0.14f, 0.27f}, 1.2f);
+              shown = lit_screen(k, Shown::operations, kWallWhite, s.x);
     const int columns = std::max(1, static_cast<int>(std::lround(s.x / 1.1f))),
               rows = std::max(1, static_cast<int>(std::lround(s.y / 0.63f)));
     k.board(frame, {0, 0, 0.5f * s.z}, s, 0.01f);
     for (int j = 0; j < rows; ++j)
         for (int i = 0; i < columns; ++i) {
             const float w = s.x / static_cast<float>(columns), h = s.y / static_cast<float>(rows);
-            block(k, shown, {-0.5f * s.x + w * (static_cast<float>(i) + 0.5f), h * static_cast<float>(j) + 0.012f, s.z},
-                  {w - 0.018f, h - 0.024f, 0.008f});
+            const Vec2f low{static_cast<float>(i) / static_cast<float>(columns),
+                            static_cast<float>(j) / static_cast<float>(rows)},
+                high = low + Vec2f{1.f / static_cast<float>(columns), 1.f / static_cast<float>(rows)};
+            k.add(printed_box({low + Vec2f{kInset, kInset}, high - Vec2f{kInset, kInset}},
+                              {w - 0.018f, h - 0.024f, 0.008f}),
+                  shown, {-0.5f * s.x + w * (static_cast<float>(i) + 0.5f), h * static_cast<float>(j) + 0.012f, s.z});
         }
     k.piece.mount = Mount::wall, k.piece.hang_height_m = 0.75f;
 }

@@ -6,6 +6,7 @@
 
 #include "fastscene/rooms/furniture/kit.h"
 #include "fastscene/rooms/furniture/tables/table_parts.h"
+#include "fastscene/rooms/furniture/screen.h"
 
 namespace fastscene::furniture {
 namespace {
@@ -28,10 +29,6 @@ void build_desk(Kit& k) {
     k.board(k.piece.main_material, {0.5f * s.x - 0.3f, s.y - 0.17f, 0.02f}, {0.38f, 0.14f, s.z - 0.2f});
     const int metal = k.material(k.style.metal), dark = k.material(plain("dark plastic", {0.04f, 0.04f, 0.043f}, 0.4f)),
               alu = k.material(plain("aluminium", {0.5f, 0.51f, 0.52f}, 0.35f));
-    Material scr = plain("laptop screen", {0.1f, 0.16f, 0.24f}, 0.2f);
-    scr.pattern = Pattern::screen;
-    scr.emission = {0.5f, 0.7f, 0.95f};
-    const int screen = k.material(scr);
     fronts(k, k.piece.main_material, metal, 0.5f * s.x - 0.49f, 0.5f * s.x - 0.11f, s.y - 0.17f, s.y - 0.03f,
            0.5f * s.z - 0.08f, 1, 1);
     k.piece.clearance_front_m = 0.8f;
@@ -47,11 +44,11 @@ void build_desk(Kit& k) {
     // The laptop faces who sits at the front (+z).
     k.board(alu, {0, s.y, 0.06f}, {0.34f, 0.014f, 0.24f}, 0.004f);
     k.board(dark, {0, s.y + 0.0135f, 0.03f}, {0.29f, 0.002f, 0.11f}, 0.0005f);
-    Mesh lid = shapes::box({0.34f, 0.23f, 0.008f}, 0.003f), face = shapes::box({0.315f, 0.205f, 0.002f}, 0.0005f);
-    shapes::move(face, {0, 0, 0.0045f});
+    Mesh lid = shapes::box({0.34f, 0.23f, 0.008f}, 0.003f), face = screen_box({0.315f, 0.205f, 0.002f});
+    shapes::move(face, {0, -0.1025f, 0.0045f});
     for (Mesh* m : {&lid, &face}) shapes::move(shapes::turn(*m, {1, 0, 0}, -16), {0, s.y + 0.122f, -0.09f});
     k.add(lid, alu);
-    k.add(face, screen);
+    k.add(face, lit_screen(k, Shown::desktop, kMonitorWhite, 0.315f));
     put_small(k, "book_stack", {0.5f * s.x - 0.25f, s.y, -0.08f}, 12);
     const std::array<Vec2f, 2> cup{Vec2f{0.036f, 0}, {0.04f, 0.09f}};
     k.add(shapes::vessel(cup, 0.004f, 18), k.material(plain("mug", k.accent(), 0.3f)), {0.3f, s.y, 0.14f});

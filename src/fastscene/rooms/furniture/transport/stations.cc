@@ -1,11 +1,17 @@
 // Of stations and airports: boards, signs, gates, desks, and a train at its platform.
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <span>
+#include <string>
 #include <utility>
 #include <vector>
 
 #include "fastscene/rooms/furniture/shop/goods.h"
+#include "fastscene/rooms/furniture/print_designs.h"
+#include "fastscene/rooms/furniture/screen.h"
 
 namespace fastscene::furniture {
 namespace {
@@ -32,28 +38,61 @@ void arrow(Kit& k, int ink, Vec3f at, float size, float side) {
               0.004f, 0.14f * size);
 }
 
+// The picture of a board of this size: a heading, and rows of what leaves next.
+ImageColor departures(Random& rng, Vec2f size, bool trains) {
+    static constexpr std::array<const char*, 16> kTowns{"LISBON", "OSLO",   "VIENNA", "MADRID", "ROME",   "DUBLIN",
+                                                        "ATHENS", "ZURICH", "PRAGUE", "PARIS",  "BERLIN", "LONDON",
+                                                        "TURIN",  "MILAN",  "LYON",   "BASEL"};
+    static constexpr std::array<std::string_view, 4> kCarriers{"NA", "TP", "OS", "LX"},
+        kTrains{"IC", "EC", "RE", "ICE"};
+    constexpr Vec3f kAmber{0.95f, 0.52f, 0.06f}, kWhite{0.9f, 0.9f, 0.88f}, kGreen{0.2f, 0.8f, 0.25f},
+        kRed{0.9f, 0.1f, 0.06f}, kGround{0.006f, 0.006f, 0.008f}, kBar{0.02f, 0.024f, 0.03f};
+    constexpr float kPixelsPerM = 300, kRow_m = 0.125f, kHead_m = 0.3f;
+    ImageColor image(static_cast<int>(size.x * kPixelsPerM), static_cast<int>(size.y * kPixelsPerM));
+    Patch p(image, 0, 0, image.width, image.height);
+    p.fill(kGround);
+    const auto words = [&](std::string_view text, float x, float y, float high, Vec3f ink) {
+        p.letters(text, {x * p.w, y}, {1, 0}, high, 0.15f * high, ink);
+    };
+    const float row = kRow_m * kPixelsPerM, high = 0.5f * row, top = p.h - kHead_m * kPixelsPerM;
+    p.fill({0, top + 0.35f * row}, {p.w, p.h}, {0.02f, 0.05f, 0.14f});
+    words("DEPARTURES", 0.03f, top + 0.85f * row, 0.1f * kPixelsPerM, kWhite);
+    words("10:24", 0.88f, top + 0.85f * row, 0.1f * kPixelsPerM, kAmber);
+    int minutes = 10 * 60 + 30;
+    const int first = rng.index(static_cast<int>(kTowns.size()));
+    for (int i = 0; top - row * static_cast<float>(i + 1) > 0.1f * row; ++i) {
+        const float y = top - row * static_cast<float>(i + 1) + 0.2f * row;
+        if (i % 2 == 0) p.fill({0, y - 0.25f * row}, {p.w, y + 0.75f * row}, kBar);
+        minutes += 5 + 5 * rng.index(4);
+        const std::string number = fmt::format("{} {}", one_of(rng, trains ? Words(kTrains) : Words(kCarriers)),
+                                               100 + rng.index(880)),
+                          where = trains
+                                      ? fmt::format("{}", 1 + rng.index(14))
+                                      : fmt::format("{}{}", static_cast<char>('A' + rng.index(4)), 1 + rng.index(40));
+        words(fmt::format("{:02}:{:02}", minutes / 60 % 24, minutes % 60), 0.03f, y, high, kWhite);
+        words(kTowns[static_cast<std::size_t>(first + 3 * i) % kTowns.size()], 0.16f, y, high, kAmber);
+        words(number, 0.44f, y, high, kAmber);
+        words(where, 0.64f, y, high, kWhite);
+        const bool late = rng.chance(0.2f);
+        if (late) words("DELAYED", 0.76f, y, high, kRed);
+        else if (i < 2) words(trains ? "BOARDING" : "LAST CALL", 0.76f, y, high, kGreen);
+        else if (!trains && rng.chance(0.5f)) words("GO TO GATE", 0.76f, y, high, kGreen);
+        else words("ON TIME", 0.76f, y, high, kWhite);
+    }
+    return image;
+}
+
 }  // namespace
 
-// Rows of destinations, times and gates in amber on black.
+// Rows of times, destinations, numbers and gates or platforms: amber on black.
 void build_departure_board(Kit& k) {
     const Vec3f s = k.wanted({3.4f, 1.5f, 0.14f});
-    const int frame = k.main(plain("board frame", {0.05f, 0.052f, 0.055f}, 0.4f)),
-              dark = color(k, "board", {0.012f, 0.012f, 0.014f}, 0.3f), amber = lit(k, "amber", {3.4f, 2.0f, 0.35f}),
-              white = lit(k, "white", {2.2f, 2.2f, 2.1f}), green = lit(k, "green", {0.5f, 2.4f, 0.7f});
+    constexpr Vec3f kLit{2.2f, 2.2f, 2.2f};
+    const int frame = k.main(plain("board frame", {0.05f, 0.052f, 0.055f}, 0.4f));
+    const Vec2f face{s.x - 0.06f, s.y - 0.06f};
+    const int shown = lit_picture(k, departures(k.rng, face, k.request.pattern == kTrainsPattern), kLit, face.x);
     k.board(frame, {0, 0, 0.5f * s.z}, s, 0.012f);
-    block(k, dark, {0, 0.03f, s.z}, {s.x - 0.06f, s.y - 0.06f, 0.006f});
-    const float z = s.z + 0.005f, left = -0.5f * s.x + 0.1f, head = 0.11f;
-    lettering(k, white, left, left + 0.5f * s.x, s.y - 0.2f, z, head, 2);
-    const float pitch = 0.125f, high = 0.062f;
-    const int rows = static_cast<int>((s.y - 0.36f) / pitch);
-    for (int i = 0; i < rows; ++i) {
-        const float y = s.y - 0.32f - pitch * static_cast<float>(i + 1) + 0.06f;
-        lettering(k, amber, left, left + 0.34f, y, z, high, 1);
-        lettering(k, amber, left + 0.14f * s.x, left + 0.5f * s.x, y, z, high, 1 + k.rng.index(2));
-        lettering(k, amber, left + 0.58f * s.x, left + 0.64f * s.x, y, z, high, 1);
-        lettering(k, i % 3 == 1 ? green : white, left + 0.74f * s.x, left + 0.92f * s.x, y, z, high, 1);
-        if (i + 1 < rows) block(k, frame, {0, y - 0.035f, z - 0.003f}, {s.x - 0.12f, 0.006f, 0.004f});
-    }
+    k.add(screen_box({face.x, face.y, 0.006f}), shown, {0, 0.03f, s.z});
     k.piece.mount = Mount::wall, k.piece.hang_height_m = 2.1f;
 }
 
@@ -213,13 +252,11 @@ void build_ticket_machine(Kit& k) {
     const Vec3f s = k.wanted({0.8f, 1.8f, 0.5f});
     const int body = k.main(plain("machine", k.accent(), 0.35f)), face = color(k, "face", {0.5f, 0.51f, 0.52f}, 0.35f),
               dark = color(k, "slot", {0.015f, 0.015f, 0.015f}, 0.4f), head = lit(k, "lit head", {1.6f, 1.65f, 1.7f});
-    Material shown = plain("screen", {0.1f, 0.1f, 0.1f}, 0.1f);
-    shown.pattern = Pattern::screen, shown.emission = {0.5f, 0.8f, 1.2f}, shown.seed = k.seed(), shown.scale_m = 0.3f;
-    const int screen = k.material(std::move(shown));
+    const int screen = lit_screen(k, Shown::tickets, kMonitorWhite, 0.4f);
     k.board(body, {0, 0, 0}, s, 0.02f);
     const float z = 0.5f * s.z;
     k.board(face, {0, 0.62f, z}, {s.x - 0.12f, 0.82f, 0.02f}, 0.006f);
-    block(k, screen, {-0.08f, 1.02f, z + 0.012f}, {0.4f, 0.3f, 0.006f});
+    k.add(screen_box({0.4f, 0.3f, 0.006f}), screen, {-0.08f, 1.02f, z + 0.012f});
     for (int j = 0; j < 3; ++j)
         for (int i = 0; i < 3; ++i)
             block(k, dark,
@@ -238,9 +275,8 @@ void build_check_in_desk(Kit& k) {
     const int front = k.main(plain("desk front", k.accent(), 0.35f)),
               top = color(k, "desk top", {0.62f, 0.62f, 0.6f}, 0.3f), metal = k.material(steel()),
               rubber = color(k, "belt", {0.02f, 0.02f, 0.021f}, 0.7f), lampm = lit(k, "logo", {1.8f, 1.8f, 1.75f});
-    Material shown = plain("screen", {0.1f, 0.1f, 0.1f}, 0.1f);
-    shown.pattern = Pattern::screen, shown.emission = {0.35f, 0.7f, 1.3f}, shown.seed = k.seed(), shown.scale_m = 0.5f;
-    const int screen = k.material(std::move(shown)), shell = color(k, "bezel", {0.025f, 0.025f, 0.027f}, 0.4f);
+    const int screen = lit_screen(k, Shown::check_in, kMonitorWhite * 1.3f, 0.6f * s.x),
+              shell = color(k, "bezel", {0.025f, 0.025f, 0.027f}, 0.4f);
     const float desk = 0.62f * s.x, x = -0.5f * s.x + 0.5f * desk, high = 1.12f, z = 0.5f * s.z;
     k.board(front, {x, 0.08f, z - 0.06f}, {desk, high - 0.12f, 0.06f}, 0.006f);
     k.board(metal, {x, 0, z - 0.08f}, {desk, 0.08f, 0.05f}, 0.002f);
@@ -258,7 +294,7 @@ void build_check_in_desk(Kit& k) {
     for (const float sx : {-1.f, 1.f})
         k.rod(metal, {x + sx * 0.5f * desk, 0, -z + 0.05f}, {x + sx * 0.5f * desk, s.y, -z + 0.05f}, 0.03f);
     k.board(shell, {x, s.y - 0.46f, -z + 0.09f}, {desk + 0.06f, 0.46f, 0.08f}, 0.01f);
-    block(k, screen, {x, s.y - 0.42f, -z + 0.132f}, {desk - 0.04f, 0.38f, 0.004f});
+    k.add(screen_box({desk - 0.04f, 0.38f, 0.004f}), screen, {x, s.y - 0.42f, -z + 0.132f});
     k.piece.clearance_front_m = 1.2f;
 }
 

@@ -23,15 +23,16 @@ Vec3f in_shape(const Kit& k, Vec3f usual, Vec3f wanted) {
 }
 
 // What posters are about, as patterns name it.
-constexpr std::array<std::pair<std::string_view, Print>, 9> kTopics{{{"films", Print::film_posters},
-                                                                     {"travel", Print::travel_posters},
-                                                                     {"offers", Print::offers},
-                                                                     {"food", Print::food_posters},
-                                                                     {"sport", Print::sport_posters},
-                                                                     {"concerts", Print::concert_posters},
-                                                                     {"charts", Print::charts},
-                                                                     {"notices", Print::notices},
-                                                                     {"fashion", Print::fashion_posters}}};
+constexpr std::array<std::pair<std::string_view, Print>, 10> kTopics{{{"films", Print::film_posters},
+                                                                      {"travel", Print::travel_posters},
+                                                                      {"offers", Print::offers},
+                                                                      {"food", Print::food_posters},
+                                                                      {"sport", Print::sport_posters},
+                                                                      {"concerts", Print::concert_posters},
+                                                                      {"charts", Print::charts},
+                                                                      {"notices", Print::notices},
+                                                                      {"fashion", Print::fashion_posters},
+                                                                      {"bakery", Print::bakery_posters}}};
 
 const Print* find_topic(std::string_view pattern) {
     for (const auto& [name, print] : kTopics)

@@ -29,6 +29,7 @@ void main() {
     p.plane = q.plane;
     p.footprint_m = q.footprint_m;
     const SurfaceTexture t = texture_with_slope(materials.at[q.material], p, q.axis, true);
-    answers.at[2 * i] = vec4(t.value.albedo, t.value.roughness);
-    answers.at[2 * i + 1] = vec4(t.value.height, t.slope, t.value.metal);
+    answers.at[3 * i] = vec4(t.value.albedo, t.value.roughness);
+    answers.at[3 * i + 1] = vec4(t.value.height, t.slope, t.value.metal);
+    answers.at[3 * i + 2] = vec4(t.value.shown, 0);
 }
