@@ -8,6 +8,7 @@
 #include "fastscene/base/error.h"
 #include "fastscene/base/is_one_of.h"
 #include "fastscene/rooms/catalogue.h"
+#include "fastscene/rooms/edit_audit.h"
 #include "fastscene/rooms/edit_parts.h"
 #include "fastscene/rooms/layout_parts.h"
 #include "fastscene/rooms/plan.h"
@@ -321,7 +322,9 @@ EditResult edit_by_sentence(const RoomDocument& document, const std::string& sen
             }
             deeds = editor.deeds();
             try {
+                const editing::Snapshot before = editing::snapshot_of(talk);
                 talk.act(clauses[i]);
+                editing::audit(talk, clauses[i], before);
             } catch (const editing::AlreadySo&) {
                 throw;
             } catch (const Error&) {
