@@ -37,6 +37,8 @@ bool differs(const std::optional<Material>& a, const std::optional<Material>& b)
     return a.has_value() != b.has_value() || (a && (a->name != b->name || a->color_a != b->color_a));
 }
 
+constexpr float kWhich = 1;  // metres: how much further off what is meant by its place may be
+
 class Audit {
   public:
     Audit(Talk& talk, const Clause& clause, const Snapshot& before)
@@ -243,7 +245,7 @@ class Audit {
         }
         return out;
     }
-    bool holds(const Shown& s, std::string relation, const std::vector<Landmark>& at) const {
+    bool holds(const Shown& s, std::string relation, const std::vector<Landmark>& at, float slack = 0) const {
         if ((clause_.verb == Verb::turn || clause_.verb == Verb::face) && is_one_of(relation, {"to", "at", "next to"}))
             relation = "facing";
         if (is_one_of(relation, {"in the corner", "in the middle", "against"}) && at.empty())
@@ -251,7 +253,7 @@ class Audit {
         if (at.empty() || is_one_of(relation, {"from", "far wall"})) return true;
         if (relation == "between") return is_between_those(s, at, at);
         return std::any_of(at.begin(), at.end(), [&](const Landmark& one) {
-            return (one.id.empty() || one.id != s.thing.id) && holds_at(s, relation, one);
+            return (one.id.empty() || one.id != s.thing.id) && holds_at(s, relation, one, slack);
         });
     }
     void check_places() {
@@ -264,10 +266,12 @@ class Audit {
             bool any = false;
             for (const Shown* s : subjects) {
                 const Shown* was = before_.find(s->thing.id);
-                const bool there = holds(*s, m.meaning, at) || (was && holds(*was, m.meaning, at));
+                const bool there = holds(*s, m.meaning, at) || (was && holds(*was, m.meaning, at, kWhich));
                 any = any || there;
                 if (!there) off.push_back(s);
             }
+            // "A table with two chairs in the corner": some of them.
+            if (any && find_word(words_, {"with"}, begin_of_part(m.from)) < m.from) continue;
             if (off.empty()) continue;
             std::vector<std::string> ids;
             for (const Shown* s : off) ids.push_back(s->thing.id);

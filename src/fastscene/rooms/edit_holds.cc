@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "fastscene/base/is_one_of.h"
+#include "fastscene/rooms/catalogue.h"
 #include "fastscene/rooms/edit_audit.h"
 #include "fastscene/rooms/layout_relations.h"
 
@@ -63,8 +64,13 @@ bool holds_at(const Shown& shown, const std::string& relation, const Landmark& a
     if (relation == "behind") return far < kBefore && ahead < 0.05f;
     if (relation == "opposite") return ahead > 0 || dot(to, ahead_of(shown.box)) > 0;
     if (relation == "facing") {
+        // Who sits at a desk looks over it: either way.
+        if (has_role(shown.thing.kind, Role::work_place) && std::abs(dot(ahead_of(shown.box), to)) > 0.5f * length(to))
+            return true;
         constexpr float kTurnedTo = 0.6f;  // cosine
         if (dot(ahead_of(shown.box), to) > kTurnedTo * length(to)) return true;
+        // Square to what looks back: rows before a board.
+        if (dot(ahead_of(shown.box), ahead_of(at.box)) < -0.9f && ahead > 0) return true;
         // Square to what is wide: straight ahead lies some of it.
         return dot(ahead_of(shown.box), to) > 0 &&
                distance_to(at.box, shown.box.center + ahead_of(shown.box) * dot(ahead_of(shown.box), to)) < 0.1f;

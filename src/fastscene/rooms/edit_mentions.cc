@@ -37,7 +37,8 @@ bool is_relation_seen(const std::string& name) {
 // What edits say that no room is made of: "bigger", "swap", "every other one".
 bool is_of_edits(const Words& words, std::size_t at) {
     const std::string& w = words[at];
-    if (is_one_of(w, {"percent",     "closest",     "nearest",    "farthest",   "furthest",  "far",     "alternate",
+    if (is_one_of(w, {"percent",     "second",      "third",      "fourth",     "fifth",     "sixth",   "last",
+                      "next",        "closest",     "nearest",    "farthest",   "furthest",  "far",     "alternate",
                       "alternately", "alternating", "circle",     "semicircle", "ring",      "row",     "rows",
                       "whatever",    "whichever",   "everything", "anything",   "something", "other",   "others",
                       "rest",        "remaining",   "left",       "right",      "same",      "match",   "matching",
@@ -68,6 +69,10 @@ std::vector<Mention> mentions_in(const Words& words) {
         const std::string next = relation && relation->next < words.size() ? words[relation->next] : "";
         if (words[i] == "round" && !is_definite(next)) relation.reset();
         if (words[i] == "to" && next == "face") relation->name = "facing", ++relation->next;
+        if (is_one_of(words[i], {"face", "faces"}) && i > 0) relation = Relation{"facing", i + 1};
+        if (is_one_of(words[i], {"nearest", "closest", "farthest", "furthest"}))
+            relation = Relation{"from",
+                                i + (is_one_of(i + 1 < words.size() ? words[i + 1] : "", {"to", "from"}) ? 2 : 1)};
         const std::size_t longest = known ? 0 : std::min<std::size_t>(kLongestTerm, words.size() - i);
         for (std::size_t length = longest; length > 0; --length) {
             const std::string term = text_of(words, i, i + length);
