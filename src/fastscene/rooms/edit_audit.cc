@@ -210,7 +210,13 @@ class Audit {
     // ---- places
     std::vector<const Shown*> subjects_of(std::size_t k) const {
         // The nearest nouns before it, back to the joint; without any, whatever changed its place.
-        const std::size_t begin = begin_of_part(mentions_[k].from);
+        std::size_t begin = begin_of_part(mentions_[k].from);
+        // "A chair and a lamp by the window": both, unless the first has a place of its own.
+        while (begin > 1 && clause_.verb != Verb::make && clause_.verb != Verb::color) {
+            const std::size_t other = begin_of_part(begin - 1);
+            if (words_[begin - 1] != "and" || next_place(part_of(words_, other, begin - 1)) < begin - 1 - other) break;
+            begin = other;
+        }
         std::vector<const Shown*> changed = added_;
         changed.insert(changed.end(), moved_.begin(), moved_.end());
         bool named = false;

@@ -39,8 +39,9 @@ bool says_what(const Words& words, std::size_t at) {
     constexpr std::size_t kFirst = 3;  // words
     for (std::size_t i = at; i < std::min(words.size(), at + kFirst) && !is_joint(words[i]); ++i)
         if (const auto word = look_up(words[i]);
-            word && (word->kind == WordKind::object || word->kind == WordKind::structure ||
-                     word->kind == WordKind::color || word->kind == WordKind::material))
+            word &&
+            (word->kind == WordKind::object || word->kind == WordKind::structure || word->kind == WordKind::color ||
+             word->kind == WordKind::material || word->kind == WordKind::time || word->kind == WordKind::weather))
             return true;
     return false;
 }
@@ -241,6 +242,21 @@ void disliked(Clause& clause, const Clause& next) {
     clause.verb = Verb::remark;
 }
 
+// "Remove everything from the desk but leave the lamp": everything except the lamp.
+bool leaves_some(Clause& clause, const Clause& next) {
+    const bool takes = clause.verb == Verb::clear || (clause.verb == Verb::remove && says_all(clause.words));
+    if (!takes || next.verb != Verb::keep || next.words.empty() || has_word(next.words, {"rest", "others", "else"}) ||
+        has_word(clause.words, {"except"}) || next_place(next.words) < next.words.size())
+        return false;
+    Words kept = next.words;
+    while (kept.size() > 1 && is_one_of(kept.back(), {"there", "alone", "only", "is", "are", "it", "they", "as",
+                                                      "where", "though", "standing"}))
+        kept.pop_back();
+    clause.words.push_back("except");
+    clause.words.insert(clause.words.end(), kept.begin(), kept.end());
+    return true;
+}
+
 // "Two chairs, no, three": one clause.
 void amend(std::vector<Clause>& clauses) {
     for (std::size_t i = 1; i < clauses.size();)
@@ -357,7 +373,9 @@ std::vector<Clause> clauses_of(const std::string& sentence) {
         if (likewise) clause.words.insert(clause.words.end(), {"as", "well"});
     }
     if (out.empty()) throw UsageError("expected what to change, found an empty sentence");
-    for (std::size_t i = 0; i + 1 < out.size(); ++i) disliked(out[i], out[i + 1]);
+    for (std::size_t i = 0; i + 1 < out.size();)
+        if (leaves_some(out[i], out[i + 1])) out.erase(out.begin() + static_cast<std::ptrdiff_t>(i) + 1);
+        else disliked(out[i], out[i + 1]), ++i;
     amend(out);
     return out;
 }

@@ -57,7 +57,7 @@ bool holds_at(const Shown& shown, const std::string& relation, const Landmark& a
         return far < kTouching && shown.thing.on.empty() && (at.flat || at.box.y1 < 0.1f);
     }
     if (relation == "under") return at.opening >= 0 ? far < 0.7f : far < kTouching || shown.thing.below == at.id;
-    constexpr float kBehindIt = 2.6f;  // metres: on the wall behind a bar
+    constexpr float kBehindIt = 1.5f;  // metres: on the wall behind a bar
     if (relation == "above" && (carried || (shown.mount == Mount::wall && far < kBehindIt))) return true;
     if (relation == "above") return far < 0.5f && (at.opening >= 0 || shown.box.y1 > at.box.y1);
     if (relation == "in front of") return far < kBefore && (at.flat || ahead > -0.05f);

@@ -13,7 +13,13 @@ struct Phrase {
     std::string_view said, means;
 };
 // Longer ones before those that they begin with.
-constexpr std::array<Phrase, 78> kPhrases{{
+constexpr std::array<Phrase, 84> kPhrases{{
+    {"that has none", "without one"},
+    {"that have none", "without one"},
+    {"that has no", "without"},
+    {"that have no", "without"},
+    {"who have none", "without one"},
+    {"with none", "without one"},
     {"a lower", "a low"},
     {"a higher", "a tall"},
     {"angled towards", "facing"},

@@ -325,6 +325,9 @@ void Editor::face_one(int i, const EditStep& step) {
             }
             if (done) break;
         }
+        constexpr float kAbout = 25 * kPi / 180;
+        if (!done && wrong_by < kAbout)
+            throw AlreadySo(id + ": it faces the " + in_words(step.wish.relation_to) + " already, by and large");
         if (!done) throw Error("{}: there is no room to turn it: {}", id, fault);
     }
 }

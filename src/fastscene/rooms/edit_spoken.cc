@@ -99,9 +99,10 @@ std::vector<std::string> Talk::things(const Words& said_words) {
 
 // "The rest", "the other ones", "the remaining chairs": of what was last spoken of by name, those that were not meant.
 std::optional<std::vector<std::string>> Talk::the_rest(const Words& words) const {
-    const bool bare = is_one_of(text_of(words),
-                                {"the rest", "the others", "the rest of them", "the other ones", "the remaining ones",
-                                 "the ones left", "all the others", "the ones that are left", "the remaining"});
+    const bool bare = is_one_of(
+        text_of(words),
+        {"the rest", "the others", "the other half", "the remaining half", "the rest of them", "the other ones",
+         "the remaining ones", "the ones left", "all the others", "the ones that are left", "the remaining"});
     const bool named_so = words.size() > 2 && words.front() == "the" && words[1] == "remaining";
     const bool rest_of = words.size() > 3 && text_of(words, 0, 3) == "the rest of" && words.back() != "them";
     if (!named_so && !rest_of && (!bare || noun.empty())) return {};

@@ -153,6 +153,16 @@ bool add_to_those(Talk& talk, const Words& words) {
 
 }  // namespace
 
+namespace {
+
+// An hour or a weather, and no thing.
+bool says_hour(const Words& words) {
+    const PromptSpec spec = understand_prompt(text_of(words), false, nullptr);
+    return spec.objects.empty() && (!spec.time.empty() || !spec.weather.empty()) && next_place(words) == words.size();
+}
+
+}  // namespace
+
 void want(Talk& talk, const Words& words) {
     if (words.empty()) throw UsageError("expected what to change, found the end of the sentence");
     // "A rug is missing under the table"
@@ -176,6 +186,8 @@ void want(Talk& talk, const Words& words) {
             return rest.empty() ? void() : add(talk, rest);
         }
     }
+    // "Late afternoon light", "a rainy evening"
+    if (!of_those && says_hour(words)) return make(talk, joined_words({"it"}, words));
     if (!of_those) return add(talk, words);
     if (find_word(words, {"style", "time", "weather"}) < words.size() ||
         words[std::min<std::size_t>(1, words.size() - 1)] == "room")
