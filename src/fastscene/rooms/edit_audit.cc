@@ -54,6 +54,7 @@ class Audit {
     void tell() {
         check_words();
         check_looks();
+        check_shapes();
         check_things();
         check_places();
         check_counts();
@@ -159,6 +160,8 @@ class Audit {
         for (std::size_t i = k; i-- > 0;) {
             const Mention& other = mentions_[i];
             if (begin_of_part(m.from) != begin_of_part(other.from) && other.meaning != "between") break;
+            // "Into a round one with four chairs"
+            if (find_word(part_of(words_, other.to, m.from), {"with"}) < m.from - other.to) return false;
             if (other.kind == Mention::Kind::relation) return true;
             if (other.kind == Mention::Kind::thing) break;
         }
@@ -198,11 +201,38 @@ class Audit {
                                       c.what.find(m.meaning) != std::string::npos;
                            });
     }
+    // A kitchen's "cupboards" are its counter's.
+    bool is_meant_otherwise(const Mention& m) const {
+        for (const int i : all_named(talk_.editor, "all " + m.term)) {
+            const std::string& id = talk_.editor.document().things[static_cast<std::size_t>(i)].id;
+            for (const auto* all : {&added_, &moved_, &other_})
+                if (std::any_of(all->begin(), all->end(), [&](const Shown* s) { return s->thing.id == id; }))
+                    return true;
+        }
+        return false;
+    }
+    // "A round one"
+    void check_shapes() {
+        for (std::size_t i = 0; i + 1 < words_.size(); ++i) {
+            const std::string shape = shape_said({words_[i]});
+            if (shape.empty() || is_definite(words_[i + 1])) continue;
+            const auto is_so = [&](const Shown* s) {
+                return shape_of(talk_.editor.placed(s->thing.id).piece) == shape;
+            };
+            bool any = !gone_.empty();
+            for (const auto* all : {&added_, &moved_, &other_})
+                any = any || std::any_of(all->begin(), all->end(), is_so);
+            // What has no shape of ours is not held against it.
+            if (!any && (!moved_.empty() || !other_.empty()) && added_.empty())
+                missing_.push_back(fmt::format("nothing became {}", shape));
+        }
+    }
     void check_things() {
         if (clause_.verb == Verb::clear) return;  // what stands on them goes
         for (std::size_t k = 0; k < mentions_.size(); ++k) {
             const Mention& m = mentions_[k];
             if (!is_head(k) || is_anchor(k) || is_denied(m) || is_touched(m) || was_told_of(m)) continue;
+            if (is_meant_otherwise(m)) continue;
             missing_.push_back(fmt::format("nothing was done to \"{}\"", m.term));
         }
     }
@@ -236,6 +266,11 @@ class Audit {
             const Mention& m = mentions_[i];
             if (m.kind == Mention::Kind::relation) break;
             if (begin_of_part(m.from) != begin_of_part(mentions_[k].from) && mentions_[k].meaning != "between") break;
+            if (m.term == "each" && m.to < words_.size() && words_[m.to] == "other") {
+                for (const auto* all : {&added_, &moved_})
+                    for (const Shown* s : *all) out.push_back(landmark_of(*s));
+                return out;
+            }
             if (m.kind == Mention::Kind::pronoun) {
                 for (const std::string& id : before_.spoken)
                     if (const Shown* s = after_.find(id)) out.push_back(landmark_of(*s));

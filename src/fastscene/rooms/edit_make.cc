@@ -340,6 +340,35 @@ bool each_on_or_off(const Words& words) {
     return parts.size() > 1 && std::all_of(parts.begin(), parts.end(), says_on_or_off);
 }
 
+namespace {
+
+// "The table into a round one with four chairs", "the sofa green with two cushions": those come to it; false: no such
+// words.
+bool made_with(Talk& talk, const Words& words) {
+    const std::size_t with = find_word(words, {"with"}, 3);
+    const Words comes = part_of(words, with + 1);
+    if (comes.size() < 2 || parts_of(words).size() > 1 || !number_said(comes.front()) ||
+        next_place(comes) < comes.size() || is_a_part(comes.back()))
+        return false;
+    const auto noun = look_up(comes.back());
+    if (!noun || noun->kind != WordKind::object || noun->far) return false;
+    const Words first = part_of(words, 0, with);
+    const bool into = find_word(first, {"into"}, 1) < first.size();
+    bool value = into;
+    for (std::size_t i = 1; i < first.size(); ++i) value = value || value_of(part_of(first, i));
+    if (!value) return false;
+    do_each(
+        talk.editor, 2,
+        [&](std::size_t k) {
+            if (k == 0) make(talk, first);
+            else add(talk, joined_words(comes, {"to", "it"}));
+        },
+        [&](std::size_t k) { return text_of(k == 0 ? first : comes); });
+    return true;
+}
+
+}  // namespace
+
 void make(Talk& talk, const Words& words) {
     // "the ceiling lights off and the desk lamp on"
     if (each_on_or_off(words)) {
@@ -362,6 +391,7 @@ void make(Talk& talk, const Words& words) {
                     else add(talk, part_of(words, with + 1));
                 },
                 [&](std::size_t k) { return text_of(k == 0 ? part_of(words, 0, with - 1) : part_of(words, with)); });
+    if (made_with(talk, words)) return;
     // "it darker and more romantic"
     if (const std::vector<Words> parts = parts_of(words);
         words.front() == "it" && talk.last.empty() && parts.size() > 1 && next_place(words) == words.size())

@@ -13,7 +13,11 @@ struct Phrase {
     std::string_view said, means;
 };
 // Longer ones before those that they begin with.
-constexpr std::array<Phrase, 84> kPhrases{{
+constexpr std::array<Phrase, 88> kPhrases{{
+    {"facing outside", "facing the window"},
+    {"looking outside", "facing the window"},
+    {"faces outside", "faces the window"},
+    {"facing outwards", "facing the window"},
     {"that has none", "without one"},
     {"that have none", "without one"},
     {"that has no", "without"},
