@@ -98,13 +98,16 @@ bool set_down_on(Layout& layout, int top, const PieceRequest& request, const Pro
     const Placed t = layout.placed()[static_cast<std::size_t>(top)];
     // Made once: what stands in the way on the top is seen before it is made to stand there.
     Placed there;
-    there.piece = make_piece(request);
+    there.piece = make_piece(request), there.on = top;
     const Vec3f size = there.piece.size_m;
     const auto is_taken = [&](const Vec3f at, float yaw) {
-        there.position = at, there.yaw = yaw;
+        there.position = {at.x, t.position.y + t.piece.surfaces.front().center.y, at.z}, there.yaw = yaw;
         const Footprint box = footprint_of(there);
-        return std::any_of(layout.placed().begin(), layout.placed().end(),
-                           [&](const Placed& p) { return p.on == top && !p.flat && overlap(box, footprint_of(p)); });
+        for (int i = 0; i < static_cast<int>(layout.placed().size()); ++i)
+            if (const Placed& p = layout.placed()[static_cast<std::size_t>(i)];
+                i != top && !p.flat && !shelters(layout.placed(), i, there) && overlap(box, footprint_of(p)))
+                return true;
+        return false;
     };
     for (const bool across : {false, true})
         for (const Surface& s : t.piece.surfaces) {
