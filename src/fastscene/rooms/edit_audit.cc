@@ -73,6 +73,16 @@ class Audit {
                 moved_.push_back(&now);
             else if (looks_other(was->thing, now.thing)) other_.push_back(&now);
         }
+        // What stands on a thing goes along with it.
+        const auto goes_along = [&](const Shown* s) {
+            const Shown *was = before_.find(s->thing.id), *under = after_.find(s->thing.on);
+            return under && was->thing.on == s->thing.on &&
+                   std::find(moved_.begin(), moved_.end(), under) != moved_.end();
+        };
+        along_.assign(moved_.begin(), moved_.end());
+        std::erase_if(along_, [&](const Shown* s) { return !goes_along(s); });
+        std::erase_if(moved_,
+                      [&](const Shown* s) { return std::find(along_.begin(), along_.end(), s) != along_.end(); });
         for (const Shown& was : before_.things)
             if (!after_.find(was.thing.id)) gone_.push_back(&was);
         const DocumentSurfaces &s = before_.surfaces, &t = after_.surfaces;
@@ -188,7 +198,7 @@ class Audit {
         return out;
     }
     bool is_touched(const Mention& m) const {
-        for (const auto* all : {&added_, &moved_, &other_, &gone_})
+        for (const auto* all : {&added_, &moved_, &other_, &gone_, &along_})
             if (!called(*all, m).empty()) return true;
         return false;
     }
@@ -293,6 +303,10 @@ class Audit {
             return holds_in_room(talk_.editor.plan(), s, relation);
         if (at.empty() || is_one_of(relation, {"from", "far wall"})) return true;
         if (relation == "between") return is_between_those(s, at, at);
+        // A lamp on a desk by the window is by the window.
+        if (const Shown* under = after_.find(s.thing.on);
+            under && relation != "on" && holds(*under, relation, at, slack))
+            return true;
         return std::any_of(at.begin(), at.end(), [&](const Landmark& one) {
             return (one.id.empty() || one.id != s.thing.id) && holds_at(s, relation, one, slack);
         });
@@ -302,6 +316,16 @@ class Audit {
             const Mention& m = mentions_[k];
             if (m.kind != Mention::Kind::relation || is_denied(m)) continue;
             const std::vector<Landmark> at = landmarks_behind(k);
+            // "And a lamp to the left": of what?
+            if (is_one_of(m.meaning, {"left of", "right of"}) && m.to == words_.size() && !added_.empty() && k > 0)
+                missing_.push_back(fmt::format("nobody understood \"{}\"", m.term));
+            // "Around a new table", which must have come.
+            if (m.to + 1 < words_.size() && is_one_of(words_[m.to], {"a", "an"}) &&
+                is_one_of(words_[m.to + 1], {"new", "second", "third"}) && !at.empty() &&
+                std::none_of(added_.begin(), added_.end(), [&](const Shown* s) {
+                    return std::any_of(at.begin(), at.end(), [&](const Landmark& l) { return l.id == s->thing.id; });
+                }))
+                missing_.push_back(fmt::format("nothing new is there {}", text_of(words_, m.from)));
             std::vector<const Shown*> off;
             const auto subjects = subjects_of(k);
             bool any = false;
@@ -361,7 +385,7 @@ class Audit {
     const Snapshot after_;
     const Words& words_;
     const std::vector<Mention> mentions_;
-    std::vector<const Shown*> added_, moved_, other_, gone_;
+    std::vector<const Shown*> added_, moved_, other_, gone_, along_;
     std::vector<const Material*> surfaces_;
     std::vector<std::string> missing_;
 };

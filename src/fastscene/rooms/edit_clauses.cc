@@ -157,6 +157,7 @@ std::optional<float> number_said(const std::string& word) {
 
 bool begins_anew(const Words& words) {
     if (words.empty() || is_definite(words.front())) return false;
+    if (words.size() > 2 && words[1] == "of" && number_said(words[0]) && is_definite(words[2])) return false;
     return !is_one_of(words.front(), {"all", "both", "every", "each", "everything", "this", "one"}) ||
            (words.front() == "one" && !(words.size() > 1 && words[1] == "of"));
 }
@@ -236,7 +237,7 @@ void disliked(Clause& clause, const Clause& next) {
         return;
     }
     const bool dislikes = clause.verb == Verb::remove && clause.said.starts_with("i d") &&
-                          clause.said.ends_with("like");
+                          (clause.said.ends_with("like") || next.verb == Verb::remove);
     if (!dislikes || find_word(next.words, {"it", "them", "they", "one", "ones"}) == next.words.size()) return;
     clause.words.insert(clause.words.begin(), {"i", "dislike"});
     clause.verb = Verb::remark;
@@ -246,7 +247,8 @@ void disliked(Clause& clause, const Clause& next) {
 bool leaves_some(Clause& clause, const Clause& next) {
     const bool takes = clause.verb == Verb::clear || (clause.verb == Verb::remove && says_all(clause.words));
     if (!takes || next.verb != Verb::keep || next.words.empty() || has_word(next.words, {"rest", "others", "else"}) ||
-        has_word(clause.words, {"except"}) || next_place(next.words) < next.words.size())
+        has_word(clause.words, {"except"}) ||
+        (next_place(next.words) < next.words.size() && !is_one_of(next.words[1], {"one", "ones"})))
         return false;
     Words kept = next.words;
     while (kept.size() > 1 && is_one_of(kept.back(), {"there", "alone", "only", "is", "are", "it", "they", "as",

@@ -109,8 +109,6 @@ int rows_at(const Words& words, std::size_t at) {
 
 }  // namespace
 
-namespace {
-
 // Of twelve school desks and a teacher's desk in rows the latter stays.
 void without_strangers(Talk& talk, std::vector<std::string>& ids) {
     constexpr std::size_t kMany = 4;  // times as many of one kind as of others
@@ -125,8 +123,6 @@ void without_strangers(Talk& talk, std::vector<std::string>& ids) {
         return;
     }
 }
-
-}  // namespace
 
 // "The chairs in two rows facing the window", "eight mats in two rows"; false: no such words.
 bool set_in_rows(Talk& talk, const Words& words) {

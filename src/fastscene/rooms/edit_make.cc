@@ -106,6 +106,10 @@ std::vector<std::string> make_one(Talk& talk, const Words& subject, const Value&
     step.brighter = value.brighter;
     if (value.resizes() && speaks_of_shell(subject)) refuse_shell();
     if (!value.resizes()) step.surface = surface_said(subject);
+    // "The rest of the walls": not those that this sentence painted.
+    if (noun_of(subject.back()) == "wall" && has_word(subject, {"rest", "other", "others", "remaining"}) &&
+        talk.wall >= 0)
+        step.surface = "wall", step.elsewhere = true;
     if (step.surface == "tiles") step.surface = tiled_surface(talk.editor);
     else if (step.surface == "accent_wall" && !has_word(subject, {"accent"})) {
         Words which = subject;
@@ -346,7 +350,10 @@ namespace {
 // words.
 bool made_with(Talk& talk, const Words& words) {
     const std::size_t with = find_word(words, {"with"}, 3);
-    const Words comes = part_of(words, with + 1);
+    Words comes = part_of(words, with + 1);
+    const std::size_t n = comes.size();
+    const bool on_it = n > 2 && comes[n - 2] == "on" && is_one_of(comes[n - 1], {"top", "it", "them"});
+    if (on_it) comes.resize(n - 2);
     if (comes.size() < 2 || parts_of(words).size() > 1 || !number_said(comes.front()) ||
         next_place(comes) < comes.size() || is_a_part(comes.back()))
         return false;
@@ -361,7 +368,7 @@ bool made_with(Talk& talk, const Words& words) {
         talk.editor, 2,
         [&](std::size_t k) {
             if (k == 0) make(talk, first);
-            else add(talk, joined_words(comes, {"to", "it"}));
+            else add(talk, joined_words(comes, {on_it ? "on" : "to", "it"}));
         },
         [&](std::size_t k) { return text_of(k == 0 ? first : comes); });
     return true;
