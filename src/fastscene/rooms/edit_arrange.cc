@@ -97,16 +97,22 @@ void Editor::encircle(const EditStep& step) {
     std::stable_sort(middles.begin(), middles.end(),
                      [&](Vec2f a, Vec2f b) { return length(a - circle.middle) < length(b - circle.middle); });
     const std::vector<int> all = with_riders(moving);
+    constexpr int kMostTries = 8;  // of places that look free: each is a room to be checked
+    int tries = 0;
     const auto stand = [&](const Circle& c) {
         const auto places = places_on(c, moving.size());
         std::vector<Vec2f> to;
         for (const auto& [at, yaw] : places) {
             Placed there = placed(moving[to.size()]);
             there.position = {at.x, there.position.y, at.y}, there.yaw = yaw + turned;
-            if (!stands_clear(moving[to.size()], footprint_of(there), together)) return false;
+            const std::size_t k = to.size();
+            if (!stands_clear(moving[k], footprint_of(there), together) ||
+                !seats_clear(moving[k], there, seats[k], together))
+                return false;
             to.push_back(at);
         }
         const std::vector<std::size_t> place = nearest_places(from, to);
+        if (++tries > kMostTries) return false;
         try {
             checked(
                 [&] {
@@ -124,7 +130,8 @@ void Editor::encircle(const EditStep& step) {
             return false;
         }
     };
-    for (const float more : {0.1f, 0.f, 0.3f, 0.5f, 0.8f})
+    for (const float more : {0.1f, 0.f, 0.3f, 0.5f, 0.8f}) {
+        tries = 0;
         for (const Vec2f middle : middles)
             for (const float turn : {0.f, 0.5f, 0.25f, 0.75f}) {
                 Circle c = circle;
@@ -133,6 +140,7 @@ void Editor::encircle(const EditStep& step) {
                 if (at_wall && turn > 0) break;
                 if (stand(c)) return;
             }
+    }
     throw Error("{}: there is no free floor for a circle of all {} of them; it takes {:.1f} m across", step.ids.front(),
                 step.ids.size(), 2 * least + deep);
 }

@@ -62,7 +62,8 @@ void Editor::in_rows_of(const EditStep& step) {
         for (float z = -plan().depth / 2; z <= plan().depth / 2; z += kStep) middles.push_back({x, z});
     std::stable_sort(middles.begin(), middles.end(),
                      [&](Vec2f a, Vec2f b) { return length(a - wanted) < length(b - wanted); });
-    for (const Gaps& gaps : kGaps)
+    for (const Gaps& gaps : kGaps) {
+        int tries = 0;
         for (const Vec2f middle : middles) {
             std::vector<Pose> poses;
             bool free = true;
@@ -73,10 +74,12 @@ void Editor::in_rows_of(const EditStep& step) {
                                  ahead * ((row - 0.5f * static_cast<float>(rows - 1)) * (deep + gaps.behind));
                 Placed there = placed(moving[k]);
                 there.position = {at.x, there.position.y, at.y}, there.yaw = turned;
-                free = stands_clear(moving[k], footprint_of(there), all);
+                free = stands_clear(moving[k], footprint_of(there), all) &&
+                       seats_clear(moving[k], there, seats[k], all);
                 poses.push_back({there.position, turned});
             }
-            if (!free) continue;
+            constexpr int kMostTries = 12;  // of places that look free: each is a room to be checked
+            if (!free || ++tries > kMostTries) continue;
             try {
                 return checked(
                     [&] {
@@ -89,6 +92,7 @@ void Editor::in_rows_of(const EditStep& step) {
             } catch (const Error&) {  // elsewhere, then
             }
         }
+    }
     const auto n = static_cast<float>(columns), m = static_cast<float>(rows);
     throw Error("{}: there is no free floor for {} rows of {}; they take {:.1f} x {:.1f} m", step.ids.front(), rows,
                 columns, n * wide + (n - 1) * kGaps[2].beside, m * deep + (m - 1) * kGaps[2].behind);

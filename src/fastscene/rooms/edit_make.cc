@@ -357,7 +357,8 @@ bool made_with(Talk& talk, const Words& words) {
     if (comes.size() < 2 || parts_of(words).size() > 1 || !number_said(comes.front()) ||
         next_place(comes) < comes.size() || is_a_part(comes.back()))
         return false;
-    const auto noun = look_up(comes.back());
+    auto noun = look_up(text_of(comes, 1));
+    if (!noun) noun = look_up(comes.back());
     if (!noun || noun->kind != WordKind::object || noun->far) return false;
     const Words first = part_of(words, 0, with);
     const bool into = find_word(first, {"into"}, 1) < first.size();

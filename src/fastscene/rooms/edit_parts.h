@@ -110,6 +110,9 @@ class Editor {
     std::string new_fault(const std::vector<Placed>& all) const;
     std::vector<Placed> with_pose(int index, Pose pose, const std::vector<int>& along) const;
     std::vector<int> seats_at(int table) const;
+    // Whether those have room where they go with it.
+    bool seats_clear(int table, const Placed& there, const std::vector<int>& seats,
+                     const std::vector<int>& along) const;
     std::optional<Vec2f> target_of(const EditStep& step, int from) const;
     void move(const EditStep& step);
     bool turned_aside(int index, float turn, const std::vector<int>& along);

@@ -170,6 +170,17 @@ void Editor::turn_one(int i, const EditStep& step) {
     checked([&] { set_pose(i, {placed(i).position, yaw}, {}); });
 }
 
+bool Editor::seats_clear(int table, const Placed& there, const std::vector<int>& seats,
+                         const std::vector<int>& along) const {
+    const Placed& was = placed(table);
+    return std::all_of(seats.begin(), seats.end(), [&](int i) {
+        Placed seat = placed(i);
+        seat.position = carried(seat.position, was.position, there.position, there.yaw - was.yaw);
+        seat.yaw += there.yaw - was.yaw;
+        return stands_clear(i, footprint_of(seat), along);
+    });
+}
+
 // Chairs go with the table that they stand at.
 std::vector<int> Editor::seats_at(int table) const {
     const std::string& kind = placed(table).piece.kind;

@@ -175,7 +175,37 @@ std::size_t purpose_at(const Clause& clause) {
 
 }  // namespace
 
+namespace {
+
+// "The chairs around a new table": first the table; false: no such words.
+bool at_what_comes(Talk& talk, const Clause& clause) {
+    const Words& words = clause.words;
+    if ((clause.verb != Verb::put && clause.verb != Verb::move) || begins_anew(words)) return false;
+    std::size_t at = 2;
+    const auto begins = [&](std::size_t i) {
+        for (std::size_t r = 1; r < i; ++r)
+            if (const auto relation = relation_at(words, r); relation && relation->next == i) return true;
+        return false;
+    };
+    while (at + 2 < words.size() && !(is_one_of(words[at], {"a", "an"}) && words[at + 1] == "new" && begins(at))) ++at;
+    if (at + 2 >= words.size()) return false;
+    std::size_t end = at;
+    while (end < words.size() && !is_joint(words[end])) ++end;
+    talk.editor.together([&] {
+        const std::vector<std::string> spoken = talk.last;
+        add(talk, part_of(words, at, end));
+        Clause there = clause;
+        there.words = joined_words(joined_words(part_of(words, 0, at), {talk.last.back()}), part_of(words, end));
+        talk.last = spoken;
+        talk.act(there);
+    });
+    return true;
+}
+
+}  // namespace
+
 void Talk::act(const Clause& whole) {
+    if (at_what_comes(*this, whole)) return;
     Clause clause = whole;
     if (const std::size_t why = purpose_at(whole); why < whole.words.size()) {
         editor.note("room", fmt::format("\"{}\" is taken as a reason: it changes nothing", text_of(whole.words, why)));

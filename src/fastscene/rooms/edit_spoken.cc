@@ -67,6 +67,12 @@ std::vector<std::string> Talk::things(const Words& said_words) {
         all.back() = noun;
         return things(all);
     }
+    // "The one near the door", "the other"
+    if (words.size() > 2 && words[0] == "the" && is_one_of(words[1], {"one", "ones"}) && !noun.empty()) {
+        Words all = joined_words({"the"}, tokens_of(words[1] == "one" ? noun : noun + "s"));
+        return things(joined_words(all, part_of(words, 2)));
+    }
+    if (words == Words{"the", "other"} && !noun.empty()) return things(joined_words(words, tokens_of(noun)));
     if (says_all_but_some(words)) {
         Words all{"all"};
         all.insert(all.end(), words.begin() + 3, words.end());
