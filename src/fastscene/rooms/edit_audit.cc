@@ -57,6 +57,8 @@ class Audit {
         check_shapes();
         check_things();
         check_places();
+        check_there();
+        check_sizes();
         check_counts();
         if (!missing_.empty())
             talk_.editor.note(kNotDone,
@@ -184,6 +186,8 @@ class Audit {
         if (k + 1 < mentions_.size() && mentions_[k + 1].from == m.to &&
             (mentions_[k + 1].kind == Mention::Kind::thing || mentions_[k + 1].kind == Mention::Kind::part))
             return false;
+        // "The floor light oak"
+        if (!surfaces_.empty() && !noun_of(m.term.substr(0, m.term.find(' '))).empty()) return false;
         // "A bowl of fruit", "everything off the table", "the tables that have a vase"
         std::size_t before = m.from;
         while (before > 0 && (is_definite(words_[before - 1]) || number_said(words_[before - 1]))) --before;
@@ -299,6 +303,15 @@ class Audit {
     bool holds(const Shown& s, std::string relation, const std::vector<Landmark>& at, float slack = 0) const {
         if ((clause_.verb == Verb::turn || clause_.verb == Verb::face) && is_one_of(relation, {"to", "at", "next to"}))
             relation = "facing";
+        // "In the center" of what carries it
+        const Shown* carrier = after_.find(s.thing.on);
+        if (relation == "in the middle" && carrier) {
+            constexpr float kMiddle = 0.35f;  // of its half
+            const Vec2f off = s.box.center - carrier->box.center;
+            const auto axes = axes_of(carrier->box);
+            return std::abs(dot(off, axes[0])) < kMiddle * carrier->box.half.x + 0.05f &&
+                   std::abs(dot(off, axes[1])) < kMiddle * carrier->box.half.y + 0.05f;
+        }
         if (is_one_of(relation, {"in the corner", "in the middle", "against"}) && at.empty())
             return holds_in_room(talk_.editor.plan(), s, relation);
         if (at.empty() || is_one_of(relation, {"from", "far wall"})) return true;
@@ -350,6 +363,38 @@ class Audit {
         for (const Landmark& one : at)
             if (one.id != s.thing.id) least = std::min(least, apart(s, one));
         return least > 0.5f && least < 1e8f ? fmt::format(": {:.1f} m away", least) : "";
+    }
+
+    // "And hang a mirror there": where that stood which went.
+    void check_there() {
+        constexpr float kThere = 1.1f;  // metres
+        if (!clause_.there || !talk_.last_gone || !talk_.last_gone_from.empty() || added_.size() != 1) return;
+        const float off = length(added_.front()->box.center - *talk_.last_gone);
+        if (off > kThere)
+            missing_.push_back(fmt::format("{} is not there: {:.1f} m away", added_.front()->thing.id, off));
+    }
+    // "A bigger lamp", "two small pictures"
+    void check_sizes() {
+        for (std::size_t k = 0; k < mentions_.size(); ++k) {
+            const Mention& m = mentions_[k];
+            if (!is_head(k) || is_denied(m)) continue;
+            std::size_t at = m.from;
+            for (std::size_t i = k; i-- > 0 && mentions_[i].to == at && mentions_[i].kind == Mention::Kind::look;)
+                at = mentions_[i].from;
+            const std::string size = at > 0 ? words_[at - 1] : "";
+            const bool large = is_one_of(size, {"big", "bigger", "large", "larger", "huge"});
+            const bool small = is_one_of(size, {"small", "smaller", "tiny", "little"});
+            for (const Shown* s : large || small ? called(added_, m) : std::vector<const Shown*>{}) {
+                PromptObject usual;
+                usual.kind = usual.words = kind_of(s->thing);
+                const Vec3f is = s->thing.size_m, as = talk_.editor.usual_size(usual);
+                constexpr float kSeen = 0.9f;  // of the extents' sum
+                const float now = is.x + is.y + is.z, then = as.x + as.y + as.z;
+                if (then > 0 && (large ? now < kSeen * then : now > then / kSeen))
+                    missing_.push_back(
+                        fmt::format("{} is not {}: {:.2f} x {:.2f} x {:.2f} m", s->thing.id, size, is.x, is.y, is.z));
+            }
+        }
     }
 
     // ---- numbers
