@@ -285,6 +285,10 @@ bool make_various(Talk& talk, const Words& words) {
     const std::size_t at = find_word(words, {"different", "another", "various", "own", "other", "mixed"}, 1);
     if (at + 2 != words.size() || !is_one_of(words.back(), {"color", "colors", "shade", "shades"})) return false;
     Words subject = part_of(words, 0, at);
+    // "In two different colors": by turns.
+    std::size_t count = kColors.size();
+    if (const auto number = number_said(subject.back()); number && *number >= 2 && subject.size() > 2)
+        count = std::min(count, static_cast<std::size_t>(*number)), subject.pop_back();
     while (subject.size() > 1 && is_one_of(subject.back(), {"a", "an", "in", "its", "their", "to", "all"}))
         subject.pop_back();
     const bool each = is_one_of(subject.front(), {"each", "every", "all", "both"});
@@ -297,7 +301,7 @@ bool make_various(Talk& talk, const Words& words) {
     for (std::size_t k = 0; k < ids.size(); ++k) {
         if (walls) step.surface = "accent_wall", step.wall = static_cast<int>(k);
         else step.ids = {ids[k]};
-        step.wish.color = kColors[k % kColors.size()];
+        step.wish.color = kColors[k % count];
         talk.editor.apply(step);
     }
     return true;

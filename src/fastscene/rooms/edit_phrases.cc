@@ -13,7 +13,14 @@ struct Phrase {
     std::string_view said, means;
 };
 // Longer ones before those that they begin with.
-constexpr std::array<Phrase, 88> kPhrases{{
+constexpr std::array<Phrase, 95> kPhrases{{
+    {"the existing ones", "the others"},
+    {"the ones there", "the others"},
+    {"a darker shade", "darker"},
+    {"a lighter shade", "lighter"},
+    {"a shade darker", "darker"},
+    {"a shade lighter", "lighter"},
+    {"in two colors", "in two different colors"},
     {"facing outside", "facing the window"},
     {"looking outside", "facing the window"},
     {"faces outside", "faces the window"},

@@ -285,7 +285,17 @@ void Talk::act(const Clause& whole) {
             const std::size_t with = find_word(words, {"with", "for", "by"});
             if (with + 1 >= words.size())
                 throw UsageError("expected \"replace … with …\", found \"{}\"", text_of(words));
-            return replace(*this, part_of(words, 0, with), part_of(words, with + 1));
+            // "The lamp with three pendants over the island"
+            const Words old = part_of(words, 0, with), by = part_of(words, with + 1);
+            const std::size_t place = next_place(by);
+            const auto at = place < by.size() ? relation_at(by, place) : std::nullopt;
+            if (at && is_one_of(at->name, {"above", "next to", "under", "in front of", "in the corner"}) &&
+                begins_anew(by) && !has_word(by, {"with"}))
+                return editor.together([&] {
+                    remove(*this, old);
+                    add(*this, by);
+                });
+            return replace(*this, old, by);
         }
         case Verb::swap: return swap(*this, words);
         case Verb::turn:

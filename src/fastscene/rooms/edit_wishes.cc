@@ -318,6 +318,9 @@ Addition read_addition(const Talk& talk, const Words& said, const std::vector<st
         const Words there = part_of(words, end);
         // "a table in oak"
         if (value_of(part_of(there, 1))) continue;
+        // "a rug in beige under the table"
+        const std::size_t after = next_place(there);
+        if (there.front() == "in" && after < there.size() && value_of(part_of(there, 1, after))) continue;
         // "a side table next to the sofa with a lamp on it"
         if (const std::size_t with = find_word(there, {"with"}, 1);
             with + 1 < there.size() && begins_anew(part_of(there, with + 1))) {
