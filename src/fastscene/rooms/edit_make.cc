@@ -356,7 +356,8 @@ bool made_with(Talk& talk, const Words& words) {
     const std::size_t with = find_word(words, {"with"}, 3);
     Words comes = part_of(words, with + 1);
     const std::size_t n = comes.size();
-    const bool on_it = n > 2 && comes[n - 2] == "on" && is_one_of(comes[n - 1], {"top", "it", "them"});
+    const bool on_it = n > 2 && comes[n - 2] == "on" && is_one_of(comes[n - 1], {"top", "it", "them", "each"});
+    const bool on_each = on_it && comes[n - 1] == "each";
     if (on_it) comes.resize(n - 2);
     if (comes.size() < 2 || parts_of(words).size() > 1 || !number_said(comes.front()) ||
         next_place(comes) < comes.size() || is_a_part(comes.back()))
@@ -373,6 +374,7 @@ bool made_with(Talk& talk, const Words& words) {
         talk.editor, 2,
         [&](std::size_t k) {
             if (k == 0) make(talk, first);
+            else if (on_each) add(talk, joined_words(comes, {"on", "each", "of", "them"}));
             else add(talk, joined_words(comes, {on_it ? "on" : "to", "it"}));
         },
         [&](std::size_t k) { return text_of(k == 0 ? first : comes); });
