@@ -395,6 +395,14 @@ void make(Talk& talk, const Words& words) {
         make(talk, part_of(words, 0, with));
         return make(talk, part_of(words, with + 1));
     }
+    // "The ceiling blue with the walls white"
+    if (const std::size_t with = find_word(words, {"with"}, 2);
+        with + 3 < words.size() && is_definite(words[with + 1]) && !noun_of(words[with + 2]).empty() &&
+        value_of(part_of(words, with + 3)))
+        return do_each(
+            talk.editor, 2,
+            [&](std::size_t k) { make(talk, k == 0 ? part_of(words, 0, with) : part_of(words, with + 1)); },
+            [&](std::size_t k) { return text_of(k == 0 ? part_of(words, 0, with) : part_of(words, with + 1)); });
     // "it darker, with candles on the tables"
     for (std::size_t with = 2; with + 2 < words.size(); ++with)
         if (words[with] == "with" && words[with - 1] == "," && begins_anew(part_of(words, with + 1)))

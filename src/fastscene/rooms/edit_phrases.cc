@@ -13,7 +13,10 @@ struct Phrase {
     std::string_view said, means;
 };
 // Longer ones before those that they begin with.
-constexpr std::array<Phrase, 95> kPhrases{{
+constexpr std::array<Phrase, 98> kPhrases{{
+    {"with the fire burning", ", light the fire"},
+    {"with the fire lit", ", light the fire"},
+    {"with the fire on", ", light the fire"},
     {"the existing ones", "the others"},
     {"the ones there", "the others"},
     {"a darker shade", "darker"},
