@@ -396,9 +396,14 @@ void make(Talk& talk, const Words& words) {
         return make(talk, part_of(words, with + 1));
     }
     // "The ceiling blue with the walls white"
+    const auto says_look = [](const Words& some) {
+        for (std::size_t i = 1; i < some.size(); ++i)
+            if (value_of(part_of(some, i))) return true;
+        return false;
+    };
     if (const std::size_t with = find_word(words, {"with"}, 2);
         with + 3 < words.size() && is_definite(words[with + 1]) && !noun_of(words[with + 2]).empty() &&
-        value_of(part_of(words, with + 3)))
+        says_look(part_of(words, 0, with)) && value_of(part_of(words, with + 3)))
         return do_each(
             talk.editor, 2,
             [&](std::size_t k) { make(talk, k == 0 ? part_of(words, 0, with) : part_of(words, with + 1)); },
