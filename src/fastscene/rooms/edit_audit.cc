@@ -8,6 +8,7 @@
 #include <algorithm>
 
 #include "fastscene/base/is_one_of.h"
+#include "fastscene/rooms/catalogue.h"
 #include "fastscene/rooms/lexicon.h"
 #include "fastscene/rooms/materials.h"
 
@@ -60,6 +61,10 @@ class Audit {
         check_there();
         check_sizes();
         check_counts();
+        for (const Shown* s : added_)
+            if (mount_of(talk_.editor, s->thing.kind) == Mount::surface && s->thing.on.empty() && s->box.y0 < 0.05f &&
+                s->thing.window < 0 && has_role(s->thing.kind, Role::light) && !says_any({"floor", "ground"}))
+                talk_.editor.note(s->thing.id, "it stands on the floor: nothing there carries it");
         if (!missing_.empty())
             talk_.editor.note(kNotDone,
                               fmt::format("\"{} {}\": {}", clause_.said, text_of(words_), fmt::join(missing_, "; ")));

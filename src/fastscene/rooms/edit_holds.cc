@@ -56,7 +56,14 @@ bool holds_at(const Shown& shown, const std::string& relation, const Landmark& a
         if (shown.mount != Mount::floor && shown.mount != Mount::surface) return far < 0.3f;
         return far < kTouching && shown.thing.on.empty() && (at.flat || at.box.y1 < 0.1f);
     }
-    if (relation == "under") return at.opening >= 0 ? far < 0.7f : far < kTouching || shown.thing.below == at.id;
+    if (relation == "under") {
+        if (at.opening >= 0) return far < 0.7f;
+        // Its middle, or that of what is above it.
+        constexpr float kAside = 0.25f;  // metres
+        const bool below = distance_to(at.box, shown.box.center) < kAside ||
+                           distance_to(shown.box, at.box.center) < kAside;
+        return far < kTouching && below;
+    }
     constexpr float kBehindIt = 1.5f;  // metres: on the wall behind a bar
     if (relation == "above" && (carried || (shown.mount == Mount::wall && far < kBehindIt))) return true;
     if (relation == "above") return far < 0.5f && (at.opening >= 0 || shown.box.y1 > at.box.y1);
