@@ -299,7 +299,11 @@ class Audit {
             }
             if (m.kind == Mention::Kind::thing && !is_head(i)) continue;
             if (m.kind != Mention::Kind::thing && m.kind != Mention::Kind::part) continue;
-            const auto some = landmarks_called(talk_.editor, after_, m);
+            auto some = landmarks_called(talk_.editor, after_, m);
+            // A bathroom's "sink" is its washbasin.
+            if (some.empty() && m.kind == Mention::Kind::thing)
+                for (const int one : all_named(talk_.editor, "all " + m.term))
+                    some.push_back(landmark_of(after_.things[static_cast<std::size_t>(one)]));
             out.insert(out.end(), some.begin(), some.end());
             if (mentions_[k].meaning != "between") return out;
         }
