@@ -174,7 +174,7 @@ void Editor::recolor_surface(const EditStep& step, const std::string& said) {
         if (!plan().accent) throw Error("there is no accent wall in the room; name one: \"the wall behind the bed\"");
         return recolor_wall(plan().accent_wall, step, said);
     }
-    if (step.surface == "wall") own.walls = {};
+    if (step.surface == "wall" && !step.elsewhere) own.walls = {};  // else those with a look of their own keep it
     const std::vector<std::pair<std::string_view, std::pair<std::optional<Material>*, const Material*>>> parts{
         {"wall", {&own.wall, &style.wall}},
         {"accent_wall", {&own.accent_wall, &style.accent_wall}},

@@ -115,6 +115,17 @@ bool stands_already(const Talk& talk, const Words& words) {
            place < words.size() && !all_named(talk.editor, text_of(words, 0, place)).empty();
 }
 
+// "… and a candle on the stool", where a stool comes in a part before it.
+bool is_at_one_before(const std::vector<Words>& parts, std::size_t k) {
+    const std::size_t place = next_place(parts[k]);
+    if (place >= parts[k].size()) return false;
+    const std::string& noun = parts[k].back();
+    return std::any_of(parts.begin(), parts.begin() + static_cast<std::ptrdiff_t>(k), [&](const Words& part) {
+        return find_word(part_of(part, 0, next_place(part)), {noun}) < part.size() &&
+               find_word(part, {noun}) < next_place(part);
+    });
+}
+
 bool says_how(const Words& words) {
     for (std::size_t i = 1; i < words.size(); ++i)
         if (value_of(part_of(words, i))) return true;
@@ -298,7 +309,16 @@ void add(Talk& talk, const Words& words) {
         parts[k].push_back("of");
         parts[k].insert(parts[k].end(), there.begin() + static_cast<std::ptrdiff_t>(relation->next), there.end());
     }
+    // "Two armchairs and the sofa around the fireplace": what comes as well as what stands there already.
+    for (std::size_t k = parts.size(); k-- > 1;) {
+        const std::size_t place = next_place(parts[k]), before = next_place(parts[k - 1]);
+        const bool joined = text_of(words).find(text_of(parts[k - 1]) + " and " + text_of(parts[k])) !=
+                            std::string::npos;
+        if (joined && place < parts[k].size() && before == parts[k - 1].size() && stands_already(talk, parts[k]))
+            parts[k - 1] = joined_words(parts[k - 1], part_of(parts[k], place));
+    }
     std::vector<std::optional<Addition>> all(parts.size());
+    std::vector<bool> later(parts.size());  // at what comes before it in these words
     const std::vector<std::string> spoken_before = std::exchange(talk.last, {});
     std::vector<std::string> together;  // those that share the place of the next one
     // "A rug, a chair in the corner and a lamp": the corner is the chair's alone; "a chair and a lamp in the corner".
@@ -374,11 +394,20 @@ void add(Talk& talk, const Words& words) {
                     all[k] = at_what_is_meant(talk, with_noun(talk, part));
                 } catch (const Error&) {
                     talk.last = none;
-                    throw;
+                    later[k] = is_at_one_before(parts, k);
+                    if (!later[k]) throw;
                 }
                 talk.last = none;
-                all[k]->said = counted_anew(part);
-            } else if (all[k]) add_part(k);
+                if (all[k]) all[k]->said = counted_anew(part);
+            } else {
+                // "A stool next to it and a candle on the stool"
+                if (later[k]) {
+                    const Words part = by_kind_there(talk.editor, parts[k]);
+                    all[k] = at_what_is_meant(talk, with_noun(talk, part));
+                    all[k]->said = counted_anew(part);
+                }
+                if (all[k]) add_part(k);
+            }
         },
         [&](std::size_t i) { return parts.size() > 1 ? text_of(parts[i % parts.size()]) : ""; });
 }

@@ -166,6 +166,7 @@ void add_wish(Talk& talk, const PromptObject& wish, const std::optional<Place>& 
     else talk.editor.apply(step);
     const auto& things = talk.editor.document().things;
     for (std::size_t i = before; i < things.size(); ++i) talk.last.push_back(things[i].id);
+    talk.noun = singular(wish.words);  // "the one nearest the door" is one of those
 }
 
 void add_or_stand(Talk& talk, const PromptObject& wish, const std::optional<Place>& place) {

@@ -55,7 +55,8 @@ std::vector<std::size_t> nearest_places(const std::vector<Vec2f>& from, std::vec
 // About the very things of a place, about `position`, or where they stand; the nearest floor that is free for it.
 void Editor::encircle(const EditStep& step) {
     if (step.ids.size() < 2) throw UsageError("expected several things for a circle, found {}", step.ids.size());
-    std::vector<int> moving;
+    std::vector<int> moving, together;
+    std::vector<std::vector<int>> seats;
     std::vector<Vec2f> from;
     float wide = 0, deep = 0;
     for (const std::string& id : step.ids) {
@@ -65,7 +66,12 @@ void Editor::encircle(const EditStep& step) {
             throw UsageError("{}: only what stands on the floor is set in a circle", id);
         from.push_back(footprint_of(p).center);
         wide = std::max(wide, p.piece.size_m.x), deep = std::max(deep, p.piece.size_m.z);
+        seats.push_back(seats_at(moving.back()));
+        together.insert(together.end(), seats.back().begin(), seats.back().end());
     }
+    // Who sits at a desk has it before him, and sits outside.
+    const float turned = together.empty() ? 0 : kPi;
+    together.insert(together.end(), moving.begin(), moving.end());
     const auto count = static_cast<float>(moving.size());
     Circle circle;
     for (const Vec2f at : from) circle.middle = circle.middle + at * (1 / count);
@@ -91,23 +97,31 @@ void Editor::encircle(const EditStep& step) {
     std::stable_sort(middles.begin(), middles.end(),
                      [&](Vec2f a, Vec2f b) { return length(a - circle.middle) < length(b - circle.middle); });
     const std::vector<int> all = with_riders(moving);
+    constexpr int kMostTries = 8;  // of places that look free: each is a room to be checked
+    int tries = 0;
     const auto stand = [&](const Circle& c) {
         const auto places = places_on(c, moving.size());
         std::vector<Vec2f> to;
         for (const auto& [at, yaw] : places) {
             Placed there = placed(moving[to.size()]);
-            there.position = {at.x, there.position.y, at.y}, there.yaw = yaw;
-            if (!stands_clear(moving[to.size()], footprint_of(there), moving)) return false;
+            there.position = {at.x, there.position.y, at.y}, there.yaw = yaw + turned;
+            const std::size_t k = to.size();
+            if (!stands_clear(moving[k], footprint_of(there), together) ||
+                !seats_clear(moving[k], there, seats[k], together))
+                return false;
             to.push_back(at);
         }
         const std::vector<std::size_t> place = nearest_places(from, to);
+        if (++tries > kMostTries) return false;
         try {
             checked(
                 [&] {
                     for (std::size_t k = 0; k < moving.size(); ++k) {
                         const auto& [at, yaw] = places[place[k]];
                         thing(moving[k]).with.clear();
-                        set_pose(moving[k], {{at.x, placed(moving[k]).position.y, at.y}, yaw}, {});
+                        set_pose(moving[k],
+                                 {{at.x, placed(moving[k]).position.y, at.y}, std::remainder(yaw + turned, 2 * kPi)},
+                                 seats[k]);
                     }
                 },
                 kNarrow);
@@ -116,7 +130,8 @@ void Editor::encircle(const EditStep& step) {
             return false;
         }
     };
-    for (const float more : {0.1f, 0.f, 0.3f, 0.5f, 0.8f})
+    for (const float more : {0.1f, 0.f, 0.3f, 0.5f, 0.8f}) {
+        tries = 0;
         for (const Vec2f middle : middles)
             for (const float turn : {0.f, 0.5f, 0.25f, 0.75f}) {
                 Circle c = circle;
@@ -125,6 +140,7 @@ void Editor::encircle(const EditStep& step) {
                 if (at_wall && turn > 0) break;
                 if (stand(c)) return;
             }
+    }
     throw Error("{}: there is no free floor for a circle of all {} of them; it takes {:.1f} m across", step.ids.front(),
                 step.ids.size(), 2 * least + deep);
 }
@@ -313,6 +329,7 @@ bool arrange(Talk& talk, const Words& said) {
         else if (step.kind == EditStep::Kind::circle)
             throw UsageError("expected one thing to stand around, found \"{}\"", text_of(there));
     }
+    if (step.kind == EditStep::Kind::circle) without_strangers(talk, step.ids);
     talk.editor.apply(step);
     talk.last = step.ids;
     return true;

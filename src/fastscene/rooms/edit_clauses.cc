@@ -39,8 +39,9 @@ bool says_what(const Words& words, std::size_t at) {
     constexpr std::size_t kFirst = 3;  // words
     for (std::size_t i = at; i < std::min(words.size(), at + kFirst) && !is_joint(words[i]); ++i)
         if (const auto word = look_up(words[i]);
-            word && (word->kind == WordKind::object || word->kind == WordKind::structure ||
-                     word->kind == WordKind::color || word->kind == WordKind::material))
+            word &&
+            (word->kind == WordKind::object || word->kind == WordKind::structure || word->kind == WordKind::color ||
+             word->kind == WordKind::material || word->kind == WordKind::time || word->kind == WordKind::weather))
             return true;
     return false;
 }
@@ -156,6 +157,7 @@ std::optional<float> number_said(const std::string& word) {
 
 bool begins_anew(const Words& words) {
     if (words.empty() || is_definite(words.front())) return false;
+    if (words.size() > 2 && words[1] == "of" && number_said(words[0]) && is_definite(words[2])) return false;
     return !is_one_of(words.front(), {"all", "both", "every", "each", "everything", "this", "one"}) ||
            (words.front() == "one" && !(words.size() > 1 && words[1] == "of"));
 }
@@ -235,10 +237,26 @@ void disliked(Clause& clause, const Clause& next) {
         return;
     }
     const bool dislikes = clause.verb == Verb::remove && clause.said.starts_with("i d") &&
-                          clause.said.ends_with("like");
+                          (clause.said.ends_with("like") || next.verb == Verb::remove);
     if (!dislikes || find_word(next.words, {"it", "them", "they", "one", "ones"}) == next.words.size()) return;
     clause.words.insert(clause.words.begin(), {"i", "dislike"});
     clause.verb = Verb::remark;
+}
+
+// "Remove everything from the desk but leave the lamp": everything except the lamp.
+bool leaves_some(Clause& clause, const Clause& next) {
+    const bool takes = clause.verb == Verb::clear || (clause.verb == Verb::remove && says_all(clause.words));
+    if (!takes || next.verb != Verb::keep || next.words.empty() || has_word(next.words, {"rest", "others", "else"}) ||
+        has_word(clause.words, {"except"}) ||
+        (next_place(next.words) < next.words.size() && !is_one_of(next.words[1], {"one", "ones"})))
+        return false;
+    Words kept = next.words;
+    while (kept.size() > 1 && is_one_of(kept.back(), {"there", "alone", "only", "is", "are", "it", "they", "as",
+                                                      "where", "though", "standing"}))
+        kept.pop_back();
+    clause.words.push_back("except");
+    clause.words.insert(clause.words.end(), kept.begin(), kept.end());
+    return true;
 }
 
 // "Two chairs, no, three": one clause.
@@ -357,7 +375,9 @@ std::vector<Clause> clauses_of(const std::string& sentence) {
         if (likewise) clause.words.insert(clause.words.end(), {"as", "well"});
     }
     if (out.empty()) throw UsageError("expected what to change, found an empty sentence");
-    for (std::size_t i = 0; i + 1 < out.size(); ++i) disliked(out[i], out[i + 1]);
+    for (std::size_t i = 0; i + 1 < out.size();)
+        if (leaves_some(out[i], out[i + 1])) out.erase(out.begin() + static_cast<std::ptrdiff_t>(i) + 1);
+        else disliked(out[i], out[i + 1]), ++i;
     amend(out);
     return out;
 }

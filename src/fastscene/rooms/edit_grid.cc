@@ -6,6 +6,7 @@
 
 #include "fastscene/base/error.h"
 #include "fastscene/base/is_one_of.h"
+#include "fastscene/rooms/catalogue.h"
 #include "fastscene/rooms/edit_parts.h"
 
 namespace fastscene::editing {
@@ -25,16 +26,34 @@ void Editor::in_rows_of(const EditStep& step) {
     if (step.ids.size() < 2 || rows > step.ids.size())
         throw UsageError("expected at least {} things for {} rows, found {}", std::max<std::size_t>(2, rows), rows,
                          step.ids.size());
-    std::vector<int> moving;
-    float wide = 0, deep = 0;
+    std::vector<int> moving, along;
+    std::vector<std::vector<int>> seats;
+    float wide = 0, ahead_of = 0, behind = 0;  // metres from a thing's middle, with who sits at it
     for (const std::string& id : step.ids) {
         moving.push_back(index_of(id));
         const Placed& p = placed(moving.back());
         if (p.piece.mount != Mount::floor) throw UsageError("{}: only what stands on the floor is set in rows", id);
-        wide = std::max(wide, p.piece.size_m.x), deep = std::max(deep, p.piece.size_m.z);
+        wide = std::max(wide, p.piece.size_m.x);
+        seats.push_back(seats_at(moving.back()));
+        along.insert(along.end(), seats.back().begin(), seats.back().end());
+        std::vector<Footprint> boxes{footprint_of(p)};
+        for (const int i : seats.back()) boxes.push_back(footprint_of(placed(i)));
+        const Vec2f front = flat(front_of(p.yaw));
+        for (const Footprint& box : boxes) {
+            const float to = dot(box.center - flat(p.position), front), half = extent(box, front);
+            ahead_of = std::max(ahead_of, to + half), behind = std::max(behind, half - to);
+        }
     }
+    const float deep = ahead_of + behind;
+    std::vector<int> all = moving;
+    all.insert(all.end(), along.begin(), along.end());
+    // Who sits at a desk has it before him.
+    const bool sat_at = !along.empty() && std::all_of(moving.begin(), moving.end(), [&](int i) {
+        return has_role(placed(i).piece.kind, Role::work_place);
+    });
     const std::size_t columns = (moving.size() + rows - 1) / rows;
     const float yaw = step.yaw.value_or(0);
+    const float turned = sat_at && step.centered ? std::remainder(yaw + kPi, 2 * kPi) : yaw;
     const Vec2f ahead = flat(front_of(yaw)), right = flat(right_of(yaw));
     const Vec2f wanted = step.position.value_or(Vec2f{0, 0});
     constexpr float kStep = 0.25f;  // metres
@@ -43,7 +62,8 @@ void Editor::in_rows_of(const EditStep& step) {
         for (float z = -plan().depth / 2; z <= plan().depth / 2; z += kStep) middles.push_back({x, z});
     std::stable_sort(middles.begin(), middles.end(),
                      [&](Vec2f a, Vec2f b) { return length(a - wanted) < length(b - wanted); });
-    for (const Gaps& gaps : kGaps)
+    for (const Gaps& gaps : kGaps) {
+        int tries = 0;
         for (const Vec2f middle : middles) {
             std::vector<Pose> poses;
             bool free = true;
@@ -53,23 +73,26 @@ void Editor::in_rows_of(const EditStep& step) {
                 const Vec2f at = middle + right * ((column - 0.5f * (here - 1)) * (wide + gaps.beside)) -
                                  ahead * ((row - 0.5f * static_cast<float>(rows - 1)) * (deep + gaps.behind));
                 Placed there = placed(moving[k]);
-                there.position = {at.x, there.position.y, at.y}, there.yaw = yaw;
-                free = stands_clear(moving[k], footprint_of(there), moving);
-                poses.push_back({there.position, yaw});
+                there.position = {at.x, there.position.y, at.y}, there.yaw = turned;
+                free = stands_clear(moving[k], footprint_of(there), all) &&
+                       seats_clear(moving[k], there, seats[k], all);
+                poses.push_back({there.position, turned});
             }
-            if (!free) continue;
+            constexpr int kMostTries = 12;  // of places that look free: each is a room to be checked
+            if (!free || ++tries > kMostTries) continue;
             try {
                 return checked(
                     [&] {
                         for (std::size_t k = 0; k < moving.size(); ++k) {
                             thing(moving[k]).with.clear();
-                            set_pose(moving[k], poses[k], {});
+                            set_pose(moving[k], poses[k], seats[k]);
                         }
                     },
                     kNarrow);
             } catch (const Error&) {  // elsewhere, then
             }
         }
+    }
     const auto n = static_cast<float>(columns), m = static_cast<float>(rows);
     throw Error("{}: there is no free floor for {} rows of {}; they take {:.1f} x {:.1f} m", step.ids.front(), rows,
                 columns, n * wide + (n - 1) * kGaps[2].beside, m * deep + (m - 1) * kGaps[2].behind);
@@ -89,6 +112,21 @@ int rows_at(const Words& words, std::size_t at) {
 }
 
 }  // namespace
+
+// Of twelve school desks and a teacher's desk in rows the latter stays.
+void without_strangers(Talk& talk, std::vector<std::string>& ids) {
+    constexpr std::size_t kMany = 4;  // times as many of one kind as of others
+    for (const std::string& one : std::vector<std::string>(ids)) {
+        const std::string& kind = talk.editor.placed(one).piece.kind;
+        const auto is_other = [&](const std::string& id) { return talk.editor.placed(id).piece.kind != kind; };
+        const auto others = static_cast<std::size_t>(std::count_if(ids.begin(), ids.end(), is_other));
+        if (others == 0 || others * kMany > ids.size()) continue;
+        for (const std::string& id : ids)
+            if (is_other(id)) talk.editor.note(id, "stays: it is not of the kind of the others");
+        std::erase_if(ids, is_other);
+        return;
+    }
+}
 
 // "The chairs in two rows facing the window", "eight mats in two rows"; false: no such words.
 bool set_in_rows(Talk& talk, const Words& words) {
@@ -142,7 +180,8 @@ bool set_in_rows(Talk& talk, const Words& words) {
         }
         // The way they look: to what was said, else as the first of them does.
         step.yaw = talk.editor.placed(step.ids.front()).yaw;
-        if (!target.empty()) step.yaw = talk.editor.way_to_face(step.ids, target);
+        if (!target.empty()) step.yaw = talk.editor.way_to_face(step.ids, target), step.centered = true;
+        without_strangers(talk, step.ids);
         talk.editor.apply(step);
         talk.last = step.ids;
     };

@@ -140,7 +140,8 @@ Words with_exception_first(const Words& words) {
 
 Words as_made(Words words) {
     words = with_exception_first(without_source(std::move(words)));
-    if (words.size() > 3 && is_one_of(words.back(), {"color", "look", "finish", "cover", "coat", "paint", "tone"}))
+    if (words.size() > 3 && is_one_of(words.back(), {"color", "look", "finish", "cover", "coat", "paint", "tone",
+                                                     "covers", "finishes", "upholstery"}))
         words.pop_back();
     return words;
 }

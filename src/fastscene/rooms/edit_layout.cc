@@ -96,7 +96,19 @@ bool set_down_on(Layout& layout, int top, const PieceRequest& request, const Pro
     constexpr float kLevel = 0.01f, kFinest = 0.02f;  // metres
     constexpr float kMostPlaces = 300;
     const Placed t = layout.placed()[static_cast<std::size_t>(top)];
-    const Vec3f size = make_piece(request).size_m;
+    // Made once: what stands in the way on the top is seen before it is made to stand there.
+    Placed there;
+    there.piece = make_piece(request), there.on = top;
+    const Vec3f size = there.piece.size_m;
+    const auto is_taken = [&](const Vec3f at, float yaw) {
+        there.position = {at.x, t.position.y + t.piece.surfaces.front().center.y, at.z}, there.yaw = yaw;
+        const Footprint box = footprint_of(there);
+        for (int i = 0; i < static_cast<int>(layout.placed().size()); ++i)
+            if (const Placed& p = layout.placed()[static_cast<std::size_t>(i)];
+                i != top && !p.flat && !shelters(layout.placed(), i, there) && overlap(box, footprint_of(p)))
+                return true;
+        return false;
+    };
     for (const bool across : {false, true})
         for (const Surface& s : t.piece.surfaces) {
             if (std::abs(s.center.y - t.piece.surfaces.front().center.y) > kLevel) continue;
@@ -107,7 +119,8 @@ bool set_down_on(Layout& layout, int top, const PieceRequest& request, const Pro
                 for (float x = -wide; x <= wide + 1e-4f; x += step) {
                     const Vec3f at = t.position + right_of(t.yaw) * (s.center.x + x) +
                                      front_of(t.yaw) * (s.center.z + z);
-                    if (layout.on_top_at(top, request, flat(at), t.yaw + (across ? kPi / 2 : 0), wish)) return true;
+                    const float yaw = t.yaw + (across ? kPi / 2 : 0);
+                    if (!is_taken(at, yaw) && layout.on_top_at(top, request, flat(at), yaw, wish)) return true;
                 }
         }
     return false;

@@ -106,6 +106,10 @@ std::vector<std::string> make_one(Talk& talk, const Words& subject, const Value&
     step.brighter = value.brighter;
     if (value.resizes() && speaks_of_shell(subject)) refuse_shell();
     if (!value.resizes()) step.surface = surface_said(subject);
+    // "The rest of the walls": not those that this sentence painted.
+    if (noun_of(subject.back()) == "wall" && has_word(subject, {"rest", "other", "others", "remaining"}) &&
+        talk.wall >= 0)
+        step.surface = "wall", step.elsewhere = true;
     if (step.surface == "tiles") step.surface = tiled_surface(talk.editor);
     else if (step.surface == "accent_wall" && !has_word(subject, {"accent"})) {
         Words which = subject;
@@ -281,6 +285,10 @@ bool make_various(Talk& talk, const Words& words) {
     const std::size_t at = find_word(words, {"different", "another", "various", "own", "other", "mixed"}, 1);
     if (at + 2 != words.size() || !is_one_of(words.back(), {"color", "colors", "shade", "shades"})) return false;
     Words subject = part_of(words, 0, at);
+    // "In two different colors": by turns.
+    std::size_t count = kColors.size();
+    if (const auto number = number_said(subject.back()); number && *number >= 2 && subject.size() > 2)
+        count = std::min(count, static_cast<std::size_t>(*number)), subject.pop_back();
     while (subject.size() > 1 && is_one_of(subject.back(), {"a", "an", "in", "its", "their", "to", "all"}))
         subject.pop_back();
     const bool each = is_one_of(subject.front(), {"each", "every", "all", "both"});
@@ -293,7 +301,7 @@ bool make_various(Talk& talk, const Words& words) {
     for (std::size_t k = 0; k < ids.size(); ++k) {
         if (walls) step.surface = "accent_wall", step.wall = static_cast<int>(k);
         else step.ids = {ids[k]};
-        step.wish.color = kColors[k % kColors.size()];
+        step.wish.color = kColors[k % count];
         talk.editor.apply(step);
     }
     return true;
@@ -340,6 +348,41 @@ bool each_on_or_off(const Words& words) {
     return parts.size() > 1 && std::all_of(parts.begin(), parts.end(), says_on_or_off);
 }
 
+namespace {
+
+// "The table into a round one with four chairs", "the sofa green with two cushions": those come to it; false: no such
+// words.
+bool made_with(Talk& talk, const Words& words) {
+    const std::size_t with = find_word(words, {"with"}, 3);
+    Words comes = part_of(words, with + 1);
+    const std::size_t n = comes.size();
+    const bool on_it = n > 2 && comes[n - 2] == "on" && is_one_of(comes[n - 1], {"top", "it", "them", "each"});
+    const bool on_each = on_it && comes[n - 1] == "each";
+    if (on_it) comes.resize(n - 2);
+    if (comes.size() < 2 || parts_of(words).size() > 1 || !number_said(comes.front()) ||
+        next_place(comes) < comes.size() || is_a_part(comes.back()))
+        return false;
+    auto noun = look_up(text_of(comes, 1));
+    if (!noun) noun = look_up(comes.back());
+    if (!noun || noun->kind != WordKind::object || noun->far) return false;
+    const Words first = part_of(words, 0, with);
+    const bool into = find_word(first, {"into"}, 1) < first.size();
+    bool value = into;
+    for (std::size_t i = 1; i < first.size(); ++i) value = value || value_of(part_of(first, i));
+    if (!value) return false;
+    do_each(
+        talk.editor, 2,
+        [&](std::size_t k) {
+            if (k == 0) make(talk, first);
+            else if (on_each) add(talk, joined_words(comes, {"on", "each", "of", "them"}));
+            else add(talk, joined_words(comes, {on_it ? "on" : "to", "it"}));
+        },
+        [&](std::size_t k) { return text_of(k == 0 ? first : comes); });
+    return true;
+}
+
+}  // namespace
+
 void make(Talk& talk, const Words& words) {
     // "the ceiling lights off and the desk lamp on"
     if (each_on_or_off(words)) {
@@ -352,6 +395,19 @@ void make(Talk& talk, const Words& words) {
         make(talk, part_of(words, 0, with));
         return make(talk, part_of(words, with + 1));
     }
+    // "The ceiling blue with the walls white"
+    const auto says_look = [](const Words& some) {
+        for (std::size_t i = 1; i < some.size(); ++i)
+            if (value_of(part_of(some, i))) return true;
+        return false;
+    };
+    if (const std::size_t with = find_word(words, {"with"}, 2);
+        with + 3 < words.size() && is_definite(words[with + 1]) && !noun_of(words[with + 2]).empty() &&
+        says_look(part_of(words, 0, with)) && value_of(part_of(words, with + 3)))
+        return do_each(
+            talk.editor, 2,
+            [&](std::size_t k) { make(talk, k == 0 ? part_of(words, 0, with) : part_of(words, with + 1)); },
+            [&](std::size_t k) { return text_of(k == 0 ? part_of(words, 0, with) : part_of(words, with + 1)); });
     // "it darker, with candles on the tables"
     for (std::size_t with = 2; with + 2 < words.size(); ++with)
         if (words[with] == "with" && words[with - 1] == "," && begins_anew(part_of(words, with + 1)))
@@ -362,6 +418,7 @@ void make(Talk& talk, const Words& words) {
                     else add(talk, part_of(words, with + 1));
                 },
                 [&](std::size_t k) { return text_of(k == 0 ? part_of(words, 0, with - 1) : part_of(words, with)); });
+    if (made_with(talk, words)) return;
     // "it darker and more romantic"
     if (const std::vector<Words> parts = parts_of(words);
         words.front() == "it" && talk.last.empty() && parts.size() > 1 && next_place(words) == words.size())

@@ -9,6 +9,9 @@
 #include "fastscene/base/error.h"
 #include "fastscene/base/is_one_of.h"
 #include "fastscene/rooms/edit_parts.h"
+#include "fastscene/rooms/prompt_text.h"
+#include "fastscene/rooms/lexicon.h"
+#include "fastscene/rooms/catalogue.h"
 
 namespace fastscene::editing {
 namespace {
@@ -255,6 +258,33 @@ std::optional<Vec2f> left_by(const Talk& talk, const std::string& id) {
     return flat(before->position);
 }
 
+namespace {
+
+// "The desk to the window with its chair": the chair goes along anyway. "Next to each other under the window", "on
+// top".
+Words as_move(const Talk& talk, Words part) {
+    for (std::size_t with = 2; with + 2 < part.size(); ++with) {
+        const std::size_t end = with + 3;
+        const bool last = end == part.size() || part[end] == "facing";
+        if (part[with] != "with" || !last || !is_definite(part[with + 1])) continue;
+        const auto noun = look_up(part[with + 2]);
+        if (!noun || noun->kind != WordKind::object || !has_role(noun->meaning, Role::seat)) continue;
+        part.erase(part.begin() + static_cast<std::ptrdiff_t>(with), part.begin() + static_cast<std::ptrdiff_t>(end));
+    }
+    for (const char* row : {"next to each other", "side by side", "beside each other"}) {
+        const Words phrase = tokens_of(row);
+        for (std::size_t i = 1; i + phrase.size() + 1 < part.size(); ++i)
+            if (part_of(part, i, i + phrase.size()) == phrase && relation_at(part, i + phrase.size()))
+                part.erase(part.begin() + static_cast<std::ptrdiff_t>(i),
+                           part.begin() + static_cast<std::ptrdiff_t>(i + phrase.size()));
+    }
+    if (part.size() > 2 && part[part.size() - 2] == "on" && part.back() == "top" && !talk.last.empty())
+        part.insert(part.end(), {"of", "them"});
+    return part;
+}
+
+}  // namespace
+
 // "the armchair and the plant to the window", "the vase to the desk and the lamp to the shelf"
 void move(Talk& talk, const Words& words) {
     std::vector<Words> before, parts;
@@ -264,7 +294,8 @@ void move(Talk& talk, const Words& words) {
         if (with + 2 != part.size() || !is_one_of(part.back(), {"it", "them"})) parts.push_back(part);
         else before.push_back(part_of(part, 0, is_one_of(part[with - 1], {"along", "together"}) ? with - 1 : with));
     }
-    const auto move_part = [&](const Words& part) {
+    const auto move_part = [&](const Words& said) {
+        const Words part = as_move(talk, said);
         // "in front of the fireplace, facing it"
         if (part.front() == "facing" && !talk.last.empty()) {
             Words all{"them"};

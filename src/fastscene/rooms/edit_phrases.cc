@@ -13,7 +13,27 @@ struct Phrase {
     std::string_view said, means;
 };
 // Longer ones before those that they begin with.
-constexpr std::array<Phrase, 78> kPhrases{{
+constexpr std::array<Phrase, 98> kPhrases{{
+    {"with the fire burning", ", light the fire"},
+    {"with the fire lit", ", light the fire"},
+    {"with the fire on", ", light the fire"},
+    {"the existing ones", "the others"},
+    {"the ones there", "the others"},
+    {"a darker shade", "darker"},
+    {"a lighter shade", "lighter"},
+    {"a shade darker", "darker"},
+    {"a shade lighter", "lighter"},
+    {"in two colors", "in two different colors"},
+    {"facing outside", "facing the window"},
+    {"looking outside", "facing the window"},
+    {"faces outside", "faces the window"},
+    {"facing outwards", "facing the window"},
+    {"that has none", "without one"},
+    {"that have none", "without one"},
+    {"that has no", "without"},
+    {"that have no", "without"},
+    {"who have none", "without one"},
+    {"with none", "without one"},
     {"a lower", "a low"},
     {"a higher", "a tall"},
     {"angled towards", "facing"},
@@ -157,9 +177,37 @@ std::string stem_of_gerund(const std::string& word) {
     return begins(stem) ? stem : "";
 }
 
+namespace {
+
+// "The table to the right of the armchair and a lamp to the left": of the armchair.
+Words with_sides(Words words) {
+    Words anchor;
+    for (std::size_t i = 2; i < words.size(); ++i) {
+        if (!is_one_of(words[i], {"left", "right", "side"})) continue;
+        const bool ends = i + 1 == words.size() || is_joint(words[i + 1]);
+        if (!ends && words[i + 1] == "of") {
+            anchor.clear();
+            for (std::size_t k = i + 2; k < words.size() && !is_joint(words[k]); ++k) anchor.push_back(words[k]);
+            continue;
+        }
+        const bool other = words[i] != "side" || words[i - 1] == "other";
+        if (!ends || anchor.empty() || !other ||
+            find_word(part_of(words, i - std::min<std::size_t>(3, i), i), {"to", "on", "at"}) ==
+                std::min<std::size_t>(3, i))
+            continue;
+        words.insert(words.begin() + static_cast<std::ptrdiff_t>(i) + 1, "of");
+        words.insert(words.begin() + static_cast<std::ptrdiff_t>(i) + 2, anchor.begin(), anchor.end());
+        i += anchor.size() + 1;
+    }
+    return words;
+}
+
+}  // namespace
+
 Words in_plain_words(Words words) {
     for (const Phrase& p : kPhrases) say(words, p.said, p.means);
     if (words.empty()) return words;
+    words = with_sides(words);
     words = as_swap(as_wishes(words));
     // "How about moving the sofa and adding a lamp"
     const std::size_t asked = find_word(words, {"about", "mind", "try", "consider", "start", "begin"});

@@ -170,6 +170,17 @@ void Editor::turn_one(int i, const EditStep& step) {
     checked([&] { set_pose(i, {placed(i).position, yaw}, {}); });
 }
 
+bool Editor::seats_clear(int table, const Placed& there, const std::vector<int>& seats,
+                         const std::vector<int>& along) const {
+    const Placed& was = placed(table);
+    return std::all_of(seats.begin(), seats.end(), [&](int i) {
+        Placed seat = placed(i);
+        seat.position = carried(seat.position, was.position, there.position, there.yaw - was.yaw);
+        seat.yaw += there.yaw - was.yaw;
+        return stands_clear(i, footprint_of(seat), along);
+    });
+}
+
 // Chairs go with the table that they stand at.
 std::vector<int> Editor::seats_at(int table) const {
     const std::string& kind = placed(table).piece.kind;
@@ -325,6 +336,9 @@ void Editor::face_one(int i, const EditStep& step) {
             }
             if (done) break;
         }
+        constexpr float kAbout = 25 * kPi / 180;
+        if (!done && wrong_by < kAbout)
+            throw AlreadySo(id + ": it faces the " + in_words(step.wish.relation_to) + " already, by and large");
         if (!done) throw Error("{}: there is no room to turn it: {}", id, fault);
     }
 }

@@ -56,7 +56,30 @@ void remark(Talk& talk, const Words& words) {
     talk.editor.note("room", fmt::format("\"{}\" is taken as a remark: it changes nothing", text_of(words)));
 }
 
+namespace {
+
+// "Keep only six chairs", "leave just the vase on the table": the others go; false: no such words.
+bool keep_only(Talk& talk, const Words& words) {
+    if (words.size() < 2 || !is_one_of(words.front(), {"only", "just"})) return false;
+    const Words some = part_of(words, 1);
+    const std::size_t place = next_place(some);
+    const auto number = number_said(some.front());
+    if (place < some.size() && is_one_of(some[place], {"on", "at"}) && !number) {
+        Words all = joined_words({"everything"}, part_of(some, place));
+        all.push_back("except");
+        return remove(talk, joined_words(all, part_of(some, 0, place))), true;
+    }
+    if (!number || *number < 1 || some.size() < 2 || is_one_of(some.front(), {"a", "an"})) return false;
+    Words noun = part_of(some, 1);
+    if (!noun.back().ends_with("s") && place == some.size()) noun.back() += "s";
+    remove(talk, joined_words(joined_words({"all"}, noun), {"except", some.front()}));
+    return true;
+}
+
+}  // namespace
+
 void keep(Talk& talk, const Words& words) {
+    if (keep_only(talk, words)) return;
     Words bare = words;
     for (bool again = true; again && bare.size() > 1;) {
         again = false;

@@ -43,6 +43,14 @@ bool says_all_but_some(const Words& words) {
 }
 
 void clear(Talk& talk, const Words& words) {
+    // "The island except for the vase"
+    if (const std::size_t but = find_word(words, {"except", "but", "besides", "excluding"}, 1);
+        but + 1 < words.size()) {
+        Words all = joined_words({"everything", "on"}, words);
+        all[but + 2] = "except";
+        remove_everything(talk, all);
+        return;
+    }
     const auto tops = talk.things_of_parts(words);
     const auto riders = riders_of(talk.editor, tops);
     if (riders.empty()) throw UsageError("nothing stands on {}", tops.front());

@@ -8,6 +8,7 @@
 #include "fastscene/base/error.h"
 #include "fastscene/base/is_one_of.h"
 #include "fastscene/rooms/catalogue.h"
+#include "fastscene/rooms/edit_audit.h"
 #include "fastscene/rooms/edit_parts.h"
 #include "fastscene/rooms/layout_parts.h"
 #include "fastscene/rooms/plan.h"
@@ -174,7 +175,37 @@ std::size_t purpose_at(const Clause& clause) {
 
 }  // namespace
 
+namespace {
+
+// "The chairs around a new table": first the table; false: no such words.
+bool at_what_comes(Talk& talk, const Clause& clause) {
+    const Words& words = clause.words;
+    if ((clause.verb != Verb::put && clause.verb != Verb::move) || begins_anew(words)) return false;
+    std::size_t at = 2;
+    const auto begins = [&](std::size_t i) {
+        for (std::size_t r = 1; r < i; ++r)
+            if (const auto relation = relation_at(words, r); relation && relation->next == i) return true;
+        return false;
+    };
+    while (at + 2 < words.size() && !(is_one_of(words[at], {"a", "an"}) && words[at + 1] == "new" && begins(at))) ++at;
+    if (at + 2 >= words.size()) return false;
+    std::size_t end = at;
+    while (end < words.size() && !is_joint(words[end])) ++end;
+    talk.editor.together([&] {
+        const std::vector<std::string> spoken = talk.last;
+        add(talk, part_of(words, at, end));
+        Clause there = clause;
+        there.words = joined_words(joined_words(part_of(words, 0, at), {talk.last.back()}), part_of(words, end));
+        talk.last = spoken;
+        talk.act(there);
+    });
+    return true;
+}
+
+}  // namespace
+
 void Talk::act(const Clause& whole) {
+    if (at_what_comes(*this, whole)) return;
     Clause clause = whole;
     if (const std::size_t why = purpose_at(whole); why < whole.words.size()) {
         editor.note("room", fmt::format("\"{}\" is taken as a reason: it changes nothing", text_of(whole.words, why)));
@@ -254,7 +285,17 @@ void Talk::act(const Clause& whole) {
             const std::size_t with = find_word(words, {"with", "for", "by"});
             if (with + 1 >= words.size())
                 throw UsageError("expected \"replace … with …\", found \"{}\"", text_of(words));
-            return replace(*this, part_of(words, 0, with), part_of(words, with + 1));
+            // "The lamp with three pendants over the island"
+            const Words old = part_of(words, 0, with), by = part_of(words, with + 1);
+            const std::size_t place = next_place(by);
+            const auto at = place < by.size() ? relation_at(by, place) : std::nullopt;
+            if (at && is_one_of(at->name, {"above", "next to", "under", "in front of", "in the corner"}) &&
+                begins_anew(by) && !has_word(by, {"with"}))
+                return editor.together([&] {
+                    remove(*this, old);
+                    add(*this, by);
+                });
+            return replace(*this, old, by);
         }
         case Verb::swap: return swap(*this, words);
         case Verb::turn:
@@ -321,7 +362,9 @@ EditResult edit_by_sentence(const RoomDocument& document, const std::string& sen
             }
             deeds = editor.deeds();
             try {
+                const editing::Snapshot before = editing::snapshot_of(talk);
                 talk.act(clauses[i]);
+                editing::audit(talk, clauses[i], before);
             } catch (const editing::AlreadySo&) {
                 throw;
             } catch (const Error&) {

@@ -67,6 +67,12 @@ std::vector<std::string> Talk::things(const Words& said_words) {
         all.back() = noun;
         return things(all);
     }
+    // "The one near the door", "the other"
+    if (words.size() > 2 && words[0] == "the" && is_one_of(words[1], {"one", "ones"}) && !noun.empty()) {
+        Words all = joined_words({"the"}, tokens_of(words[1] == "one" ? noun : noun + "s"));
+        return things(joined_words(all, part_of(words, 2)));
+    }
+    if (words == Words{"the", "other"} && !noun.empty()) return things(joined_words(words, tokens_of(noun)));
     if (says_all_but_some(words)) {
         Words all{"all"};
         all.insert(all.end(), words.begin() + 3, words.end());
@@ -99,9 +105,10 @@ std::vector<std::string> Talk::things(const Words& said_words) {
 
 // "The rest", "the other ones", "the remaining chairs": of what was last spoken of by name, those that were not meant.
 std::optional<std::vector<std::string>> Talk::the_rest(const Words& words) const {
-    const bool bare = is_one_of(text_of(words),
-                                {"the rest", "the others", "the rest of them", "the other ones", "the remaining ones",
-                                 "the ones left", "all the others", "the ones that are left", "the remaining"});
+    const bool bare = is_one_of(
+        text_of(words),
+        {"the rest", "the others", "the other half", "the remaining half", "the rest of them", "the other ones",
+         "the remaining ones", "the ones left", "all the others", "the ones that are left", "the remaining"});
     const bool named_so = words.size() > 2 && words.front() == "the" && words[1] == "remaining";
     const bool rest_of = words.size() > 3 && text_of(words, 0, 3) == "the rest of" && words.back() != "them";
     if (!named_so && !rest_of && (!bare || noun.empty())) return {};

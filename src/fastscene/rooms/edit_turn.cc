@@ -45,6 +45,8 @@ std::optional<float> angle_said(const Words& words, std::size_t& end) {
 
 // "the armchair around", "the sofa towards the tv", "the walls green", "the armchair into a sofa"
 void turn(Talk& talk, const Words& words) {
+    // "The table into a round one with four chairs"
+    if (const std::size_t into = find_word(words, {"into"}, 1); into + 2 < words.size()) return make(talk, words);
     // "so that it stands against the wall"
     if (const std::size_t so = find_word(words, {"so"}, 1), stands = find_word(words, {"stands", "is", "hangs"}, so);
         stands + 1 < words.size()) {

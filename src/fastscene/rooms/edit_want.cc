@@ -153,6 +153,16 @@ bool add_to_those(Talk& talk, const Words& words) {
 
 }  // namespace
 
+namespace {
+
+// An hour or a weather, and no thing.
+bool says_hour(const Words& words) {
+    const PromptSpec spec = understand_prompt(text_of(words), false, nullptr);
+    return spec.objects.empty() && (!spec.time.empty() || !spec.weather.empty()) && next_place(words) == words.size();
+}
+
+}  // namespace
+
 void want(Talk& talk, const Words& words) {
     if (words.empty()) throw UsageError("expected what to change, found the end of the sentence");
     // "A rug is missing under the table"
@@ -170,12 +180,27 @@ void want(Talk& talk, const Words& words) {
         const auto value = value_of({first[1]});
         const Words noun = part_of(first, 2);
         if (value && value->resizes() && value->shape.empty() && all_named(talk.editor, text_of(noun)).size() == 1) {
-            make(talk, joined_words(joined_words({"the"}, noun), {first[1]}));
             Words rest = part_of(words, first.size());
             while (!rest.empty() && is_joint(rest.front())) rest.erase(rest.begin());
-            return rest.empty() ? void() : add(talk, rest);
+            return do_each(
+                talk.editor, rest.empty() ? 1 : 2,
+                [&](std::size_t k) {
+                    if (k == 0) make(talk, joined_words(joined_words({"the"}, noun), {first[1]}));
+                    else add(talk, rest);
+                },
+                [&](std::size_t k) { return text_of(k == 0 ? first : rest); });
         }
     }
+    // "Late afternoon light", "a rainy evening"
+    if (const std::vector<Words> parts = parts_of(words); !of_those && parts.size() > 1 && says_hour(parts.front()))
+        return do_each(
+            talk.editor, parts.size(), [&](std::size_t k) { want(talk, parts[k]); },
+            [&](std::size_t k) { return text_of(parts[k]); });
+    // "A darker floor"
+    if (words.size() == 3 && is_one_of(noun_of(words.back()), {"floor", "wall", "ceiling"}) &&
+        is_one_of(words[1], {"darker", "lighter", "brighter"}))
+        return make(talk, {"the", words[2], words[1]});
+    if (!of_those && says_hour(words)) return make(talk, joined_words({"it"}, words));
     if (!of_those) return add(talk, words);
     if (find_word(words, {"style", "time", "weather"}) < words.size() ||
         words[std::min<std::size_t>(1, words.size() - 1)] == "room")

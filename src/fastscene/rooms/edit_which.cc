@@ -80,6 +80,10 @@ std::optional<std::vector<int>> by_distance(const Editor& editor, const Words& w
         return is_one_of(words[at], {"closest", "nearest"}) ? least : -least;
     };
     std::stable_sort(found.begin(), found.end(), [&](int a, int b) { return far(a) < far(b); });
+    // "The chairs closest to the door": with those that are about as close.
+    constexpr float kAsClose = 0.5f;  // metres
+    const bool several = count == 1 && !head.empty() && head.back().ends_with("s");
+    while (several && count < found.size() && far(found[count]) < far(found.front()) + kAsClose) ++count;
     found.resize(count);
     std::sort(found.begin(), found.end());
     return found;

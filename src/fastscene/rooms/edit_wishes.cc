@@ -296,6 +296,20 @@ void as_those_there(const Editor& editor, const Words& words, PromptObject& wish
     if (kinds.size() == 1 && (more || many)) wish.kind = *kinds.begin();
 }
 
+// "Three stools on the other side of the island", where bar stools stand at it: bar stools.
+void as_those_at(const Editor& editor, Addition& addition) {
+    PromptObject& wish = addition.wishes.front();
+    if (!addition.place || !has_role(wish.kind, Role::seat)) return;
+    const std::vector<std::string> anchors = things_at(editor, addition.place->step);
+    const std::string noun = "_" + singular(wish.words.substr(wish.words.rfind(' ') + 1));
+    std::set<std::string> kinds;
+    for (const Placed& p : editor.room().furnished.placed)
+        if (p.with >= 0 && p.piece.kind.ends_with(noun) &&
+            is_among(editor.room().furnished.placed[static_cast<std::size_t>(p.with)].id, anchors))
+            kinds.insert(p.piece.kind);
+    if (kinds.size() == 1 && wish.words.find(' ') == std::string::npos) wish.kind = *kinds.begin();
+}
+
 Addition read_addition(const Talk& talk, const Words& said, const std::vector<std::string>& spoken) {
     const Editor& editor = talk.editor;
     const Words words = hung_up(talk, counted_anew(without_whom(editor, said)));
@@ -304,6 +318,9 @@ Addition read_addition(const Talk& talk, const Words& said, const std::vector<st
         const Words there = part_of(words, end);
         // "a table in oak"
         if (value_of(part_of(there, 1))) continue;
+        // "a rug in beige under the table"
+        const std::size_t after = next_place(there);
+        if (there.front() == "in" && after < there.size() && value_of(part_of(there, 1, after))) continue;
         // "a side table next to the sofa with a lamp on it"
         if (const std::size_t with = find_word(there, {"with"}, 1);
             with + 1 < there.size() && begins_anew(part_of(there, with + 1))) {
@@ -346,7 +363,12 @@ Addition addition_of(const Talk& talk, const Words& said, const std::vector<std:
     const std::size_t n = words.size();
     const bool on_it = with + 3 < n && is_one_of(words[n - 1], {"it", "them", "top", "each"}) && words[n - 2] == "on";
     const std::string text = text_of(words);
+    // "A desk with a lamp on it": on the desk.
+    const std::size_t begins = next_place(words);
+    if (on_it && begins > with && begins + 2 == n) words.resize(n - 2);
     Addition out = read_addition(talk, words, spoken);
+    // Stools at an island as those that stand there.
+    as_those_at(talk.editor, out);
     // "A ladder to the bookshelves" is one, "a candle to the tables without one" are as many as those.
     const bool of_some = find_word(said, {"without", "that", "with"}, next_place(said)) < said.size();
     if (out.place && out.place->if_uncounted && !of_some && is_one_of(said.front(), {"a", "an", "another"}))

@@ -226,6 +226,13 @@ Meaning meaning_of(const Editor& editor, const std::string& words) {
             continue;
         }
         out.found = alike(editor.document(), out.said, says_several(tokens, out.said));
+        // "The plant on the counter" may be a small one.
+        if (auto wide = alike(editor.document(), out.said, true);
+            place < tokens.size() && wide.size() > out.found.size()) {
+            std::vector<int> there = wide, exact = out.found;
+            with_place(editor, spec, there), with_place(editor, spec, exact);
+            if (there.size() < wide.size() && exact.size() > 1 && exact.size() == out.found.size()) out.found = there;
+        }
         by_kind(editor, tokens, out.said, out.found);
         if (!compound.empty()) of_the_last(editor, part_of(tokens, 0, place), compound, out.said, out.found);
         else at_support(editor, tokens, out.found);

@@ -50,19 +50,6 @@ std::vector<Place> places_of(const Plan& plan, const std::vector<Placed>& placed
     return out;
 }
 
-// Of two boxes on the floor, by their corners and middles: exact enough to say "beside".
-float gap(const Footprint& a, const Footprint& b) {
-    float least = 1e9f;
-    for (const auto& [one, other] : {std::pair{&a, &b}, {&b, &a}}) {
-        const Vec2f front = heading_of(one->yaw), right{front.y, -front.x};
-        for (const float i : {-1.f, 0.f, 1.f})
-            for (const float j : {-1.f, 0.f, 1.f})
-                least = std::min(
-                    least, distance_to(*other, one->center + right * (i * one->half.x) + front * (j * one->half.y)));
-    }
-    return least;
-}
-
 float to_wall(const Plan& plan, const Footprint& box) {
     const float reach = std::min(box.half.x, box.half.y);
     return std::min(plan.width / 2 - std::abs(box.center.x), plan.depth / 2 - std::abs(box.center.y)) - reach;
@@ -88,7 +75,8 @@ int others_there(const std::vector<Placed>& placed, const Placed& piece, const P
 // The relation to one place.
 bool holds(const std::string& relation, const Footprint& box, Vec2f front, const Placed& piece, const Place& at) {
     const Vec2f from = box.center - at.box.center;
-    const float ahead = dot(from, at.front), aside = dot(from, right_of_viewer(at.front)), far = gap(box, at.box);
+    const float ahead = dot(from, at.front), aside = dot(from, right_of_viewer(at.front)),
+                far = gap_between(box, at.box);
     const bool opening = at.index < 0;
     if (relation == "on" && piece.sill >= 0) return piece.sill == at.opening;
     if (relation == "on" && !opening && piece.on == at.index) return true;
@@ -134,6 +122,18 @@ bool is_between(const Footprint& box, const Place& a, const Place& b) {
 
 }  // namespace
 
+float gap_between(const Footprint& a, const Footprint& b) {
+    float least = 1e9f;
+    for (const auto& [one, other] : {std::pair{&a, &b}, {&b, &a}}) {
+        const Vec2f front = heading_of(one->yaw), right{front.y, -front.x};
+        for (const float i : {-1.f, 0.f, 1.f})
+            for (const float j : {-1.f, 0.f, 1.f})
+                least = std::min(
+                    least, distance_to(*other, one->center + right * (i * one->half.x) + front * (j * one->half.y)));
+    }
+    return least;
+}
+
 bool is_opening_of(const Opening& o, std::string_view kind) {
     if (o.kind == Opening::Kind::window) return kind == "window" || kind == "bay_window";
     return kind == (o.kind == Opening::Kind::door ? "door" : "doorway");
@@ -176,8 +176,9 @@ std::optional<bool> stands_as_asked(const Plan& plan, const std::vector<Placed>&
     const auto right = [&](const Footprint& f) {
         return dot(f.center - at->box.center, right_of_viewer(at->front)) > 0;
     };
-    const int on_this = others_there(
-        placed, piece, wish, [&](const Footprint& f) { return gap(f, at->box) < 0.75f && right(f) == right(box); });
+    const int on_this = others_there(placed, piece, wish, [&](const Footprint& f) {
+        return gap_between(f, at->box) < 0.75f && right(f) == right(box);
+    });
     const int sides = 2 * static_cast<int>(places.size());
     return on_this <= (wish.count - 1) / sides;
 }

@@ -17,6 +17,9 @@ inline float free_before(const Opening& window, float above_sill) {
 // Whether a wish for this class means such an opening.
 bool is_opening_of(const Opening& opening, std::string_view kind);
 
+// How far two boxes are apart on the floor, by their corners and middles: exact enough to say "beside".
+float gap_between(const Footprint& a, const Footprint& b);
+
 // Of `piece`, which stands or might stand in the room with the others. Nothing: it asks for no place, or for one at
 // something that is not there (yet).
 std::optional<bool> stands_as_asked(const Plan& plan, const std::vector<Placed>& placed, const Placed& piece,
