@@ -111,7 +111,7 @@ void add_regular_windows(const RoomWindows& like, Plan& plan) {
 // The screen and the doors of a vehicle.
 void add_glazed_parts(const RoomWindows& like, Plan& plan) {
     constexpr float kBeside = 0.1f, kAbove = 0.1f;
-    for (const GlazedPart& part : like.glazed) {
+    for (const GlazedPart& part : like.glazed_parts) {
         const float length = plan.wall(part.wall).length,
                     wide = std::min(part.width_m > 0 ? part.width_m : length, length - 2 * kBeside);
         for (const float place : part.places) {

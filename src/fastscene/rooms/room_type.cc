@@ -174,7 +174,7 @@ class TypeReader {
             g.width_m = static_cast<float>(t.number("width_m", 0, 0, kWidest_m));
             g.sill_m = static_cast<float>(t.needed_number("sill_m", 0, kHighest_m));
             g.head_m = static_cast<float>(t.needed_number("head_m", 0.5, kHighest_m));
-            t_.windows.glazed.push_back(std::move(g));
+            t_.windows.glazed_parts.push_back(std::move(g));
         }
     }
 

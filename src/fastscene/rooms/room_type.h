@@ -48,8 +48,8 @@ struct RoomWindows {
     bool glazed = true;                // else open, with columns
     std::optional<Sky::View> outlook;  // what they show; nothing: as the style has it
     float outlook_probability = 0;
-    bool tunnel = false;             // the room is in one: nothing but its wall is seen, and no daylight comes in
-    std::vector<GlazedPart> glazed;  // before the regular ones, which stand between them
+    bool tunnel = false;                   // the room is in one: nothing but its wall is seen, and no daylight comes in
+    std::vector<GlazedPart> glazed_parts;  // before the regular ones, which stand between them
 };
 
 // What walls are built of, where that is more than their material: logs that lie one on the other, rough rock.

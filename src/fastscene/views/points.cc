@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 #include "fastscene/base/parallel.h"
 #include "fastscene/base/random.h"
@@ -48,6 +49,39 @@ Surface surface_at(const Panorama& panorama, const ImageMask& cuts, float sky_m,
     if (!(dot(normal, normal) > 0.5f)) normal = -normalize(p);
     return {p, dot(normal, p) > 0 ? -normal : normal, (b - a) * (cut_left || cut_right ? 1.f : 0.5f),
             (d - c) * (cut_up || cut_down ? 1.f : 0.5f)};
+}
+
+// The plane that goes on at both sides of a pixel in front of which nothing stands: that of a wall or a door at a joint
+// narrower than a few pixels, which is then a dark line on it. By their own ranges, the pixels of a joint would lie at
+// different depths and face all ways, and begin as a ragged line.
+std::optional<Surface> surface_across_joint(const Panorama& panorama, const ImageMask& cuts, float sky_m, int x,
+                                            int y) {
+    constexpr int kSide = 3;              // pixels to each side: joints of up to three pixels, and what is beside them
+    constexpr float kDeepest_m = 0.1f;    // deeper gaps show another thing behind
+    constexpr float kSameNormal = 0.97f;  // cosine
+    constexpr float kSamePlane = 0.04f;   // offset of the sides from one plane, relative to their distance
+    const EquirectSize size = panorama.size();
+    const Vec3f direction = direction_of_pixel(x, y, size), here = point_at(panorama, sky_m, x, y);
+    for (const bool along_row : {true, false}) {
+        const int dx = along_row ? kSide : 0, dy = along_row ? 0 : kSide;
+        if (y < dy || y + dy >= size.height) continue;
+        const int x0 = wrap_column(x - dx, size.width), x1 = wrap_column(x + dx, size.width);
+        if ((cuts.at(x0, y - dy) | cuts.at(x1, y + dy)) & kFarSide) continue;
+        const Surface a = surface_at(panorama, cuts, sky_m, x0, y - dy),
+                      b = surface_at(panorama, cuts, sky_m, x1, y + dy);
+        const Vec3f between = b.point - a.point, normal = normalize(a.normal + b.normal);
+        if (!(dot(a.normal, b.normal) > kSameNormal) ||
+            !(std::fabs(dot(between, normal)) < kSamePlane * length(between)))
+            continue;
+        const float level = dot(a.point + b.point, normal) * 0.5f, behind = level - dot(here, normal);
+        if (!(behind > -kSamePlane * length(between)) || behind > kDeepest_m) continue;
+        const auto on_plane = [&](Vec3f d) { return d * (level / dot(d, normal)); };
+        const Vec3f point = on_plane(direction);
+        return Surface{point, normal, on_plane(direction_of_pixel(wrap_column(x + 1, size.width), y, size)) - point,
+                       on_plane(direction_of_pixel(x, y > 0 ? y - 1 : y + 1, size)) * (y > 0 ? -1.f : 1.f) +
+                           point * (y > 0 ? 1.f : -1.f)};
+    }
+    return std::nullopt;
 }
 
 float gradient_at(const ImageColor& color, int x, int y) {
@@ -178,9 +212,12 @@ void collect(const std::vector<Panorama>& panoramas, std::uint32_t index, const 
                 if (index > 0 &&
                     (given ? known != Known::original : known != Known::invented && known != Known::looked))
                     continue;
+                const bool is_far_side = cuts.at(x, y) & kFarSide;
+                const auto whole = is_far_side && !outside ? surface_across_joint(panorama, cuts, sky_m, x, y)
+                                                           : std::nullopt;
                 // mixed colors of two surfaces; inpainted pixels have only one
-                if (given && cuts.at(x, y) & kFarSide) continue;
-                const Surface s = surface_at(panorama, cuts, sky_m, x, y);
+                if (given && is_far_side && !whole) continue;
+                const Surface s = whole ? *whole : surface_at(panorama, cuts, sky_m, x, y);
                 if (given && !owners.owns(index, panorama, s, outside)) continue;
                 const float distance = length(s.point),
                             cosine = std::max(kFlattest, -dot(s.normal, s.point) / distance);
@@ -356,7 +393,9 @@ std::vector<SurfacePoint> sample_points(const std::vector<Panorama>& panoramas, 
     std::vector<ImageMask> cuts(panoramas.size());
     const auto surface_of = [&](const Candidate& c, int x, int y) {
         if (cuts[c.panorama].empty()) cuts[c.panorama] = range_edges(panoramas[c.panorama].range);
-        return surface_at(panoramas[c.panorama], cuts[c.panorama], sky_m, x, y);
+        const Panorama& panorama = panoramas[c.panorama];
+        const auto whole = c.outside ? std::nullopt : surface_across_joint(panorama, cuts[c.panorama], sky_m, x, y);
+        return whole ? *whole : surface_at(panorama, cuts[c.panorama], sky_m, x, y);
     };
     const auto add = [&](const Candidate& c, double share) {
         const bool known_outside = c.panorama == kOutside, at_sky = known_outside || c.hidden > 0;

@@ -275,5 +275,43 @@ TEST(Points, SkyStandsTooFarToMove) {
     }
 }
 
+// A cube of 4 m with a dark upright joint, one pixel wide, in the wall ahead.
+Panorama jointed_room(float deep_m) {
+    Panorama out;
+    out.color = ImageColor(kSize.width, kSize.height);
+    out.range = ImageF(kSize.width, kSize.height);
+    const int joint = kSize.width / 2 + 20;
+    for (int y = 0; y < kSize.height; ++y)
+        for (int x = 0; x < kSize.width; ++x) {
+            const Vec3f d = direction_of_pixel(x, y, kSize);
+            const float most = std::max({std::fabs(d.x), std::fabs(d.y), std::fabs(d.z)});
+            const bool in_joint = x == joint && d.z == most;
+            out.range.at(x, y) = (in_joint ? 2 + deep_m : 2.f) / most;
+            out.color.at(x, y) = in_joint ? Vec3f{0.02f, 0.02f, 0.02f} : Vec3f{0.6f, 0.6f, 0.6f};
+        }
+    return out;
+}
+
+// A narrow joint is a line on the wall: its points lie on the wall, face as it does, and are aligned with the joint.
+TEST(Points, AJointIsALineOnItsWall) {
+    ViewsParams params = small_params();
+    params.points = 40000;
+    for (const float deep_m : {0.004f, 0.05f}) {
+        int found = 0;
+        for (const SurfacePoint& p : sample_points({jointed_room(deep_m)}, params, {})) {
+            if (!(p.position_m.z > 1.9f) || std::fabs(p.position_m.y) > 1.8f || p.color.g > 80) continue;
+            ++found;
+            EXPECT_NEAR(p.position_m.z, 2, 2e-3f);
+            EXPECT_LT(p.normal.z, -0.99f);
+            EXPECT_GT(std::fabs(p.edge.y), 0.8f);
+        }
+        EXPECT_GT(found, 40) << deep_m;
+    }
+    // A deep gap shows something else behind, in mixed colors.
+    for (const SurfacePoint& p : sample_points({jointed_room(0.5f)}, params, {})) {
+        EXPECT_GT(p.color.g, 80);
+    }
+}
+
 }  // namespace
 }  // namespace fastscene
