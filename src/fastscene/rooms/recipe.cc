@@ -16,7 +16,7 @@ using furnishing::StepKind;
 
 constexpr double kMostPull = 5, kLeastGap = -1, kMostGap = 3, kLongest = 6;  // the latter in metres
 constexpr int kMostTimes = 20, kMostPieces = 99;
-constexpr double kLongestRun = 12;  // metres
+constexpr double kLongestRun = 12;   // metres
 constexpr double kWidestPitch = 20;  // metres: one vault over a whole hall
 
 // Keys that every step may have.
