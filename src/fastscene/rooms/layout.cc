@@ -60,8 +60,7 @@ bool blocks_opening(const Plan& plan, const Footprint& box) {
     const float height = box.y1;
     for (const Opening& o : plan.openings) {
         const WallFace face = plan.wall(o.wall);
-        // Panes of cabins have neither sills nor curtains.
-        if (plan.cabin && o.kind == Opening::Kind::window && !is_doors(o.glazing)) continue;
+        if (!plan.needs_room(o)) continue;
         const bool door = o.kind != Opening::Kind::window || is_doors(o.glazing);
         if (!door && height > o.y0 - kSillThickness) {
             const Vec3f middle = face.point((o.u0 + o.u1) / 2, 0) + face.inward * (kSillReach / 2);

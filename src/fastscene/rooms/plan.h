@@ -109,6 +109,9 @@ struct Plan {
     bool joined = false;                   // this is such a next room: its near wall (2) is built by the other
 
     WallFace wall(int i) const;
+    // Whether the place in front of an opening must stay free. Not before the panes of a cabin: they have neither sills
+    // nor curtains, and seats stand at them.
+    bool needs_room(const Opening& o) const { return !cabin || o.kind != Opening::Kind::window || is_doors(o.glazing); }
     float wall_thickness() const { return cabin ? kPanelThickness : kWallThickness; }
     const Material& wall_material(int i) const;
     // What the prompt says of a part of the shell, or nothing.

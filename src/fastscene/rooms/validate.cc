@@ -108,7 +108,7 @@ class Checker {
             const WallFace face = plan_.wall(o.wall);
             const float yaw = std::atan2(face.inward.x, face.inward.z);
             const bool window = o.kind == Opening::Kind::window;
-            if (plan_.cabin && window && !is_doors(o.glazing)) continue;  // seats stand at panes without sills
+            if (!plan_.needs_room(o)) continue;
             const float deep = window ? 0.12f
                                       : 0.7f;  // before a window things may stand, but not touch it above its sill
             const Vec3f middle = face.point((o.u0 + o.u1) / 2, 0) + face.inward * (deep / 2);

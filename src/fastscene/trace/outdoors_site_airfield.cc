@@ -198,10 +198,11 @@ QuadMesh build_airliner(World& world, const Livery& livery) {
         add_engine(mesh, side * 5.75f, livery.second.x > 0.3f ? body : second, metal, dark);
         // Main wheels.
         add_tube(mesh, p(3.8f, 3.f, -1.6f), p(3.8f, 0.6f, -1.6f), 0.14f, 0.12f, 10, metal);
-        for (const float off : {-0.5f, 0.25f})
-            add_tube(mesh, p(3.8f + off, 0.58f, -1.6f), p(3.8f + off + 0.3f, 0.58f, -1.6f), 0.58f, 0.58f, 18, tyre),
-                add_tube(mesh, p(3.8f + off - 0.01f, 0.58f, -1.6f), p(3.8f + off + 0.31f, 0.58f, -1.6f), 0.26f, 0.26f,
-                         12, metal);
+        for (const float off : {-0.5f, 0.25f}) {
+            add_tube(mesh, p(3.8f + off, 0.58f, -1.6f), p(3.8f + off + 0.3f, 0.58f, -1.6f), 0.58f, 0.58f, 18, tyre);
+            add_tube(mesh, p(3.8f + off - 0.01f, 0.58f, -1.6f), p(3.8f + off + 0.31f, 0.58f, -1.6f), 0.26f, 0.26f, 12,
+                     metal);
+        }
     }
     add_tube(mesh, {0, 2.6f, 13.6f}, {0, 0.4f, 13.9f}, 0.11f, 0.1f, 10, metal);
     for (const float off : {-0.42f, 0.18f})
@@ -213,8 +214,8 @@ QuadMesh build_airliner(World& world, const Livery& livery) {
         return WingSection{lerp(fin_root.front, fin_tip.front, t), lerp(fin_root.back, fin_tip.back, t),
                            lerp(fin_root.across, fin_tip.across, t)};
     };
-    add_wing(mesh, fin(0), fin(0.42f), tail), add_wing(mesh, fin(0.42f), fin(0.62f), second),
-        add_wing(mesh, fin(0.62f), fin(1), tail);
+    add_wing(mesh, fin(0), fin(0.42f), tail), add_wing(mesh, fin(0.42f), fin(0.62f), second);
+    add_wing(mesh, fin(0.62f), fin(1), tail);
     return mesh;
 }
 
@@ -261,8 +262,8 @@ QuadMesh build_baggage_train(World& world, Random& r) {
             for (const float z : {-0.75f, 0.6f})
                 add_tube(mesh, {x + off, 0.28f, z}, {x + off, 0.28f, z + 0.15f}, 0.28f, 0.28f, 12, tyre);
     };
-    add_box(mesh, {0, 0.3f, -0.7f}, {2.2f, 0.85f, 0.7f}, cab),
-        add_box(mesh, {0.2f, 0.85f, -0.65f}, {0.9f, 1.8f, 0.65f}, cart);
+    add_box(mesh, {0, 0.3f, -0.7f}, {2.2f, 0.85f, 0.7f}, cab);
+    add_box(mesh, {0.2f, 0.85f, -0.65f}, {0.9f, 1.8f, 0.65f}, cart);
     wheels(0);
     for (int i = 0; i < 3; ++i) {
         const float x = -2.7f - 2.7f * static_cast<float>(i);
@@ -280,10 +281,10 @@ QuadMesh build_lorry(World& world, Vec3f color) {
     QuadMesh mesh;
     const std::uint16_t box = world.add({Finish::matt, color}), cab = world.add({Finish::matt, {0.55f, 0.55f, 0.54f}}),
                         dark = world.add({Finish::matt, {0.02f, 0.02f, 0.024f}});
-    add_box(mesh, {-3.4f, 0.7f, -1.2f}, {1.8f, 3.2f, 1.2f}, box),
-        add_box(mesh, {1.9f, 0.5f, -1.15f}, {3.6f, 1.5f, 1.15f}, cab);
-    add_box(mesh, {1.95f, 1.5f, -1.1f}, {3.4f, 2.3f, 1.1f}, dark),
-        add_box(mesh, {1.95f, 2.3f, -1.1f}, {3.3f, 2.4f, 1.1f}, cab);
+    add_box(mesh, {-3.4f, 0.7f, -1.2f}, {1.8f, 3.2f, 1.2f}, box);
+    add_box(mesh, {1.9f, 0.5f, -1.15f}, {3.6f, 1.5f, 1.15f}, cab);
+    add_box(mesh, {1.95f, 1.5f, -1.1f}, {3.4f, 2.3f, 1.1f}, dark);
+    add_box(mesh, {1.95f, 2.3f, -1.1f}, {3.3f, 2.4f, 1.1f}, cab);
     for (const float x : {-2.4f, 2.7f})
         for (const float z : {-1.2f, 0.85f}) add_tube(mesh, {x, 0.5f, z}, {x, 0.5f, z + 0.35f}, 0.5f, 0.5f, 16, dark);
     return mesh;
@@ -293,12 +294,12 @@ QuadMesh build_control_tower(World& world) {
     QuadMesh mesh;
     const std::uint16_t shaft = world.add({Finish::matt, {0.5f, 0.49f, 0.47f}, {}, 0.2f}),
                         pane = world.add({Finish::matt, {0.05f, 0.09f, 0.1f}, {}, 0, false, false});
-    add_tube(mesh, {0, 0, 0}, {0, 34, 0}, 3.4f, 2.6f, 20, shaft),
-        add_tube(mesh, {0, 34, 0}, {0, 37, 0}, 3.f, 6.f, 20, shaft);
-    add_tube(mesh, {0, 37, 0}, {0, 41, 0}, 5.6f, 6.4f, 20, pane),
-        add_tube(mesh, {0, 41, 0}, {0, 42, 0}, 6.8f, 6.2f, 20, shaft);
-    add_tube(mesh, {0, 42, 0}, {0, 42.1f, 0}, 6.2f, 0.1f, 20, shaft),
-        add_tube(mesh, {0, 42, 0}, {0, 49, 0}, 0.2f, 0.1f, 8, kIron);
+    add_tube(mesh, {0, 0, 0}, {0, 34, 0}, 3.4f, 2.6f, 20, shaft);
+    add_tube(mesh, {0, 34, 0}, {0, 37, 0}, 3.f, 6.f, 20, shaft);
+    add_tube(mesh, {0, 37, 0}, {0, 41, 0}, 5.6f, 6.4f, 20, pane);
+    add_tube(mesh, {0, 41, 0}, {0, 42, 0}, 6.8f, 6.2f, 20, shaft);
+    add_tube(mesh, {0, 42, 0}, {0, 42.1f, 0}, 6.2f, 0.1f, 20, shaft);
+    add_tube(mesh, {0, 42, 0}, {0, 49, 0}, 0.2f, 0.1f, 8, kIron);
     return mesh;
 }
 QuadMesh build_hangar(World& world) {

@@ -142,15 +142,15 @@ QuadMesh build_church(std::uint16_t wall, std::uint16_t stone, std::uint16_t til
 
 QuadMesh build_well(std::uint16_t stone, std::uint16_t timber, std::uint16_t tiles) {
     QuadMesh mesh;
-    add_tube(mesh, {0, 0, 0}, {0, 0.18f, 0}, 1.35f, 1.35f, 28, stone),
-        add_tube(mesh, {0, 0.18f, 0}, {0, 0.181f, 0}, 1.35f, 0.8f, 28, stone);
-    add_tube(mesh, {0, 0.18f, 0}, {0, 0.92f, 0}, 0.82f, 0.78f, 28, stone),
-        add_tube(mesh, {0, 0.92f, 0}, {0, 1.04f, 0}, 0.92f, 0.92f, 28, stone);
-    add_tube(mesh, {0, 1.04f, 0}, {0, 1.041f, 0}, 0.92f, 0.6f, 28, stone),
-        add_tube(mesh, {0, 1.04f, 0}, {0, 0.3f, 0}, 0.6f, 0.6f, 28, kDarkCore);
+    add_tube(mesh, {0, 0, 0}, {0, 0.18f, 0}, 1.35f, 1.35f, 28, stone);
+    add_tube(mesh, {0, 0.18f, 0}, {0, 0.181f, 0}, 1.35f, 0.8f, 28, stone);
+    add_tube(mesh, {0, 0.18f, 0}, {0, 0.92f, 0}, 0.82f, 0.78f, 28, stone);
+    add_tube(mesh, {0, 0.92f, 0}, {0, 1.04f, 0}, 0.92f, 0.92f, 28, stone);
+    add_tube(mesh, {0, 1.04f, 0}, {0, 1.041f, 0}, 0.92f, 0.6f, 28, stone);
+    add_tube(mesh, {0, 1.04f, 0}, {0, 0.3f, 0}, 0.6f, 0.6f, 28, kDarkCore);
     for (const float x : {-0.8f, 0.8f}) add_tube(mesh, {x, 1.f, 0}, {x, 2.5f, 0}, 0.06f, 0.06f, 8, timber);
-    add_tube(mesh, {-0.9f, 1.95f, 0}, {0.9f, 1.95f, 0}, 0.07f, 0.07f, 10, timber),
-        add_tube(mesh, {0, 1.95f, 0}, {0, 1.2f, 0}, 0.012f, 0.012f, 6, timber);
+    add_tube(mesh, {-0.9f, 1.95f, 0}, {0.9f, 1.95f, 0}, 0.07f, 0.07f, 10, timber);
+    add_tube(mesh, {0, 1.95f, 0}, {0, 1.2f, 0}, 0.012f, 0.012f, 6, timber);
     add_tube(mesh, {0, 1.2f, 0}, {0, 0.98f, 0}, 0.14f, 0.11f, 12, timber);
     for (const float z : {-0.8f, 0.8f})
         mesh.quad({-1.15f, 2.4f, z}, {1.15f, 2.4f, z}, {1.15f, 3.05f, 0}, {-1.15f, 3.05f, 0}, tiles);
