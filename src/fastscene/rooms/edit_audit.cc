@@ -1,5 +1,5 @@
 // What of a clause cannot be seen in the room that it left: looks that nothing has, things that nothing was done to,
-// places where nothing stands, words that nobody understood.
+// places where nothing stands, words that were not understood.
 #include "fastscene/rooms/edit_audit.h"
 
 #include <fmt/format.h>
@@ -124,7 +124,7 @@ class Audit {
 
     void check_words() {
         for (const Mention& m : mentions_)
-            if (m.kind == Mention::Kind::unknown) missing_.push_back(fmt::format("nobody understood \"{}\"", m.term));
+            if (m.kind == Mention::Kind::unknown) missing_.push_back(fmt::format("\"{}\" was not understood", m.term));
     }
 
     // ---- looks
@@ -341,7 +341,7 @@ class Audit {
             // "And a lamp to the left": of what?
             if (is_one_of(m.meaning, {"left of", "right of"}) && m.to == words_.size() &&
                 m.term.find("its") == m.term.npos && !added_.empty() && k > 0)
-                missing_.push_back(fmt::format("nobody understood \"{}\"", m.term));
+                missing_.push_back(fmt::format("\"{}\" was not understood", m.term));
             // "Around a new table", which must have come.
             if (m.to + 1 < words_.size() && is_one_of(words_[m.to], {"a", "an"}) &&
                 is_one_of(words_[m.to + 1], {"new", "second", "third"}) && !at.empty() &&
