@@ -216,6 +216,8 @@ void lit_digit(Kit& k, int ink, int digit, Vec3f at, float high) {
     }
 }
 
+constexpr int kLiftFloor = 4;  // the lamp above a lift's doors and its panel tell the same
+
 // An arrow that points up.
 void lit_arrow(Kit& k, int ink, Vec3f at, float high) {
     block(k, ink, at, {0.16f * high, 0.7f * high, 0.003f});
@@ -244,7 +246,7 @@ void build_elevator_doors(Kit& k) {
     block(k, dark, {0, 0, 0.034f}, {0.006f, high, 0.006f});
     k.board(frame, {0, high, 0.5f * s.z}, {s.x, s.y - high, s.z}, 0.006f);
     block(k, panel, {0, high + 0.04f, s.z}, {0.34f, 0.14f, 0.006f});
-    lit_digit(k, lamp, 2 + k.rng.index(8), {0.05f, high + 0.065f, s.z + 0.006f}, 0.09f);
+    lit_digit(k, lamp, kLiftFloor, {0.05f, high + 0.065f, s.z + 0.006f}, 0.09f);
     lit_arrow(k, lamp, {-0.07f, high + 0.065f, s.z + 0.006f}, 0.09f);
     // The sill, and the seams of the leaves.
     block(k, frame, {0, 0, 0.045f}, {2 * w, 0.012f, 0.04f});
@@ -270,15 +272,14 @@ void build_elevator_panel(Kit& k) {
               alarm = color(k, "alarm button", {0.6f, 0.03f, 0.02f}, 0.3f);
     k.board(plate, {0, 0, 0.5f * s.z}, s, 0.006f);
     block(k, dark, {0, s.y - 0.23f, s.z}, {0.2f, 0.16f, 0.004f});
-    const int floor = 2 + k.rng.index(7);
-    lit_digit(k, digit, floor, {0.035f, s.y - 0.205f, s.z + 0.004f}, 0.1f);
+    lit_digit(k, digit, kLiftFloor, {0.035f, s.y - 0.205f, s.z + 0.004f}, 0.1f);
     lit_arrow(k, digit, {-0.05f, s.y - 0.2f, s.z + 0.004f}, 0.09f);
     constexpr int kRows = 6;
     for (int j = 0; j < kRows; ++j)
         for (int i = 0; i < 2; ++i) {
             const int number = 2 * j + i;
             const Vec3f at{0.062f * (i == 0 ? -1.f : 1.f), 0.26f + 0.135f * static_cast<float>(j), s.z};
-            const int face = number == floor + 2 || number == 0 ? chosen : pale;
+            const int face = number == kLiftFloor + 2 || number == 0 ? chosen : pale;
             for (const auto& [r, deep, material] : {std::tuple{0.037f, 0.008f, ring}, {0.03f, 0.012f, face}}) {
                 Mesh disc = shapes::prism(shapes::circle(r, 20), 0, deep, 0.002f);
                 shapes::turn(disc, {1, 0, 0}, 90);
