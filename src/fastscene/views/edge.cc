@@ -8,30 +8,41 @@
 namespace fastscene {
 namespace {
 
+// The square root of luminance, close to how brightness is perceived. Columns wrap, rows are clamped.
+float brightness(const ImageColor& color, int x, int y) {
+    return std::sqrt(
+        std::max(0.f, luminance(color.at(wrap_column(x, color.width), std::clamp(y, 0, color.height - 1)))));
+}
+
+// Differences over two pixels.
+Vec2f gradient(const ImageColor& color, int x, int y) {
+    return {brightness(color, x + 1, y) - brightness(color, x - 1, y),
+            brightness(color, x, y + 1) - brightness(color, x, y - 1)};
+}
+
 // A symmetric 2x2 matrix.
 struct Tensor {
     float xx = 0, xy = 0, yy = 0;
 };
 
-// Of the gradients per pixel in the 3x3 pixels around (x, y). Brightness is the square root of luminance, close to how
-// it is perceived.
+// Of the gradients per pixel in the 3x3 pixels around (x, y).
 Tensor structure_tensor(const ImageColor& color, int x, int y) {
-    const auto value = [&](int i, int j) {
-        return std::sqrt(
-            std::max(0.f, luminance(color.at(wrap_column(i, color.width), std::clamp(j, 0, color.height - 1)))));
-    };
     Tensor out;
     for (int j = y - 1; j <= y + 1; ++j)
         for (int i = x - 1; i <= x + 1; ++i) {
-            const float gx = 0.5f * (value(i + 1, j) - value(i - 1, j)),
-                        gy = 0.5f * (value(i, j + 1) - value(i, j - 1));
+            const Vec2f g = gradient(color, i, j) * 0.5f;
             const float w = (i == x ? 0.5f : 0.25f) * (j == y ? 0.5f : 0.25f);
-            out.xx += w * gx * gx, out.xy += w * gx * gy, out.yy += w * gy * gy;
+            out.xx += w * g.x * g.x, out.xy += w * g.x * g.y, out.yy += w * g.y * g.y;
         }
     return out;
 }
 
 }  // namespace
+
+float edge_strength(const ImageColor& color, int x, int y) {
+    const Vec2f g = gradient(color, x, y);
+    return std::fabs(g.x) + std::fabs(g.y);
+}
 
 Vec3f edge_at(const ImageColor& color, int x, int y, Vec3f normal, Vec3f across, Vec3f down) {
     constexpr float kNoise = 0.01f;  // gradient per pixel at which noise of the picture and a pattern are as likely

@@ -51,9 +51,9 @@ Surface surface_at(const Panorama& panorama, const ImageMask& cuts, float sky_m,
             (d - c) * (cut_up || cut_down ? 1.f : 0.5f)};
 }
 
-// The plane that goes on at both sides of a pixel in front of which nothing stands: that of a wall or a door at a joint
-// narrower than a few pixels, which is then a dark line on it. By their own ranges, the pixels of a joint would lie at
-// different depths and face all ways, and begin as a ragged line.
+// The plane that continues on both sides of a pixel: the wall or door around a joint a few pixels wide, which becomes a
+// line on it. By their own ranges, the pixels of a joint would lie at different depths and face all ways, and begin as
+// a ragged line.
 std::optional<Surface> surface_across_joint(const Panorama& panorama, const ImageMask& cuts, float sky_m, int x,
                                             int y) {
     constexpr int kSide = 3;              // pixels to each side: joints of up to three pixels, and what is beside them
@@ -82,14 +82,6 @@ std::optional<Surface> surface_across_joint(const Panorama& panorama, const Imag
                            point * (y > 0 ? 1.f : -1.f)};
     }
     return std::nullopt;
-}
-
-float gradient_at(const ImageColor& color, int x, int y) {
-    const auto value = [&](int i, int j) {
-        return std::sqrt(
-            std::max(0.f, luminance(color.at(wrap_column(i, color.width), std::clamp(j, 0, color.height - 1)))));
-    };
-    return std::fabs(value(x + 1, y) - value(x - 1, y)) + std::fabs(value(x, y + 1) - value(x, y - 1));
 }
 
 // Pixels that may become points, with their weights.
@@ -223,7 +215,7 @@ void collect(const std::vector<Panorama>& panoramas, std::uint32_t index, const 
                             cosine = std::max(kFlattest, -dot(s.normal, s.point) / distance);
                 rows[static_cast<std::size_t>(row)].push_back(
                     {index, static_cast<std::uint32_t>(y * size.width + x), angle, angle * distance * distance / cosine,
-                     angle * (0.01f + gradient_at(panorama.color, x, y)), outside});
+                     angle * (0.01f + edge_strength(panorama.color, x, y)), outside});
             }
         }
     });
@@ -294,7 +286,7 @@ void collect_outside(const Outside& outside, std::vector<Candidate>& out) {
                         weight = std::clamp(std::sqrt(share / kOften), kLeast, 1.f),
                         angle = static_cast<float>(pixel_solid_angle(y, size));
             out.push_back({kOutside, static_cast<std::uint32_t>(y * size.width + x), angle, weight * angle,
-                           weight * angle * (0.01f + gradient_at(outside.color, x, y)), true});
+                           weight * angle * (0.01f + edge_strength(outside.color, x, y)), true});
         }
 }
 
