@@ -69,7 +69,7 @@ void Editor::encircle(const EditStep& step) {
         seats.push_back(seats_at(moving.back()));
         together.insert(together.end(), seats.back().begin(), seats.back().end());
     }
-    // Who sits at a desk has it before him, and sits outside.
+    // Whoever sits at a desk faces it, and sits outside the circle.
     const float turned = together.empty() ? 0 : kPi;
     together.insert(together.end(), moving.begin(), moving.end());
     const auto count = static_cast<float>(moving.size());

@@ -241,7 +241,7 @@ class Audit {
             bool any = !gone_.empty();
             for (const auto* all : {&added_, &moved_, &other_})
                 any = any || std::any_of(all->begin(), all->end(), is_so);
-            // What has no shape of ours is not held against it.
+            // Kinds without shapes are not checked.
             if (!any && (!moved_.empty() || !other_.empty()) && added_.empty())
                 missing_.push_back(fmt::format("nothing became {}", shape));
         }

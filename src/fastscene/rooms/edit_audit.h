@@ -1,5 +1,5 @@
-// What a sentence said, held against the rooms before and after it: by its words and by what stands where, and by
-// nothing that reading or doing it came up with. What does not hold is told.
+// Checks a sentence against the rooms before and after it: by its words and by what stands where, independently of the
+// code that carried it out. What is not true is reported.
 #pragma once
 
 #include <string>

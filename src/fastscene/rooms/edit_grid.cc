@@ -47,7 +47,7 @@ void Editor::in_rows_of(const EditStep& step) {
     const float deep = ahead_of + behind;
     std::vector<int> all = moving;
     all.insert(all.end(), along.begin(), along.end());
-    // Who sits at a desk has it before him.
+    // Whoever sits at a desk faces it.
     const bool sat_at = !along.empty() && std::all_of(moving.begin(), moving.end(), [&](int i) {
         return has_role(placed(i).piece.kind, Role::work_place);
     });
@@ -113,7 +113,6 @@ int rows_at(const Words& words, std::size_t at) {
 
 }  // namespace
 
-// Of twelve school desks and a teacher's desk in rows the latter stays.
 void without_strangers(Talk& talk, std::vector<std::string>& ids) {
     constexpr std::size_t kMany = 4;  // times as many of one kind as of others
     for (const std::string& one : std::vector<std::string>(ids)) {

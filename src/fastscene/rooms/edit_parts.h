@@ -61,7 +61,7 @@ void face(Talk& talk, const Words& words);  // "the sofa towards the tv", "the c
 // "the chairs in a circle", "the pictures out evenly"; false: no such words.
 bool arrange(Talk& talk, const Words& words);
 // ---- edit_grid.cc
-// Of twelve school desks and a teacher's desk in rows the latter stays.
+// Of many things of one kind and a few others, those few stay: the teacher's desk of twelve school desks.
 void without_strangers(Talk& talk, std::vector<std::string>& ids);
 // "the chairs in two rows facing the screen"; false: no such words.
 bool set_in_rows(Talk& talk, const Words& words);

@@ -300,7 +300,7 @@ void Editor::face_one(int i, const EditStep& step) {
         std::string fault;
         bool done = false;
         const std::vector<int> seats = seats_at(i);
-        // Who sits at a desk has it before him.
+        // Whoever sits at a desk faces it.
         const float sign = has_role(p.piece.kind, Role::work_place) && !seats.empty() ? -1.f : 1.f;
         const Vec2f ahead_now = (*target - flat(p.position)) * sign;
         const float wrong_by = std::abs(std::remainder(std::atan2(ahead_now.x, ahead_now.y) - p.yaw, 2 * kPi));
