@@ -104,6 +104,7 @@ bool clear_of_walls(const Plan& plan, const Placed& placed) {
 
 bool hangs_on_wall(const Plan& plan, const std::vector<WallFace>& faces, const Placed& p) {
     for (const WallFace& face : faces) {
+        if (!hangs_at(face)) continue;
         const float u = dot(p.position - face.origin, face.along), half = p.piece.size_m.x / 2,
                     off = dot(p.position - face.origin, face.inward);
         if (dot(face.inward, front_of(p.yaw)) < 0.99f || off < -0.005f || off > 0.06f || u < half ||

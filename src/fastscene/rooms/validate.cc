@@ -83,7 +83,7 @@ class Checker {
                 for (const WallFace& face : plan_.faces()) {
                     const Vec3f to = p.position - face.origin;
                     const float u = dot(to, face.along), off = dot(to, face.inward);
-                    at_wall = at_wall || (dot(face.inward, back) > 0.99f && off > -kTolerance && off < 0.08f &&
+                    at_wall = at_wall || (hangs_at(face) && dot(face.inward, back) > 0.99f && off > -kTolerance && off < 0.08f &&
                                           u > -kTolerance && u < face.length + kTolerance);
                 }
                 if (!at_wall) add("unsupported", name(i) + " hangs on no wall");

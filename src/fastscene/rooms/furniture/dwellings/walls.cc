@@ -125,11 +125,7 @@ void build_lattice_wall(Kit& k) {
     k.piece.mount = Mount::wall, k.piece.hang_height_m = 0.04f;
 }
 
-// The wall of the room goes round its corners.
-void build_round_corner(Kit& k) {
-    const Vec3f s = k.wanted({1.1f, 2.2f, 1.1f});
-    hollow_corner(k, s, k.main(k.style.wall), 0, 0);
-}
+// Rock fills the corner of a cave.
 void build_rock_corner(Kit& k) {
     const Vec3f s = k.wanted({1.2f, 2.2f, 1.2f});
     hollow_corner(k, s, k.main(k.style.wall), 0.22f, k.seed());
