@@ -253,7 +253,8 @@ class Builder {
     void check_inside(const FurnishedRoom& room) const {
         constexpr float kTolerance = 0.01f;
         for (std::size_t i = 0; i < room.placed.size(); ++i)
-            if (room.placed[i].sill < 0 && !room.plan.holds(shrunk(footprint_of(room.placed[i]), kTolerance)))
+            if (room.placed[i].sill < 0 && !has_role(room.placed[i].piece.kind, Role::roof) &&
+                !room.plan.holds(shrunk(footprint_of(room.placed[i]), kTolerance)))
                 throw Error("{}: /things/{}: {} reaches into a wall, the floor or the ceiling", file_, i,
                             document_.things[i].id);
     }

@@ -295,7 +295,7 @@ std::span<const StepKind> pattern_kinds() {
          false,
          {},
          place_bare},
-        {"around", {"thing", "first_asked", "probability"}, false, {}, place_around},
+        {"all_around", {"thing", "first_asked", "probability"}, false, {}, place_around},
         {"corners", {"thing", "first_asked", "probability", "then"}, false, {}, place_corners},
         {"lights", {"thing", "first_asked", "probability", "pitch_m", "aisle_m", "fill"}, false, {}, place_lights},
     }};

@@ -271,7 +271,7 @@ std::optional<int> Layout::hanging(const PieceRequest& request, Vec2f at, const 
     for (const Vec2f corner : corners_of(footprint_of(p)))  // below a vault all of it
         if (plan_.vault != Vault::flat) p.position.y = std::min(p.position.y, plan_.ceiling_at(corner));
     if (plan_.beams && !(plan_.knee > 0)) hang_among_beams(plan_, p);
-    if (!plan_.holds(footprint_of(p))) return {};
+    if (!plan_.holds(footprint_of(p)) && !has_role(p.piece.kind, Role::roof)) return {};
     for (const Placed& other : placed_)
         if (!other.flat && (overlap(footprint_of(p, 0.05f), footprint_of(other)) || hides(p, other))) return {};
     // Nobody walks into it who comes through a door.

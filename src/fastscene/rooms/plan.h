@@ -150,6 +150,11 @@ struct Plan {
 // from the middle to the walls.
 float vault_rise(const Plan& plan, Vec2f p);
 float vault_profile(Vault vault, float out);
+// The outline of a round room of this size, for the roofs over one; and how far along a direction it is.
+std::vector<Vec2f> round_outline(Vec2f size);
+float reach_of(const std::vector<Vec2f>& outline, Vec2f direction);
+// Where along z a barrel vault ends in the half dome over an apse; the far wall: it has none.
+float conch_from(const Plan& plan);
 
 // The room one sees through the doorway. Its own near wall (2) is the back of ours.
 struct NextRoom {

@@ -93,29 +93,46 @@ float distance_to_box(const Block& b, Vec2f p) {
     return std::hypot(std::max({0.f, b.low.x - p.x, p.x - b.high.x}), std::max({0.f, b.low.y - p.y, p.y - b.high.y}));
 }
 
-// How far from the edge of the oculus, or the middle of the room, to the wall a point is, on the line through them: 0
+// How far from the edge of the oculus, or the middle of the vault, to the wall a point is, on the line through them: 0
 // to 1.
-float share_to_wall(const Plan& plan, Vec2f p) {
+float share_to_wall(const Plan& plan, Vec2f middle, Vec2f point) {
+    const Vec2f p = point - middle;
     const float far = length(p);
     if (far < 1e-4f) return 0;
-    const std::vector<Vec2f> outline = plan.outline();
-    for (std::size_t i = 0; i < outline.size(); ++i) {
-        // In which sector it is, and how far its wall is along the ray.
-        const Vec2f a = outline[i], b = outline[(i + 1) % outline.size()];
-        const auto turn = [](Vec2f u, Vec2f v) { return u.x * v.y - u.y * v.x; };
-        if (turn(a, p) > 0 || turn(p, b) > 0) continue;
-        const float wall = far * turn(a, b - a) / turn(p, b - a);
-        if (wall > 0) return std::clamp((far - plan.oculus) / (wall - plan.oculus), 0.f, 1.f);
-    }
-    return 1;
+    std::vector<Vec2f> outline = plan.outline();
+    for (Vec2f& corner : outline) corner = corner - middle;
+    return std::clamp((far - plan.oculus) / (reach_of(outline, p * (1.f / far)) - plan.oculus), 0.f, 1.f);
 }
 
 }  // namespace
 
 float vault_rise(const Plan& plan, Vec2f p) {
-    const float out = plan.vault == Vault::barrel ? std::min(1.f, std::abs(p.x) / (plan.width / 2))
-                                                  : share_to_wall(plan, p);
+    const float conch = conch_from(plan);
+    const float out = plan.vault != Vault::barrel ? share_to_wall(plan, {}, p)
+                      : p.y > conch               ? share_to_wall(plan, {0, conch}, p)
+                                                  : std::min(1.f, std::abs(p.x) / (plan.width / 2));
     return vault_profile(plan.vault, out);
+}
+
+float reach_of(const std::vector<Vec2f>& outline, Vec2f direction) {
+    const auto turn = [](Vec2f u, Vec2f v) { return u.x * v.y - u.y * v.x; };
+    for (std::size_t i = 0; i < outline.size(); ++i) {
+        const Vec2f a = outline[i], b = outline[(i + 1) % outline.size()];
+        if (turn(a, direction) > 0 || turn(direction, b) > 0) continue;  // in another sector
+        const float to_wall = turn(a, b - a) / turn(direction, b - a);
+        if (to_wall > 0) return to_wall;
+    }
+    return 0;
+}
+
+float conch_from(const Plan& plan) {
+    float from = plan.depth / 2;
+    bool near = false;
+    for (const Block& b : plan.blocks) {
+        near = near || (cuts_corner(b) && b.low.y + b.high.y < 0);
+        if (b.kind == Block::Kind::curve) from = std::min(from, b.low.y);
+    }
+    return near ? plan.depth / 2 : from;
 }
 
 float vault_profile(Vault vault, float out) {

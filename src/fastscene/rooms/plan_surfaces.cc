@@ -60,7 +60,7 @@ void choose_ceiling(const PromptSpec& spec, Plan& plan) {
     const bool wet = room_type(spec.room).wet,
                flat = !(plan.knee > 0) && !plan.beams && !plan.coffers && plan.vault == Vault::flat;
     const Style& style = plan.style;
-    if (boards < style.ceiling_boards_probability && !wet) {
+    if (boards < style.ceiling_boards_probability && !wet && plan.vault == Vault::flat) {
         plan.style.ceiling = style.ceiling_boards;
         return;
     }

@@ -43,6 +43,8 @@ Outline outline_asked(const PromptSpec& spec) {
 void cut_corners(Outline outline, Plan& plan) {
     if (outline != Outline::apse && !plan.measured)
         plan.width = plan.depth = std::max(kLeastAcross, std::sqrt(plan.width * plan.depth) * 1.04f);
+    // An accent on one flat piece of wall of many looks like a mistake.
+    if (outline != Outline::apse) plan.accent = false;
     const float side = std::min(plan.width, plan.depth);
     switch (outline) {
         case Outline::box: return;
@@ -59,6 +61,13 @@ void cut_corners(Outline outline, Plan& plan) {
             return cut(plan, Block::Kind::curve, cut_for(plan.width, kDoorWall), off, false);
         }
     }
+}
+
+std::vector<Vec2f> round_outline(Vec2f size) {
+    Plan plan;
+    plan.width = size.x, plan.depth = size.y, plan.measured = true;
+    cut_corners(Outline::round, plan);
+    return plan.outline();
 }
 
 void raise_vault(PromptSpec& spec, Plan& plan) {

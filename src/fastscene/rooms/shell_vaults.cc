@@ -53,6 +53,7 @@ class Grid {
 // The inside of a dome or cone over the room's outline. `at` in [0, 1] goes from the wall to the top.
 struct Cap {
     const Plan& plan;
+    Vec2f middle;
     int rows;
     Vec2f level(float at) const {  // share of the way that is left, and of the rise that is done
         if (plan.vault == Vault::cone) return {1 - at, at};
@@ -60,15 +61,16 @@ struct Cap {
     }
     Vec3f point(Vec2f foot, float at) const {
         const auto [out, up] = level(at);
-        const float far = length(foot), in = plan.oculus + (far - plan.oculus) * out;
-        return {foot.x * in / far, plan.spring + (plan.height - plan.spring) * up, foot.y * in / far};
+        const Vec2f way = foot - middle;
+        const float far = length(way), in = (plan.oculus + (far - plan.oculus) * out) / far;
+        return {middle.x + way.x * in, plan.spring + (plan.height - plan.spring) * up, middle.y + way.y * in};
     }
     // Of the facet above the wall from a to b.
     Vec3f normal(Vec2f a, Vec2f b, float at) const {
         constexpr float kStep = 0.01f;
-        const Vec2f middle = (a + b) * 0.5f;
+        const Vec2f between = (a + b) * 0.5f;
         const float low = std::max(0.f, std::min(at, 1 - kStep)), high = low + kStep;
-        const Vec3f up = point(middle, high) - point(middle, low), along{b.x - a.x, 0, b.y - a.y};
+        const Vec3f up = point(between, high) - point(between, low), along{b.x - a.x, 0, b.y - a.y};
         const Vec3f n = normalize(cross(up, along));
         return n.y > 0 ? -n : n;
     }
@@ -80,15 +82,17 @@ bool is_smooth(Vec2f before, Vec2f at, Vec2f after) {
     return dot(inward_of(before, at), inward_of(at, after)) > kCosine;
 }
 
-void build_cap(const Plan& plan, int material, Room& room) {
+void build_cap(const Plan& plan, Vec2f middle, int material, Room& room) {
     const std::vector<Vec2f> outline = plan.outline();
     const std::size_t n = outline.size();
-    const Cap cap{plan, plan.vault == Vault::cone ? 8 : kAlongProfile};
+    const Cap cap{plan, middle, plan.vault == Vault::cone ? 8 : kAlongProfile};
+    const bool half = plan.vault == Vault::barrel;  // over an apse
     const auto corner = [&](std::size_t i) { return outline[i % n]; };
     const float slope = std::hypot(0.5f * std::min(plan.width, plan.depth), plan.height - plan.spring);
     float along = 0;
     for (std::size_t i = 0; i < n; ++i) {
         const Vec2f a = corner(i), b = corner(i + 1), before = corner(i + n - 1), after = corner(i + 2);
+        if (half && std::min(a.y, b.y) < middle.y - 1e-3f) continue;
         Grid grid(1, cap.rows, material);
         for (const bool end : {false, true})
             for (int k = 0; k <= cap.rows; ++k) {
@@ -132,7 +136,7 @@ void build_cap_ribs(const Plan& plan, int material, Room& room) {
         if (!is_smooth(outline[(i + n - 1) % n], outline[i], outline[(i + 1) % n])) feet.push_back(outline[i]);
     if (feet.empty())
         for (std::size_t i = 0; i < 8; ++i) feet.push_back(outline[i * n / 8]);
-    const Cap cap{plan, kAlongProfile};
+    const Cap cap{plan, {}, kAlongProfile};
     constexpr float kEnd = 0.93f;  // they end at the ring about the top
     for (const Vec2f foot : feet) {
         const Vec3f out = normalize(Vec3f{foot.x, 0, foot.y}), side{-out.z, 0, out.x};
@@ -170,24 +174,27 @@ struct Barrel {
 void build_barrel(const Plan& plan, int material, Room& room) {
     constexpr int kSteps = 2 * kAlongProfile;
     const Barrel barrel{plan};
-    const float d = plan.depth / 2;
+    const float near = -plan.depth / 2, far = conch_from(plan);
     Grid grid(kSteps, 1, material);
     float run = 0;
     for (int i = 0; i <= kSteps; ++i) {
         const float at = static_cast<float>(i) / kSteps;
         if (i > 0) run += length(barrel.point(at, 0) - barrel.point(at - 1.f / kSteps, 0));
-        for (const float z : {-d, d}) grid.add(barrel.point(at, z), barrel.inward(at), {z, run, 0});
+        for (const float z : {near, far}) grid.add(barrel.point(at, z), barrel.inward(at), {z, run, 0});
     }
     room.meshes.push_back(grid.take());
+    if (far < plan.depth / 2 - kHair_m) build_cap(plan, {0, far}, material, room);
 }
 
 void build_barrel_ribs(const Plan& plan, int material, Room& room) {
     constexpr float kPitch = 2.4f;  // metres
     constexpr int kSteps = 2 * kAlongProfile;
     const Barrel barrel{plan};
-    const int count = std::max(2, static_cast<int>(std::lround(plan.depth / kPitch)));
-    for (int i = 1; i < count; ++i) {
-        const float z = plan.depth * (static_cast<float>(i) / static_cast<float>(count) - 0.5f);
+    const float near = -plan.depth / 2, far = conch_from(plan);
+    const int count = std::max(2, static_cast<int>(std::lround((far - near) / kPitch)));
+    const bool apse = far < plan.depth / 2 - kHair_m;  // it has an arch before it
+    for (int i = 1; i < count + (apse ? 1 : 0); ++i) {
+        const float z = near + (far - near) * static_cast<float>(i) / static_cast<float>(count);
         std::vector<Vec3f> line, inward;
         for (int k = 0; k <= kSteps; ++k) {
             const float at = static_cast<float>(k) / kSteps;
@@ -237,8 +244,10 @@ void build_oculus(const Plan& plan, const Materials& m, Room& room) {
 }
 
 void build_cornice(const Plan& plan, int trim, Room& room) {
+    const bool apse = conch_from(plan) < plan.depth / 2 - kHair_m;
     for (const WallFace& face : plan.faces()) {
-        if (face.behind > 0 || (plan.vault == Vault::barrel && face.wall % 2 == 0)) continue;
+        const bool below_arch = plan.vault == Vault::barrel && (face.wall == 2 || (face.wall == 0 && !apse));
+        if (face.behind > 0 || below_arch) continue;
         const WallBuilder wall(face, room);
         wall.box(0, face.length, plan.spring - 0.1f, plan.spring + 0.02f, 0, 0.06f, trim);
         wall.box(0, face.length, plan.spring - 0.16f, plan.spring - 0.1f, 0, 0.03f, trim);
@@ -272,7 +281,7 @@ void build_vault(const Plan& plan, const Materials& m, Room& room) {
         build_barrel(plan, m.ceiling, room);
         if (ribs) build_barrel_ribs(plan, m.trim, room);
     } else {
-        build_cap(plan, m.ceiling, room);
+        build_cap(plan, {}, m.ceiling, room);
         if (ribs) build_cap_ribs(plan, m.trim, room);
     }
     if (ribs) build_cornice(plan, m.trim, room);
