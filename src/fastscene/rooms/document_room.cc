@@ -12,6 +12,7 @@
 #include "fastscene/rooms/document_parts.h"
 #include "fastscene/rooms/footprint.h"
 #include "fastscene/rooms/pack.h"
+#include "fastscene/rooms/plan_parts.h"
 #include "fastscene/rooms/room_type.h"
 #include "fastscene/rooms/tops.h"
 
@@ -139,6 +140,7 @@ class Builder {
             if (!given.polygon.empty() || given.width > 0) plan.blocks = outline.blocks;
             if (given.width > 0) plan.width = given.width;
             if (given.depth > 0) plan.depth = given.depth;
+            if (given.polygon.empty() && given.width > 0) plan.measured = true, cut_corners(outline_asked(spec), plan);
             if (given.accent_wall) plan.accent = true, plan.accent_wall = *given.accent_wall;
             plan.beams |= given.beams, plan.neon |= given.neon, plan.coffers |= given.coffers;
             dress(document_.surfaces, plan.style);

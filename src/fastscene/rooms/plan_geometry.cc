@@ -73,14 +73,17 @@ void add_wall_chords(const Plan& plan, int wall, std::vector<WallFace>& out) {
         for (const Block& b : plan.blocks) {
             const auto [low, high] = shadow(face, b);
             if (!cuts_corner(b) || !(high > low)) continue;
-            // What the corner still takes of the line at that depth.
-            const float wide = high - low, deep = wall % 2 == 0 ? b.high.y - b.low.y : b.high.x - b.low.x,
-                        left = std::max(0.f, 1.f - behind / deep);
-            constexpr float kFacets = 0.012f;  // metres: the flat parts of a curve are inside it
-            const float taken = b.kind == Block::Kind::cut ? wide * left
-                                                           : wide * (1.f - std::sqrt(1.f - left * left)) + kFacets;
-            if (low < 0.5f * face.length) from = std::max(from, taken);
-            else to = std::min(to, face.length - taken);
+            // Where its wall crosses the line at that depth.
+            const std::vector<Vec2f> edge = cut_edge(b);
+            float cross = low < 0.5f * face.length ? low : high;  // deeper than it goes it takes nothing
+            for (std::size_t i = 0; i + 1 < edge.size(); ++i) {
+                const Vec2f p = edge[i] - flat(face.origin), q = edge[i + 1] - flat(face.origin);
+                const float dp = dot(p, flat(face.inward)), dq = dot(q, flat(face.inward));
+                if ((dp < behind) == (dq < behind)) continue;
+                cross = dot(p + (q - p) * ((behind - dp) / (dq - dp)), flat(face.along));
+            }
+            if (low < 0.5f * face.length) from = std::max(from, cross);
+            else to = std::min(to, cross);
         }
         const auto [low, high] = plan.free_span(wall, 0);
         if (to - from > high - low + 0.04f)
@@ -118,7 +121,8 @@ float reach_of(const std::vector<Vec2f>& outline, Vec2f direction) {
     const auto turn = [](Vec2f u, Vec2f v) { return u.x * v.y - u.y * v.x; };
     for (std::size_t i = 0; i < outline.size(); ++i) {
         const Vec2f a = outline[i], b = outline[(i + 1) % outline.size()];
-        if (turn(a, direction) > 0 || turn(direction, b) > 0) continue;  // in another sector
+        constexpr float kTouch = 1e-4f;  // metres: along a corner both sides will do
+        if (turn(a, direction) > kTouch || turn(direction, b) > kTouch) continue;  // in another sector
         const float to_wall = turn(a, b - a) / turn(direction, b - a);
         if (to_wall > 0) return to_wall;
     }
