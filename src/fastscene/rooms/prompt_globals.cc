@@ -243,6 +243,17 @@ bool colors_the_light(const Reading& r, std::size_t i) {
     return k < r.m.size() && r.m[k].is(WordKind::light) && r.m[k].word->meaning == "neon" && !r.m[k].negated;
 }
 
+// "a rotunda", "a turret room": the word for the room says its shape.
+void take_shape(Reading& r, std::size_t i) {
+    const Word word = *r.m[i].word;
+    if (r.m[i].negated || r.spec.room != word.meaning) return;
+    if (const std::string outline = added_by(word, "outline"); r.spec.outline.empty()) r.spec.outline = outline;
+    const bool vaulted = std::any_of(r.spec.objects.begin(), r.spec.objects.end(),
+                                     [](const PromptObject& o) { return o.kind == "vault"; });
+    if (const std::string vault = added_by(word, "vault"); !vault.empty() && !vaulted)
+        r.add_object("vault", r.m[i].words).pattern = vault;
+}
+
 void read_one(Reading& r, std::size_t i) {
     Match& m = r.m[i];
     switch (m.word->kind) {
@@ -251,6 +262,7 @@ void read_one(Reading& r, std::size_t i) {
             if (r.spec.room != m.word->meaning && is_same_room(r.spec.room, m.word->meaning) && !m.negated)
                 r.tell(i, "room: " + room_title(r.spec.room));
             else choose(r, i, &PromptSpec::room, "room", room_title(m.word->meaning));
+            take_shape(r, i);
             break;
         case WordKind::style: read_style(r, i); break;
         case WordKind::time: choose(r, i, &PromptSpec::time, "time", m.word->meaning); break;
