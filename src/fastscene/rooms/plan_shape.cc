@@ -229,7 +229,7 @@ void shape_plan(PromptSpec& spec, Plan& plan, Random& rng) {
     if (outline != Outline::box) plan.coffers = false;
     if (const PromptObject* wish = wish_for(spec, "coffers")) {
         plan.coffers = level;
-        if (!level) report(spec, *wish, wish->count, "only a level ceiling of a square room has them");
+        if (!level) report(spec, *wish, wish->count, "only a level ceiling over a rectangular room has them");
     }
     plan.relief = type.wall_relief;
     plan.cabin = type.cabin, plan.tunnel = type.windows.tunnel;
