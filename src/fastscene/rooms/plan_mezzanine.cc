@@ -47,7 +47,8 @@ void open_mezzanine(PromptSpec& spec, Plan& plan) {
             o.y1 = plan.height - kLintelAbove;
     }
     auto up = std::make_shared<NextRoom>();
-    up->type = room_type(spec.room).upstairs;
+    const std::string& upstairs = room_type(spec.room).upstairs;
+    up->type = upstairs.empty() ? spec.room : upstairs;
     Plan& p = up->plan;
     p.style = plan.style;
     p.joined = true;

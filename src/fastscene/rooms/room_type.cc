@@ -71,7 +71,7 @@ class TypeReader {
         t_.next_rooms = {next[0], next[1]};
         t_.next_door = top_.flag("next_door", t_.next_door);
         t_.second_room = top_.text("second_room");
-        if (top_.has("upstairs")) t_.upstairs = top_.text("upstairs");
+        t_.upstairs = top_.text("upstairs");
         t_.kind_of = top_.text("kind_of");
         t_.house = top_.flag("house", t_.house);
         t_.furnished_as = top_.text("furnished_as");
@@ -306,7 +306,7 @@ void check_references(const std::vector<RoomType>& all) {
     for (const RoomType& type : all) {
         for (const std::string& next : type.next_rooms) check(type, "next_rooms", next);
         if (!type.furnished_as.empty()) check(type, "furnished_as", type.furnished_as);
-        check(type, "upstairs", type.upstairs);
+        if (!type.upstairs.empty()) check(type, "upstairs", type.upstairs);
         if (!type.second_room.empty()) check(type, "second_room", type.second_room);
         if (!type.kind_of.empty()) check(type, "kind_of", type.kind_of);
     }
