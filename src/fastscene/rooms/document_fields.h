@@ -17,6 +17,8 @@ template <>
 inline constexpr std::array<std::string_view, 4> kNamesOf<Opening::Shape>{"square", "arched", "round", "rounded"};
 template <>
 inline constexpr std::array<std::string_view, 3> kNamesOf<Block::Kind>{"corner", "breast", "column"};
+template <>
+inline constexpr std::array<std::string_view, 2> kNamesOf<Platform::Kind>{"tier", "step"};
 
 namespace document_fields {
 
@@ -52,6 +54,13 @@ void visit_fields(Block& b, V&& v) {
     v("kind", b.kind, Rule{.always = true}, "A corner that is not room, a chimney breast, or a column.");
     v("low", b.low, Rule{.needed = true, .always = true}, "x, z of its lower corner.");
     v("high", b.high, Rule{.needed = true, .always = true}, "x, z of its upper corner.");
+}
+template <class V>
+void visit_fields(Platform& p, V&& v) {
+    v("kind", p.kind, Rule{.always = true}, "A tier, which things may stand on, or a step that leads up to one.");
+    v("low", p.low, Rule{.needed = true, .always = true}, "x, z of its lower corner.");
+    v("high", p.high, Rule{.needed = true, .always = true}, "x, z of its upper corner.");
+    v("height_m", p.height, Rule{.low = 0, .needed = true, .always = true}, "Of its top above y = 0.");
 }
 template <class V>
 void visit_fields(Skylight& s, V&& v) {
@@ -151,6 +160,7 @@ void visit_fields(DocumentPlan& p, V&& v) {
     v("polygon", p.polygon, Rule{},
       "In place of width, depth and blocks: the corners (x, z) in order; right angles only.");
     v("blocks", p.blocks, Rule{}, "Parts of the box that are not room.");
+    v("platforms", p.platforms, Rule{}, "Parts of the floor that are raised: tiers of seats with their steps.");
     v("openings", p.openings, Rule{}, "Windows, doors and doorways; without it, as rooms of the type have them.");
     v("skylights", p.skylights, Rule{}, "Windows in a sloped ceiling.");
     v("knee_m", p.knee, Rule{.low = 0},

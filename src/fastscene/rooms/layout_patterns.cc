@@ -74,9 +74,13 @@ void place_rows(Placement& p, const RecipeStep& step, int) {
     const Vec2f ahead = direction(yaw), right = flat(right_of(yaw));
     const Vec3f size = row.piece().size_m;
     const float deep = extent_of(plan, ahead), pitch = std::max(step.pitch_m, size.z + 0.02f);
+    const bool tiered = step.rise_m > 0 && !plan.platforms.empty();
     const auto fill = [&](const std::vector<float>& columns, float front, float rear, int most) {
         int rows = 0;
-        for (float at = deep / 2 - front - size.z / 2; at - size.z / 2 > rear - deep / 2; at -= pitch) {
+        // On tiers, backs are where the next one rises.
+        const float behind = tiered ? kBehindRow : 0.f, before = tiered ? pitch - size.z - behind : 0.f;
+        for (float at = deep / 2 - front - before - size.z / 2; at - size.z / 2 - behind > rear - deep / 2;
+             at -= pitch) {
             if (most > 0 && rows++ >= most) return;
             for (const float column : columns) {
                 if (!row.open()) return;
@@ -261,8 +265,8 @@ void place_lights(Placement& p, const RecipeStep& step, int) {
 std::span<const StepKind> pattern_kinds() {
     static const std::array<StepKind, 9> all{{
         {"rows",
-         {"thing", "first_asked", "other", "thing_share", "probability", "seat", "towards", "pitch_m", "gap_m",
-          "aisle_m", "side_m", "front_m", "rear_m", "rows", "block", "alike", "then"},
+         {"thing", "first_asked", "other", "thing_share", "probability", "seat", "towards", "pitch_m", "rise_m",
+          "gap_m", "aisle_m", "side_m", "front_m", "rear_m", "rows", "block", "alike", "then"},
          false,
          {},
          place_rows},

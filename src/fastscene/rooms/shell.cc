@@ -271,6 +271,7 @@ void build_shell(const Plan& plan, Room& room) {
         build_wall(plan, i, room, material);
     }
     build_blocks(plan, m, room);
+    build_platforms(plan, m, room);
     build_openings(plan, m, room);
     if (plan.knee > 0) build_skylights(plan, m, room);
     build_trim(plan, m, room);
