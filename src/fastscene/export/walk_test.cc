@@ -10,6 +10,7 @@
 #include "fastscene/export/gltf.h"
 #include "fastscene/export/labels.h"
 #include "fastscene/export/test_rooms.h"
+#include "fastscene/scene/raised_floor.h"
 #include "fastscene/trace/standable.h"
 
 namespace fastscene {
@@ -82,6 +83,10 @@ TEST_P(Walk, FromEachSpawnPointToEachOther) {
     for (const Json& p : file["spawn_points_m"])
         spawns.push_back(transpose(kGltfAxes) * Vec3f{p[0].get<float>(), p[1].get<float>(), p[2].get<float>()});
     ASSERT_GE(spawns.size(), 2u);
+    // On tiers it climbs steps.
+    constexpr float kClimb_m = 0.25f;
+    const float step = has_raised_floor(traced.room()) ? kClimb_m : kStep_m;
+    const auto feet = [&](Vec2f p) { return Vec3f{p.x, floor_at(traced.room(), p), p.y}; };
     constexpr float kDrop_m = 0.1f;
     for (const Vec3f spawn : spawns) {
         EXPECT_EQ(capsule.blocked_by(spawn, kStep_m), "") << "at " << spawn.x << " " << spawn.z;
@@ -96,12 +101,12 @@ TEST_P(Walk, FromEachSpawnPointToEachOther) {
             const Cell next{open.front().first + dx, open.front().second + dz};
             const Vec2f p = place_of(next);
             if (seen.contains(next) || !is_inside(rings, p)) continue;
-            seen[next] = capsule.blocked_by({p.x, spawns[0].y, p.y}, kStep_m).empty();
+            seen[next] = capsule.blocked_by(feet(p), step).empty();
             if (seen[next]) open.push_back(next);
         }
     std::map<std::string, int> blocked;
     for (const auto& [cell, free] : seen)
-        if (!free) ++blocked[capsule.blocked_by({place_of(cell).x, spawns[0].y, place_of(cell).y}, kStep_m)];
+        if (!free) ++blocked[capsule.blocked_by(feet(place_of(cell)), step)];
     std::string by;
     for (const auto& [id, count] : blocked) by += fmt::format(" {} ({})", id, count);
     for (const Vec3f spawn : spawns) {
@@ -115,7 +120,7 @@ INSTANTIATE_TEST_SUITE_P(Rooms, Walk,
                          testing::Values("a bedroom with two chairs and a desk", "a kitchen with an island",
                                          "a small bathroom with a bathtub", "an attic study with a slanted ceiling",
                                          "a living room with a sofa, two armchairs and a piano",
-                                         "a large hall with many tables and chairs"),
+                                         "a large hall with many tables and chairs", "a cinema", "a lecture hall"),
                          [](const auto& room) { return fmt::format("Room{}", room.index); });
 
 }  // namespace
