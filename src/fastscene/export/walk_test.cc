@@ -116,6 +116,25 @@ TEST_P(Walk, FromEachSpawnPointToEachOther) {
     }
 }
 
+// However the grid lies over them: no gap at a step's edge.
+TEST(Tiers, OneWalksUpEachFlightOfSteps) {
+    for (std::uint64_t seed = 1; seed < 6; ++seed) {
+        const TracedRoom traced(room_from(seed % 2 ? "a cinema" : "an auditorium", seed));
+        const StandableFloor floor = passable_floor(traced);
+        for (const RoomObject& object : traced.room().objects) {
+            if (object.kind != kTierStep) continue;
+            const float reach = object.size_m.z / 2 + 0.4f;
+            for (float z = -reach; z < reach; z += 0.05f) {
+                const Vec3f p = object.world_from_object * Vec3f{0, 0, z};
+                const int column = static_cast<int>(std::floor((p.x - floor.corner_m.x) / floor.cell_m)),
+                          row = static_cast<int>(std::floor((p.z - floor.corner_m.y) / floor.cell_m));
+                EXPECT_TRUE(floor.at(column, row)) << seed << ": " << p.x << " " << p.z;
+            }
+        }
+        EXPECT_GT(levels_of(floor).size(), 8u);
+    }
+}
+
 INSTANTIATE_TEST_SUITE_P(Rooms, Walk,
                          testing::Values("a bedroom with two chairs and a desk", "a kitchen with an island",
                                          "a small bathroom with a bathtub", "an attic study with a slanted ceiling",

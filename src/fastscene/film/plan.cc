@@ -133,6 +133,10 @@ std::vector<float> heights_of(const std::vector<Vec2f>& places, const FilmSet& s
     constexpr float kFlight_s = 0.8f;
     for (int pass = 0; pass < 2; ++pass)
         heights = averaged(heights, static_cast<std::ptrdiff_t>(kFlight_s / kStep_s / 2));
+    for (std::size_t i = 0; i < heights.size(); ++i) {
+        const float raised = raised_at(set.area, places[i]);
+        heights[i] = std::clamp(heights[i], set.area.low_y - raised, set.area.high_y - raised);
+    }
     return heights;
 }
 

@@ -11,7 +11,7 @@
 namespace fastscene::shell {
 namespace {
 
-constexpr float kTop_m = 0.025f, kNose_m = 0.012f;        // thickness of what one treads on, and how far it juts out
+constexpr float kTop_m = 0.025f;                          // thickness of what one treads on
 constexpr float kEdge_m = 0.035f, kEdgeThick_m = 0.004f;  // the strip along a step's edge that one sees in the dark
 constexpr float kLamp_m = 0.012f, kLampBelow_m = 0.05f, kLampShare = 0.7f;  // of a step's width
 constexpr float kBeside_m = 0.02f;
@@ -67,7 +67,7 @@ Vec2f front_of_platform(const Plan& plan, const Platform& p) {
 }
 
 void build_edge(const Platform& p, Vec2f front, const Look& look, int object, Room& room) {
-    strip(p, front, -kNose_m, kEdge_m, p.height - kHair_m, p.height + kEdgeThick_m, 1, look.edge, object, room);
+    strip(p, front, -kStepNose_m, kEdge_m, p.height - kHair_m, p.height + kEdgeThick_m, 1, look.edge, object, room);
 }
 
 // The edges of a tier: above each flight of steps that leads up to it, or all along where there is none.
@@ -78,7 +78,7 @@ void build_edges_of_tier(const Plan& plan, const Platform& tier, const Look& loo
         steps = true;
         const Vec2f front = front_of_platform(plan, p);
         if (front == Vec2f{} || beyond(plan, p, front * -1.f) != tier.height) continue;
-        strip(p, front * -1.f, -kEdge_m, kNose_m, tier.height - kHair_m, tier.height + kEdgeThick_m, 1, look.edge,
+        strip(p, front * -1.f, -kEdge_m, kStepNose_m, tier.height - kHair_m, tier.height + kEdgeThick_m, 1, look.edge,
               object, room);
     }
     const Vec2f front = front_of_platform(plan, tier);
@@ -91,7 +91,7 @@ void build_platform(const Plan& plan, const Platform& p, const Look& look, Room&
     Vec2f low = p.low, high = p.high;
     for (const Vec2f side : kSides)
         if (const auto there = beyond(plan, p, side); there && *there < p.height)
-            (side.x + side.y > 0 ? high : low) = (side.x + side.y > 0 ? high : low) + side * kNose_m;
+            (side.x + side.y > 0 ? high : low) = (side.x + side.y > 0 ? high : low) + side * kStepNose_m;
     room.meshes.push_back(box_mesh({low.x, p.height - kTop_m, low.y}, {high.x, p.height, high.y}, look.top, object));
     if (p.kind == Platform::Kind::tier) return build_edges_of_tier(plan, p, look, object, room);
     const Vec2f front = front_of_platform(plan, p);
