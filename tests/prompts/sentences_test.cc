@@ -65,7 +65,8 @@ std::optional<std::string> value_of(const PromptSpec& spec, const std::string& n
         {"next_room", &PromptSpec::next_room}, {"mood", &PromptSpec::mood},
         {"light", &PromptSpec::light},         {"light_color", &PromptSpec::light_color},
         {"clutter", &PromptSpec::clutter},     {"outlook", &PromptSpec::outlook},
-        {"language", &PromptSpec::language},   {"unread", &PromptSpec::unread},
+        {"outline", &PromptSpec::outline},     {"language", &PromptSpec::language},
+        {"unread", &PromptSpec::unread},
     };
     using Object = std::string PromptObject::*;
     static const std::map<std::string, Object> kObjectFields{

@@ -70,6 +70,7 @@ enum class Role : std::uint8_t {
     shades_windows,      // too tall to stand near a window
     spread_out,          // lies flat where others work
     covers_wall,         // a part of the wall: what stands before it does not hide it
+    roof,                // over a whole room: its box reaches over the walls of a round one
     count_               // not a role
 };
 

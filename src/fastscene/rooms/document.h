@@ -66,6 +66,8 @@ struct DocumentPlan {
     WallRelief wall_relief = WallRelief::flat;
     bool cabin = false, tunnel = false;
     float cove = 0;
+    Vault vault = Vault::flat;
+    float spring = 0, oculus = 0;
     std::optional<int> accent_wall;  // the wall that has the accent material
     std::optional<Vec3f> neon_color;
     std::vector<PromptObject> asked;  // what was said of windows, doors and other parts of the shell

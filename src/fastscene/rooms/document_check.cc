@@ -68,6 +68,13 @@ class Checker {
             apply_polygon(p.polygon, file_ + ": " + pointer + "/polygon", outline);
         }
         if (p.knee > 0 && !(p.slope_run > 0)) fail(pointer + "/slope_run_m", "expected more than 0 below a slope");
+        if (p.vault != Vault::flat && !(p.spring > 0 && (p.height == 0 || p.spring < p.height)))
+            fail(pointer + "/spring_m",
+                 fmt::format("expected more than 0 and less than height_m below a vault, found {}", p.spring));
+        if (p.oculus > 0 && p.vault != Vault::dome) fail(pointer + "/oculus_m", "expected a vault that is a dome");
+        for (std::size_t i = 0; i < p.blocks.size(); ++i)
+            if (cuts_corner(p.blocks[i]) && p.width > 0 && p.depth > 0 && !is_at_corner(p.blocks[i], p))
+                fail(fmt::format("{}/blocks/{}", pointer, i), "expected a corner of the box");
         for (std::size_t i = 0; i < p.blocks.size(); ++i)
             if (!(p.blocks[i].low.x < p.blocks[i].high.x && p.blocks[i].low.y < p.blocks[i].high.y))
                 fail(fmt::format("{}/blocks/{}", pointer, i), "expected low below high");
@@ -83,6 +90,14 @@ class Checker {
         if (!(f.height > 0) || (p.height > 0 && f.height > p.height - kHead))
             fail(pointer, fmt::format("height_m: expected more than 0 and {} m below the ceiling, found {:.2f}", kHead,
                                       f.height));
+    }
+    static bool is_at_corner(const Block& b, const DocumentPlan& p) {
+        constexpr float kTolerance = 1e-3f;
+        const auto ends = [](float low, float high, float half) {
+            return (std::abs(low + half) < kTolerance && high < kTolerance) ||
+                   (std::abs(high - half) < kTolerance && low > -kTolerance);
+        };
+        return ends(b.low.x, b.high.x, p.width / 2) && ends(b.low.y, b.high.y, p.depth / 2);
     }
     void opening(const std::string& pointer, const Opening& o, const DocumentPlan& p) const {
         constexpr float kTolerance = 1e-3f;

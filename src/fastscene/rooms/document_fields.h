@@ -16,7 +16,7 @@ inline constexpr std::array<std::string_view, 3> kNamesOf<Opening::Kind>{"window
 template <>
 inline constexpr std::array<std::string_view, 4> kNamesOf<Opening::Shape>{"square", "arched", "round", "rounded"};
 template <>
-inline constexpr std::array<std::string_view, 3> kNamesOf<Block::Kind>{"corner", "breast", "column"};
+inline constexpr std::array<std::string_view, 5> kNamesOf<Block::Kind>{"corner", "breast", "column", "cut", "curve"};
 template <>
 inline constexpr std::array<std::string_view, 2> kNamesOf<Platform::Kind>{"tier", "step"};
 
@@ -51,7 +51,9 @@ void visit_fields(Opening& o, V&& v) {
 }
 template <class V>
 void visit_fields(Block& b, V&& v) {
-    v("kind", b.kind, Rule{.always = true}, "A corner that is not room, a chimney breast, or a column.");
+    v("kind", b.kind, Rule{.always = true},
+      "A corner that is not room, a chimney breast, a column, or a corner of the box that is cut off straight or by a "
+      "curve.");
     v("low", b.low, Rule{.needed = true, .always = true}, "x, z of its lower corner.");
     v("high", b.high, Rule{.needed = true, .always = true}, "x, z of its upper corner.");
 }
@@ -158,7 +160,8 @@ void visit_fields(DocumentPlan& p, V&& v) {
     v("depth_m", p.depth, Rule{.low = 0}, "Inside, along z.");
     v("height_m", p.height, Rule{.low = 0}, "Inside.");
     v("polygon", p.polygon, Rule{},
-      "In place of width, depth and blocks: the corners (x, z) in order; right angles only.");
+      "In place of width, depth and blocks: the corners (x, z) in order; right angles, but for corners of "
+      "the box that are cut off.");
     v("blocks", p.blocks, Rule{}, "Parts of the box that are not room.");
     v("platforms", p.platforms, Rule{}, "Parts of the floor that are raised: tiers of seats with their steps.");
     v("openings", p.openings, Rule{}, "Windows, doors and doorways; without it, as rooms of the type have them.");
@@ -179,6 +182,9 @@ void visit_fields(DocumentPlan& p, V&& v) {
     v("wall_relief", p.wall_relief, Rule{}, "What walls are built of, beyond their material.");
     v("cabin", p.cabin, Rule{}, "Of a vehicle or a lift: thin panels, no skirting, panes in rubber.");
     v("cove_m", p.cove, Rule{.low = 0, .high = 1}, "Radius of the curve between the walls 1 and 3 and the ceiling.");
+    v("vault", p.vault, Rule{}, "The shape of a ceiling that is not level.");
+    v("spring_m", p.spring, Rule{.low = 0}, "Height at the walls at which a vault begins.");
+    v("oculus_m", p.oculus, Rule{.low = 0, .high = 2}, "Radius of an opening to the sky at the top of a dome.");
     v("tunnel", p.tunnel, Rule{}, "The windows show the wall of a tunnel, and no daylight comes in.");
     v("panelling", p.panelling, Rule{}, "Walls are panelled to the height of a chair's back.");
     v("asked", p.asked, Rule{}, "What was said of windows, doors and other parts of the shell.");

@@ -37,6 +37,38 @@ std::vector<float> levels(const std::vector<Vec2f>& polygon, float Vec2f::*axis)
     return out;
 }
 
+// The corners of the box that slanted walls cut off it: such a wall goes from one side of the box to the next. In the
+// polygon their place is taken by the corner of the box.
+std::vector<Block> take_cut_corners(std::vector<Vec2f>& polygon) {
+    std::vector<Block> out;
+    const std::vector<float> xs = levels(polygon, &Vec2f::x), zs = levels(polygon, &Vec2f::y);
+    const auto at_end = [](float v, const std::vector<float>& all) {
+        return std::abs(v - all.front()) < kLevel || std::abs(v - all.back()) < kLevel;
+    };
+    for (std::size_t i = 0; i < polygon.size(); ++i) {
+        const Vec2f a = polygon[i], b = polygon[(i + 1) % polygon.size()];
+        if (std::abs(a.x - b.x) < kLevel || std::abs(a.y - b.y) < kLevel) continue;
+        Vec2f corner;
+        if (at_end(a.x, xs) && at_end(b.y, zs)) corner = {a.x, b.y};
+        else if (at_end(b.x, xs) && at_end(a.y, zs)) corner = {b.x, a.y};
+        else continue;
+        out.push_back(
+            {Block::Kind::cut, {std::min(a.x, b.x), std::min(a.y, b.y)}, {std::max(a.x, b.x), std::max(a.y, b.y)}});
+        polygon.insert(polygon.begin() + static_cast<std::ptrdiff_t>(i) + 1, corner);
+        ++i;
+    }
+    // What lies on a wall between two others is no corner any more.
+    for (std::size_t i = 0; i < polygon.size() && !out.empty();) {
+        const std::size_t n = polygon.size();
+        const Vec2f a = polygon[(i + n - 1) % n], b = polygon[i], c = polygon[(i + 1) % n];
+        const bool straight = (std::abs(a.x - b.x) < kLevel && std::abs(b.x - c.x) < kLevel) ||
+                              (std::abs(a.y - b.y) < kLevel && std::abs(b.y - c.y) < kLevel);
+        if (straight) polygon.erase(polygon.begin() + static_cast<std::ptrdiff_t>(i));
+        else ++i;
+    }
+    return out;
+}
+
 void check_polygon(const std::vector<Vec2f>& polygon, const std::string& place) {
     const std::size_t n = polygon.size();
     if (n < 4) throw Error("{}: expected at least four corners, found {}", place, n);
@@ -44,8 +76,11 @@ void check_polygon(const std::vector<Vec2f>& polygon, const std::string& place) 
         const Vec2f a = polygon[i], b = polygon[(i + 1) % n];
         const bool along_x = std::abs(a.y - b.y) < kLevel, along_z = std::abs(a.x - b.x) < kLevel;
         if (along_x == along_z)
-            throw Error("{}: expected walls along x or z, found a slanted or empty one from corner {} to {}", place, i,
-                        (i + 1) % n);
+            throw Error(
+                "{}: expected walls along x or z, or slanted ones that cut off a corner of the plan's box, found "
+                "another one "
+                "from corner {} to {}",
+                place, i, (i + 1) % n);
         for (std::size_t k = i + 2; k < n; ++k)
             if ((k + 1) % n != i && crosses(a, b, polygon[k], polygon[(k + 1) % n]))
                 throw Error("{}: the plan crosses itself: the wall from corner {} meets that from corner {}", place, i,
@@ -84,7 +119,9 @@ std::optional<Material> document_fields::surface_named(const std::string& name) 
     return materials::make(name + " paint", Pattern::plaster, *color, *color, 0.1f, 0.75f, 0.0003f);
 }
 
-void apply_polygon(const std::vector<Vec2f>& polygon, const std::string& place, Plan& plan) {
+void apply_polygon(const std::vector<Vec2f>& given, const std::string& place, Plan& plan) {
+    std::vector<Vec2f> polygon = given;
+    std::vector<Block> cuts = take_cut_corners(polygon);
     check_polygon(polygon, place);
     const std::vector<float> xs = levels(polygon, &Vec2f::x), zs = levels(polygon, &Vec2f::y);
     constexpr float kOff = 0.01f;
@@ -95,7 +132,7 @@ void apply_polygon(const std::vector<Vec2f>& polygon, const std::string& place, 
     plan.width = xs.back() - xs.front();
     plan.depth = zs.back() - zs.front();
     plan.measured = true;
-    plan.blocks.clear();
+    plan.blocks = std::move(cuts);
     // What of the box is not room, row by row; equal rows become one block.
     for (std::size_t k = 0; k + 1 < zs.size(); ++k)
         for (std::size_t i = 0; i + 1 < xs.size();) {

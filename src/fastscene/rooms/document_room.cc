@@ -12,6 +12,7 @@
 #include "fastscene/rooms/document_parts.h"
 #include "fastscene/rooms/footprint.h"
 #include "fastscene/rooms/pack.h"
+#include "fastscene/rooms/plan_parts.h"
 #include "fastscene/rooms/room_type.h"
 #include "fastscene/rooms/tops.h"
 
@@ -71,6 +72,7 @@ DocumentPlan plan_of(const Plan& plan) {
     out.recessed_lights = plan.recessed_lights, out.coffers = plan.coffers, out.bay = plan.bay;
     out.wall_relief = plan.relief;
     out.cabin = plan.cabin, out.tunnel = plan.tunnel, out.cove = plan.cove;
+    out.vault = plan.vault, out.spring = plan.spring, out.oculus = plan.oculus;
     out.panelling = plan.panelling;
     if (plan.accent) out.accent_wall = plan.accent_wall;
     out.neon_color = plan.neon_color;
@@ -140,6 +142,7 @@ class Builder {
             if (!given.polygon.empty() || given.width > 0) plan.blocks = outline.blocks;
             if (given.width > 0) plan.width = given.width;
             if (given.depth > 0) plan.depth = given.depth;
+            if (given.polygon.empty() && given.width > 0) plan.measured = true, cut_corners(outline_asked(spec), plan);
             if (given.accent_wall) plan.accent = true, plan.accent_wall = *given.accent_wall;
             if (!given.platforms.empty()) plan.platforms = given.platforms;
             plan.beams |= given.beams, plan.neon |= given.neon, plan.coffers |= given.coffers;
@@ -178,6 +181,7 @@ class Builder {
         plan.recessed_lights = given.recessed_lights, plan.coffers = given.coffers, plan.bay = given.bay;
         plan.relief = given.wall_relief;
         plan.cabin = given.cabin, plan.tunnel = given.tunnel, plan.cove = given.cove;
+        plan.vault = given.vault, plan.spring = given.spring, plan.oculus = given.oculus;
         plan.glazed = type.windows.glazed;
         plan.panelling = given.panelling;
         plan.accent = given.accent_wall.has_value();
@@ -268,7 +272,8 @@ class Builder {
     void check_inside(const FurnishedRoom& room) const {
         constexpr float kTolerance = 0.01f;
         for (std::size_t i = 0; i < room.placed.size(); ++i)
-            if (room.placed[i].sill < 0 && !room.plan.holds(shrunk(footprint_of(room.placed[i]), kTolerance)))
+            if (room.placed[i].sill < 0 && !has_role(room.placed[i].piece.kind, Role::roof) &&
+                !room.plan.holds(shrunk(footprint_of(room.placed[i]), kTolerance)))
                 throw Error("{}: /things/{}: {} reaches into a wall, the floor or the ceiling", file_, i,
                             document_.things[i].id);
     }

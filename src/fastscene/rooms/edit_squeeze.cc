@@ -214,6 +214,7 @@ std::optional<Squeezed> Editor::squeezed_on_wall(Layout& layout, const EditStep&
     std::vector<Spot> spots;
     const std::vector<WallFace> faces = plan().faces();
     for (const WallFace& face : faces) {
+        if (!hangs_at(face)) continue;
         if (step.wall >= 0 && dot(face.inward, plan().wall(step.wall).inward) < 0.99f) continue;
         if (step.elsewhere && own >= 0 && dot(face.inward, plan().wall(own).inward) > 0.99f) continue;
         if (step.opposite && own >= 0 && dot(face.inward, plan().wall(own).inward) > -0.99f) continue;

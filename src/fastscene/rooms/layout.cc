@@ -75,7 +75,9 @@ bool blocks_opening(const Plan& plan, const Footprint& box) {
         constexpr float kAboveSill = 0.2f;
         const float below = free_before(o, kAboveSill);
         if (!door && height < below) continue;
-        const float deep = door ? 0.85f : 0.35f;
+        // At a chord before a round wall a thing stands farther in, and still before its window.
+        const bool chords = std::any_of(plan.blocks.begin(), plan.blocks.end(), cuts_corner);
+        const float deep = door ? 0.85f : chords ? 0.8f : 0.35f;
         const Vec3f middle = face.point((o.u0 + o.u1) / 2, 0) + face.inward * (deep / 2);
         // Beside a window hang its curtains.
         Footprint zone{flat(middle),
@@ -111,6 +113,7 @@ bool clear_of_walls(const Plan& plan, const Placed& placed) {
 
 bool hangs_on_wall(const Plan& plan, const std::vector<WallFace>& faces, const Placed& p) {
     for (const WallFace& face : faces) {
+        if (!hangs_at(face)) continue;
         const float u = dot(p.position - face.origin, face.along), half = p.piece.size_m.x / 2,
                     off = dot(p.position - face.origin, face.inward);
         if (dot(face.inward, front_of(p.yaw)) < 0.99f || off < -0.005f || off > 0.06f || u < half ||

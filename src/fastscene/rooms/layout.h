@@ -119,7 +119,11 @@ class Layout {
                                 bool with_clearance = false);
     std::optional<int> hang_at(const Piece& piece, int wall, float u, const PromptObject& from);
     // Whether it could hang there.
-    bool can_hang_at(const Piece& piece, int wall, float u) const { return hung(piece, wall, u).has_value(); }
+    bool can_hang_at(const Piece& piece, int wall, float u) const {
+        return hung(piece, plan_.wall(wall), u).has_value();
+    }
+    // The same on any face of the room.
+    std::optional<int> hang_on(const Piece& piece, const WallFace& face, float u, const PromptObject& from);
     // Rugs: under a piece, shifted towards its front; or with the middle anywhere.
     std::optional<int> under(int anchor, const PieceRequest& request, float shift_front_m,
                              const PromptObject& from = {});
@@ -193,7 +197,7 @@ class Layout {
 
   private:
     void vary(PieceRequest& r) const;
-    std::optional<Placed> hung(const Piece& piece, int wall, float u) const;
+    std::optional<Placed> hung(const Piece& piece, const WallFace& face, float u) const;
     std::string accent_of(const std::string& kind) const;
     bool fits(const Placed& placed, bool with_clearance) const;
     // Lifts what was placed as if all of the floor were y = 0 onto the floor there.

@@ -39,6 +39,7 @@ std::optional<int> Layout::against_wall(const PieceRequest& request, const WallW
         std::optional<Placed> best;
         float best_score = -std::numeric_limits<float>::infinity();
         for (const WallFace& face : faces_) {
+            if (p.piece.mount == Mount::wall && !hangs_at(face)) continue;
             // A wall is also what stands before it: the chimney breast, the side of an L's corner.
             if (wish.wall >= 0 && dot(face.inward, plan_.wall(wish.wall).inward) < 0.99f) continue;
             p.yaw = yaw_of(face.inward);
@@ -72,6 +73,7 @@ std::optional<int> Layout::against_wall(const PieceRequest& request, const WallW
                             apart = std::min(apart, distance_to(footprint_of(other), flat(p.position)));
                     score += wish.apart_pull * apart;
                 }
+                score -= face.behind;                // nearer to the wall itself
                 if (face.wall == 2) score -= 0.25f;  // the wall with the door is the last choice
                 for (const Opening& o : plan_.openings)
                     if (o.kind == Opening::Kind::window && o.wall == face.wall) {
@@ -259,15 +261,14 @@ std::optional<int> Layout::stand_at(const Piece& piece, Vec2f at, float yaw, con
     return keep(std::move(p), from);
 }
 
-std::optional<Placed> Layout::hung(const Piece& piece, int wall, float u) const {
+std::optional<Placed> Layout::hung(const Piece& piece, const WallFace& face, float u) const {
     constexpr float kOffWall = 0.004f, kBelowCeiling = 0.2f;
-    const WallFace face = plan_.wall(wall);
     Placed p;
     p.piece = piece;
     p.yaw = yaw_of(face.inward);
     p.fixed = true;
     const float floor = plan_.floor_before(face, u - piece.size_m.x / 2, u + piece.size_m.x / 2),
-                y = std::min(floor + piece.hang_height_m, plan_.height - kBelowCeiling - piece.size_m.y);
+                y = std::min(floor + piece.hang_height_m, plan_.wall_top() - kBelowCeiling - piece.size_m.y);
     p.position = face.point(u, y) + face.inward * kOffWall;
     const Footprint box = footprint_of(p);
     if (y < 0.f || !plan_.holds(box) || !hangs_on_wall(plan_, faces_, p) || !leaves_way(p)) return {};
@@ -277,7 +278,11 @@ std::optional<Placed> Layout::hung(const Piece& piece, int wall, float u) const 
 }
 
 std::optional<int> Layout::hang_at(const Piece& piece, int wall, float u, const PromptObject& from) {
-    std::optional<Placed> p = hung(piece, wall, u);
+    return hang_on(piece, plan_.wall(wall), u, from);
+}
+
+std::optional<int> Layout::hang_on(const Piece& piece, const WallFace& face, float u, const PromptObject& from) {
+    std::optional<Placed> p = hung(piece, face, u);
     return p ? keep(std::move(*p), from) : std::nullopt;
 }
 

@@ -37,6 +37,11 @@ class Pattern {
         piece_ = make_piece(r);
         return *piece_;
     }
+    // The same after its size was changed.
+    const Piece& fresh_piece() {
+        piece_.reset();
+        return piece();
+    }
     // Through `how`; what was placed moves as one with the first.
     template <class How>
     std::optional<int> place(const How& how) {
@@ -74,5 +79,6 @@ inline bool is_due(Placement& p, const RecipeStep& step, const std::string& thin
 void place_run(Placement& p, const RecipeStep& step, int anchor);
 void place_end(Placement& p, const RecipeStep& step, int anchor);
 void place_bare(Placement& p, const RecipeStep& step, int anchor);
+void place_around(Placement& p, const RecipeStep& step, int anchor);
 
 }  // namespace fastscene::furnishing

@@ -263,7 +263,7 @@ void place_lights(Placement& p, const RecipeStep& step, int) {
 }  // namespace
 
 std::span<const StepKind> pattern_kinds() {
-    static const std::array<StepKind, 9> all{{
+    static const std::array<StepKind, 10> all{{
         {"rows",
          {"thing", "first_asked", "other", "thing_share", "probability", "seat", "towards", "pitch_m", "rise_m",
           "gap_m", "aisle_m", "side_m", "front_m", "rear_m", "rows", "block", "alike", "then"},
@@ -299,6 +299,7 @@ std::span<const StepKind> pattern_kinds() {
          false,
          {},
          place_bare},
+        {"all_around", {"thing", "first_asked", "probability"}, false, {}, place_around},
         {"corners", {"thing", "first_asked", "probability", "then"}, false, {}, place_corners},
         {"lights", {"thing", "first_asked", "probability", "pitch_m", "aisle_m", "fill"}, false, {}, place_lights},
     }};

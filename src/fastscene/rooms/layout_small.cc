@@ -189,10 +189,11 @@ std::optional<int> Layout::on_wall(const PieceRequest& request, std::optional<in
         p.piece.hang_height_m = 0.95f;
     }
     const Vec3f size = p.piece.size_m;
-    const float top = plan_.height - (plan_.beams ? kBeamDepth : 0.f);
+    const float top = plan_.wall_top() - (plan_.beams ? kBeamDepth : 0.f);
     std::optional<Placed> best;
     float best_score = -std::numeric_limits<float>::infinity();
     for (const WallFace& face : faces_) {
+        if (!hangs_at(face)) continue;
         p.yaw = yaw_of(face.inward);
         float y = p.piece.hang_height_m > 0 ? p.piece.hang_height_m : 1.5f - size.y / 2;
         std::optional<float> wanted_u;
@@ -259,7 +260,7 @@ std::optional<int> Layout::over_opening(const std::string& kind, const PieceRequ
         p.yaw = yaw_of(face.inward);
         p.position = face.point((o.u0 + o.u1) / 2, o.y1 + kCasing + 0.02f) + face.inward * 0.002f;
         const Footprint box = footprint_of(p);
-        if (!plan_.holds(box) || box.y1 > plan_.height - 0.03f) continue;
+        if (!plan_.holds(box) || box.y1 > plan_.wall_top() - 0.03f) continue;
         if (std::none_of(placed_.begin(), placed_.end(),
                          [&](const Placed& other) { return !other.flat && overlap(box, footprint_of(other)); }))
             return keep(p, from);
@@ -272,8 +273,10 @@ std::optional<int> Layout::hanging(const PieceRequest& request, Vec2f at, const 
     p.piece = make_piece(request);
     p.overhead = true;
     p.position = {at.x, plan_.height, at.y};
+    for (const Vec2f corner : corners_of(footprint_of(p)))  // below a vault all of it
+        if (plan_.vault != Vault::flat) p.position.y = std::min(p.position.y, plan_.ceiling_at(corner));
     if (plan_.beams && !(plan_.knee > 0)) hang_among_beams(plan_, p);
-    if (!plan_.holds(footprint_of(p))) return {};
+    if (!plan_.holds(footprint_of(p)) && !has_role(p.piece.kind, Role::roof)) return {};
     // Nor into what hangs above a tier.
     constexpr float kHead = 2.f;
     if (const float floor = plan_.floor_below(footprint_of(p)); floor > 0 && footprint_of(p).y0 < floor + kHead)
@@ -328,6 +331,7 @@ std::optional<int> Layout::beside_on_wall(int anchor, const PieceRequest& reques
                 y = hung ? std::clamp(a.position.y + (a.piece.size_m.y - size.y) / 2, floor + kLowest, floor + kHighest)
                          : floor + p.piece.hang_height_m;
     for (const WallFace& face : faces_) {
+        if (!hangs_at(face)) continue;
         const float off = dot(a.position - face.origin, face.inward) - (hung ? 0.f : a.piece.size_m.z / 2);
         if (dot(face.inward, front_of(a.yaw)) < 0.99f || std::abs(off) > 0.3f) continue;
         p.yaw = yaw_of(face.inward);
@@ -390,7 +394,7 @@ int Layout::at_windows(const PieceRequest& request, const PromptObject& from) {
     enum class Length { floor, apron, sill };
     const auto hang_at = [&](const Opening& o, Length length) {
         const WallFace face = plan_.wall(o.wall);
-        const float top = std::min(plan_.height - 0.06f, o.y1 + 0.16f);
+        const float top = std::min(plan_.wall_top() - 0.06f, o.y1 + 0.16f);
         const auto hang = [&](float margin, float low) {
             PieceRequest r = request;
             r.size_m = {std::min(o.u1 - o.u0 + 2 * margin, face.length - 0.04f), top - low, 0};

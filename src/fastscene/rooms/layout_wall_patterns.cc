@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "fastscene/rooms/layout_pattern.h"
+#include "fastscene/rooms/shell_kit.h"
 
 namespace fastscene::furnishing {
 // ---- along walls
@@ -111,6 +112,26 @@ void place_bare(Placement& p, const RecipeStep& step, int) {
                               .has_value();
             }
         }
+}
+
+// ---- all around
+
+// On every flat piece of wall between doors and windows, those of round corners too: lattice, rails, panels.
+void place_around(Placement& p, const RecipeStep& step, int) {
+    const std::string thing = thing_of(step, p);
+    Pattern panels(p, thing, true);
+    if (!panels.open() || !is_due(p, step, thing)) return;
+    constexpr float kBeside = 0.12f, kJoint = 0.012f, kNarrowest = 0.15f;  // metres: of openings, between panels
+    const Plan& plan = p.layout().plan();
+    for (const WallFace& face : plan.faces()) {
+        if (face.behind > 0) continue;
+        for (const auto& [from, to] : shell::between_openings(plan, face, 0, plan.wall_top(), kBeside)) {
+            if (to - from < kNarrowest) continue;
+            panels.sized({to - from - 2 * kJoint, 0, 0});
+            const Piece piece = panels.fresh_piece();
+            panels.place([&](const PromptObject& o) { return p.layout().hang_on(piece, face, (from + to) / 2, o); });
+        }
+    }
 }
 
 }  // namespace fastscene::furnishing

@@ -55,20 +55,29 @@ struct WallFace {
     Vec3f along;   // unit, to the left as seen from inside
     Vec3f inward;  // unit, into the room
     float length;
-    int wall = -1;   // the wall it is a part of; -1: the side of a block
-    float from = 0;  // where on that wall its u begins
+    int wall = -1;     // the wall it is a part of; -1: the side of a block
+    float from = 0;    // where on that wall its u begins
+    float behind = 0;  // a chord before a curved or cut corner: how far the wall is behind it at most; 0: a wall
     Vec3f point(float u, float y) const { return origin + along * u + Vec3f{0, y, 0}; }
 };
+
+// Whether things hang at this face: a chord is nearly at the wall.
+inline bool hangs_at(const WallFace& face) { return face.behind < 0.035f; }
 
 // Whether wishes of this class are for the shell: make_plan heeds them, or says in spec.not_placed why it cannot.
 bool is_shell(std::string_view kind);
 
 // A part of the plan's box that is not room, from floor to ceiling: the corner that an L leaves out, a chimney breast,
-// a column.
+// a column; or what lies behind a corner that is cut off straight (of an octagon) or by a quarter of an ellipse (of
+// round rooms and apses), where `low` and `high` are the box of what is cut off.
 struct Block {
-    enum class Kind : unsigned char { corner, breast, column } kind = Kind::corner;
+    enum class Kind : unsigned char { corner, breast, column, cut, curve } kind = Kind::corner;
     Vec2f low, high;  // x, z
 };
+inline bool cuts_corner(const Block& b) { return b.kind == Block::Kind::cut || b.kind == Block::Kind::curve; }
+// The wall before a corner that is cut off: points (x, z) from one wall of the box to the next, in the order of the
+// walls. Convex seen from outside.
+std::vector<Vec2f> cut_edge(const Block& block);
 
 // A part of the floor that is raised: a box on it. Tiers carry rows of seats; steps lead up an aisle from one to the
 // next, and stand on the lower one. Where two overlap, the higher is the floor.
@@ -109,6 +118,9 @@ struct Plan {
     float cove = 0;          // radius of the curve between walls 1 and 3 and the ceiling
     bool tunnel = false;     // the room is in one
     bool panelling = false;  // walls are panelled to the height of a chair's back
+    Vault vault = Vault::flat;
+    float spring = 0;  // height at the walls at which a vault begins; it reaches `height` in the middle
+    float oculus = 0;  // radius of a round opening to the sky at the top of a dome; 0: none
     std::vector<Block> blocks;
     std::vector<Platform> platforms;        // empty: all of the floor is y = 0
     std::vector<PromptObject> asked_parts;  // what of is_shell the prompt asks for
@@ -127,9 +139,14 @@ struct Plan {
     const Material& wall_material(int i) const;
     // What the prompt says of a part of the shell, or nothing.
     const PromptObject* asked(std::string_view kind) const;
-    // All pieces of wall where things may stand or hang, sides of blocks too.
+    // The box without the corners that are cut off: points (x, z) in the order of the walls, each once.
+    std::vector<Vec2f> outline() const;
+    // All pieces of wall where things may stand or hang, sides of blocks too. Before curved and cut corners also
+    // chords, at which things stand that are wider than the flat parts of the wall.
     std::vector<WallFace> faces() const;
     float ceiling_at(Vec2f point) const;
+    // How high walls go before a vault begins.
+    float wall_top() const { return vault == Vault::flat ? height : spring; }
     float floor_at(Vec2f point) const;
     // The highest floor below a box; and whether all of the floor below it is as high.
     float floor_below(const Footprint& box) const;
@@ -145,6 +162,16 @@ struct Plan {
     // high; `level`: and before which the floor is y = 0, as doors want it.
     std::pair<float, float> free_span(int wall, float height, bool level = false) const;
 };
+
+// How far up a vault is at a point, 0 where it springs from the walls to 1 at its top; and at a share `out` of the way
+// from the middle to the walls.
+float vault_rise(const Plan& plan, Vec2f p);
+float vault_profile(Vault vault, float out);
+// The outline of a round room of this size, for the roofs over one; and how far along a direction it is.
+std::vector<Vec2f> round_outline(Vec2f size);
+float reach_of(const std::vector<Vec2f>& outline, Vec2f direction);
+// Where along z a barrel vault ends in the half dome over an apse; the far wall: it has none.
+float conch_from(const Plan& plan);
 
 // The room one sees through the doorway. Its own near wall (2) is the back of ours.
 struct NextRoom {

@@ -107,7 +107,7 @@ void add_tiers(const PromptSpec& spec, Plan& plan) {
     int count = static_cast<int>((seen.deep() - rows->front_m - rows->rear_m) / rows->pitch_m);
     if (rows->rows > 0) count = std::min(count, rows->rows);
     if (count < 2) return;
-    float rise = std::min(rows->rise_m, (plan.height - kHeadRoom) / static_cast<float>(count - 1));
+    float rise = std::min(rows->rise_m, (plan.wall_top() - kHeadRoom) / static_cast<float>(count - 1));
     if (ways.empty()) rise = std::min(rise, kMostStep);
     if (rise < kLeastRise) return;
     if (!plan.asked("wainscoting")) plan.panelling = false;  // a dado would run into the tiers
@@ -134,8 +134,8 @@ void lift_windows(PromptSpec& spec, Plan& plan) {
         const WallFace face = plan.wall(o.wall);
         const float floor = plan.floor_before(face, o.u0, o.u1);
         if (o.kind != Opening::Kind::window || !(o.y0 < floor + kLeastSill) || !(floor > 0)) return false;
-        const float high = std::min(o.y1 - o.y0, plan.height - kAbove - floor - kLeastSill);
-        o.y0 = std::min(floor + std::max(o.y0, kLeastSill), plan.height - kAbove - high), o.y1 = o.y0 + high;
+        const float top = plan.wall_top() - kAbove, high = std::min(o.y1 - o.y0, top - floor - kLeastSill);
+        o.y0 = std::min(floor + std::max(o.y0, kLeastSill), top - high), o.y1 = o.y0 + high;
         if (high >= kLowest) return false;
         if (o.requested) spec.not_placed.push_back("window: the seats rise too high for it");
         return true;

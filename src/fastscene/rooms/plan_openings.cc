@@ -55,7 +55,7 @@ bool add_window_pair(const PromptSpec& spec, Plan& plan, const PromptObject* wis
             window.wall = w;
             window.u0 = middle - wide / 2, window.u1 = middle + wide / 2;
             window.y0 = room_type(spec.room).windows.size == WindowSize::small ? kSmallSill : 0.9f;
-            window.y1 = std::min(plan.height - 0.25f, 2.2f);
+            window.y1 = std::min(plan.wall_top() - 0.25f, 2.2f);
             window.requested = wish != nullptr;
             plan.openings.push_back(window);
         }
@@ -78,7 +78,7 @@ void add_regular_windows(const RoomWindows& like, Plan& plan) {
             if (plan.cabin) window.shape = Opening::Shape::rounded;
             const float middle = from + length * (static_cast<float>(i) + 0.5f) / static_cast<float>(count);
             window.u0 = middle - wide / 2, window.u1 = middle + wide / 2;
-            window.y1 = std::min(plan.height - kLintelAbove, like.head_m);
+            window.y1 = std::min(plan.wall_top() - kLintelAbove, like.head_m);
             window.y0 = std::min(like.sill_m, window.y1 - 0.4f);
             if (like.arched) window.shape = Opening::Shape::arched;
             if (like.round) {  // hung from its head
@@ -123,7 +123,7 @@ void add_glazed_parts(const RoomWindows& like, Plan& plan) {
             o.glazing = part.glazing;
             if (!is_doors(part.glazing)) o.shape = Opening::Shape::rounded;
             o.u0 = middle - wide / 2, o.u1 = middle + wide / 2;
-            o.y0 = part.sill_m, o.y1 = std::min(part.head_m, plan.height - kAbove);
+            o.y0 = part.sill_m, o.y1 = std::min(part.head_m, plan.wall_top() - kAbove);
             plan.openings.push_back(o);
         }
     }
@@ -191,14 +191,14 @@ void add_windows(PromptSpec& spec, Plan& plan, Random& rng) {
                                                                                     : rng.uniform(1.3f, 1.8f));
         window.y0 = std::max(bay ? 0.5f : large ? 0.4f : small ? kSmallSill : 0.85f, usually.least_sill_m);
         if (asked.below) window.y0 = std::max(window.y0, 0.9f);
-        window.y1 = std::min(plan.height - (asked.above ? 0.7f : 0.25f), large ? 2.45f : 2.2f);
-        if (wish && wish->pattern == kFullHeight && !bay) window.y0 = kThreshold, window.y1 = plan.height - kLintel;
+        window.y1 = std::min(plan.wall_top() - (asked.above ? 0.7f : 0.25f), large ? 2.45f : 2.2f);
+        if (wish && wish->pattern == kFullHeight && !bay) window.y0 = kThreshold, window.y1 = plan.wall_top() - kLintel;
         window.shape = bay || blinds ? Opening::Shape::square : shape_of(wish);
         float width = usual;
         if (asked.beside > 0 && !bay) width = std::clamp(length - 2 * asked.beside, 0.7f, usual);
         if (window.shape == Opening::Shape::arched) {  // upright, up to the ceiling
             width = std::min(usual, large ? 1.5f : small ? 0.7f : 1.2f);
-            window.y1 = std::min(plan.height - (asked.above ? 0.7f : 0.22f), large ? 2.7f : 2.4f);
+            window.y1 = std::min(plan.wall_top() - (asked.above ? 0.7f : 0.22f), large ? 2.7f : 2.4f);
         } else if (window.shape ==
                    Opening::Shape::round) {  // a porthole at the height of the eyes, a larger one about there
             constexpr float kEyes = 1.55f;
@@ -241,11 +241,12 @@ void add_door(PromptSpec& spec, Plan& plan, Random& rng) {
                              ? std::clamp((high - low - kDoorWidth) / 2, kDoorMargin, kCornerMargin)
                              : kDoorMargin;
     door.u0 = rng.chance(0.5f) || shared ? low + margin : high - margin - kDoorWidth;
-    if (room_type(spec.room).middle_door && !shared) door.u0 = (low + high - kDoorWidth) / 2;
+    const bool cut = std::any_of(plan.blocks.begin(), plan.blocks.end(), cuts_corner);
+    if ((room_type(spec.room).middle_door || cut) && !shared) door.u0 = (low + high - kDoorWidth) / 2;
     door.u1 = door.u0 + kDoorWidth;
     door.y1 = 2.06f;
     if (shape_of(wish) != Opening::Shape::square)
-        door.shape = Opening::Shape::arched, door.y1 = std::min(plan.height - 0.2f, 2.2f);
+        door.shape = Opening::Shape::arched, door.y1 = std::min(plan.wall_top() - 0.2f, 2.2f);
     move_door(plan, door);
     plan.openings.push_back(door);
 }

@@ -32,6 +32,18 @@ void add_door(PromptSpec& spec, Plan& plan, Random& rng);
 // windows.
 void choose_ceiling(const PromptSpec& spec, Plan& plan);
 
+// What of a wish is not built, and why.
+inline void report(PromptSpec& spec, const PromptObject& wish, int count, const std::string& why) {
+    for (int i = 0; i < count; ++i) spec.not_placed.push_back(wish.words + ": " + why);
+}
+
+// The outline that the prompt asks for or the room's type has; and that outline for a plan that is a box. Where its
+// size was not said, a round or octagonal room becomes as deep as it is wide.
+Outline outline_asked(const PromptSpec& spec);
+void cut_corners(Outline outline, Plan& plan);
+// A vault as asked for or as the room's type has it, below which there are no beams and coffers.
+void raise_vault(PromptSpec& spec, Plan& plan);
+
 // The shape that a window, a door or a doorway was asked in.
 inline Opening::Shape shape_of(const PromptObject* wish) {
     if (!wish || wish->pattern.empty()) return Opening::Shape::square;

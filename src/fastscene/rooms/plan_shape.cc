@@ -1,5 +1,5 @@
 // The shape of rooms beyond a box: chimney breasts, the corner of an L, alcoves and bays, columns, slopes with
-// skylights, coffers, panelling, and a doorway to a next room.
+// skylights, coffers, panelling, and a doorway to a next room. Cut corners and vaults are in plan_vaults.cc.
 #include <algorithm>
 #include <cmath>
 
@@ -54,12 +54,8 @@ void add_columns(Plan& plan, int count, Random& rng) {
 bool slopes_for_skylight(const PromptSpec& spec) {
     if (!wish_for(spec, "skylight") || wish_for(spec, "sloped_ceiling", true) || !spec.next_room.empty()) return false;
     return std::none_of(spec.objects.begin(), spec.objects.end(), [](const PromptObject& o) {
-        return !o.forbidden && is_one_of(o.kind, {"bay_window", "alcove", "doorway", "column", "beams"});
+        return !o.forbidden && is_one_of(o.kind, {"bay_window", "alcove", "doorway", "column", "beams", "vault"});
     });
-}
-
-void report(PromptSpec& spec, const PromptObject& wish, int count, const std::string& why) {
-    for (int i = 0; i < count; ++i) spec.not_placed.push_back(wish.words + ": " + why);
 }
 
 // Skylights in pairs over both slopes, or over the one that is not asked to stay closed.
@@ -67,6 +63,7 @@ void add_skylights(PromptSpec& spec, Plan& plan, Random& rng) {
     const PromptObject* wish = wish_for(spec, "skylight");
     if (wish_for(spec, "skylight", true)) return;
     const int wanted = wish ? std::min(wish->count, 4) : plan.knee > 0 ? 1 + rng.index(3) : 0;
+    if (plan.oculus > 0) return wish ? report(spec, *wish, wish->count - 1, "a dome has one") : void();
     if (wish && !(plan.knee > 0)) return report(spec, *wish, wish->count, "only rooms with a sloped ceiling have them");
     if (wish) report(spec, *wish, std::max(0, wish->count - 4), "a roof has at most four");
     const float slope = std::hypot(plan.slope_run, plan.height - plan.knee), high = std::min(1.2f, slope - 0.7f),
@@ -119,9 +116,9 @@ void add_doorway(PromptSpec& spec, Plan& plan, Random& rng) {
         const bool at_end = rng.chance(0.5f);
         o.u0 = at_end ? high - wide - rng.uniform(0.35f, 0.6f) : low + rng.uniform(0.35f, 0.6f);
         o.u1 = o.u0 + wide;
-        o.y1 = std::min(plan.height - 0.3f, rng.uniform(2.1f, 2.3f));
+        o.y1 = std::min(plan.wall_top() - 0.3f, rng.uniform(2.1f, 2.3f));
         if (shape_of(wish) != Opening::Shape::square)
-            o.shape = Opening::Shape::arched, o.y1 = std::min(plan.height - 0.2f, o.y1 + 0.25f);
+            o.shape = Opening::Shape::arched, o.y1 = std::min(plan.wall_top() - 0.2f, o.y1 + 0.25f);
         const WallFace face = plan.wall(w);
 
         auto next = std::make_shared<NextRoom>();
@@ -131,7 +128,7 @@ void add_doorway(PromptSpec& spec, Plan& plan, Random& rng) {
         Plan& p = next->plan;
         p.style = plan.style;
         p.joined = true;
-        p.height = plan.height;
+        p.height = plan.wall_top();
         p.beams = plan.beams;
         if (const PromptObject* beams = plan.asked("beams")) p.asked_parts = {*beams};
         p.width = std::min(face.length, rng.uniform(3.6f, 4.4f) - (wet ? 1.f : 0.f));
@@ -181,6 +178,7 @@ void shape_plan(PromptSpec& spec, Plan& plan, Random& rng) {
     const bool lit_from_above = slopes_for_skylight(spec);
     const bool sloped = decide(spec, "sloped_ceiling", is_below_roof(spec) ? 1.f : 0.f, rng) &&
                         (is_below_roof(spec) || wish_for(spec, "sloped_ceiling"));
+    const Outline outline = outline_asked(spec);
     if (lit_from_above && !sloped)
         spec.assumed.push_back("ceiling: sloped, for the " + wish_for(spec, "skylight")->words);
     if (sloped || lit_from_above) {
@@ -199,20 +197,25 @@ void shape_plan(PromptSpec& spec, Plan& plan, Random& rng) {
         const bool asked_bay = wish_for(spec, "bay_window"), asked_alcove = wish_for(spec, "alcove");
         float roll = rng.uniform();
         constexpr float kTight = 10.f;  // square metres: no corner to leave out
-        if (asked_bay || asked_alcove || wants_corners(spec) || (plan.measured && plan.width * plan.depth < kTight))
+        if (outline != Outline::box || asked_bay || asked_alcove || wants_corners(spec) ||
+            (plan.measured && plan.width * plan.depth < kTight))
             roll = 2.f;
         // A bay's panes are square: who asks for arches or portholes has none by chance.
         if (wish_for(spec, "bay_window", true) || shape_of(wish_for(spec, "window")) != Opening::Shape::square)
             roll = std::max(roll, type.breast_probability + type.corner_probability + type.bay_probability);
         const float recess = rng.uniform(0.6f, 0.8f), wide = std::min(plan.width - 0.9f, rng.uniform(2.3f, 2.8f)),
                     niche = rng.uniform(0.45f, 0.55f);
-        if (roll < type.breast_probability) add_breast(plan, rng);
+        if (outline != Outline::box) cut_corners(outline, plan);
+        else if (roll < type.breast_probability) add_breast(plan, rng);
         else if ((roll -= type.breast_probability) < type.corner_probability) add_corner(plan, rng);
         else if ((roll -= type.corner_probability) < type.bay_probability || asked_bay)
             add_recess(plan, wide, recess), plan.bay = true;
         else if ((roll -= type.bay_probability) < type.alcove_probability || asked_alcove)
             add_recess(plan, std::min(wide, plan.width - 0.9f), niche);
-        if (asked_bay && asked_alcove)
+        for (const char* kind : {"bay_window", "alcove"})
+            if (const PromptObject* wish = wish_for(spec, kind); wish && outline != Outline::box)
+                report(spec, *wish, wish->count, "not in a room of this outline");
+        if (asked_bay && asked_alcove && outline == Outline::box)
             report(spec, *wish_for(spec, "alcove"), wish_for(spec, "alcove")->count, "the bay takes its place");
         for (const char* kind : {"bay_window", "alcove"})
             if (const PromptObject* wish = wish_for(spec, kind)) report(spec, *wish, wish->count - 1, "a room has one");
@@ -222,8 +225,10 @@ void shape_plan(PromptSpec& spec, Plan& plan, Random& rng) {
         if (columns) report(spec, *columns, std::max(0, columns->count - 3), "a room has at most three");
     }
     if (!plan.beams && rich && !(plan.knee > 0)) plan.coffers = type.coffers && rng.chance(0.6f);
+    if (wish_for(spec, "coffers")) plan.coffers = !plan.beams && !(plan.knee > 0);
     plan.relief = type.wall_relief;
     plan.cabin = type.cabin, plan.tunnel = type.windows.tunnel;
+    raise_vault(spec, plan);
     plan.cove = plan.knee > 0 ? 0.f : type.cove_m;
     plan.glazed = type.windows.glazed;
     plan.panelling = decide(spec, "wainscoting", old && type.panelling ? 0.6f : 0.f, rng);

@@ -200,6 +200,7 @@ Json to_json(const PromptSpec& spec) {
             {"unread_language", spec.unread},
             {"room", spec.room},
             {"structure", spec.structure},
+            {"outline", spec.outline},
             {"size_m", metres(spec.size_m)},
             {"area_m2", spec.area_m2},
             {"everything", {{"color", spec.everything.color}, {"material", spec.everything.material}}},

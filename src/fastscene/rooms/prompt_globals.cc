@@ -160,11 +160,34 @@ std::size_t noun_from(const Reading& r, std::size_t i) {
     return i;
 }
 
+// "an octagonal library", "a round room", "une chambre ronde": of the room, not of a piece in it.
+bool shapes_room(const Reading& r, std::size_t i) {
+    const auto is_room = [](const Match& m) {
+        return m.is(WordKind::room) || (m.is(WordKind::filler) && m.word->meaning == "room");
+    };
+    for (std::size_t k = i + 1; k < r.m.size(); ++k) {
+        if (is_room(r.m[k])) return true;
+        if (!modifies(r.m[k]) && !r.m[k].is(WordKind::mood) && !r.m[k].is(WordKind::light)) break;
+    }
+    return adjectives_follow(r.language) && i > 0 && is_room(r.m[i - 1]);
+}
+
 void read_nuance(Reading& r, std::size_t i) {
     const std::string& what = r.m[i].word->meaning;
     constexpr std::string_view kView = "view=";
     const std::string& adds = r.m[i].word->adds;
-    if (what == "outside" && adds.starts_with(kView) && !r.m[i].negated) {
+    if (const std::string vault = added_by(*r.m[i].word, "vault"); !vault.empty() && shapes_room(r, i)) {
+        PromptObject& object = r.add_object("vault", r.m[i].words);
+        object.pattern = vault, object.forbidden = r.m[i].negated;
+        r.m[i].object = object.id;
+        r.tell(i, (object.forbidden ? "no " : "") + ("vault: " + vault), object.id);
+    } else if (const std::string outline = added_by(*r.m[i].word, "outline"); !outline.empty() && shapes_room(r, i)) {
+        if (r.m[i].negated) return r.tell(i, "not " + r.m[i].words);
+        if (r.spec.outline.empty()) r.spec.outline = outline;
+        if (r.spec.outline != outline) r.tell_near(i, "the room stays " + r.spec.outline);
+        else if (r.m[i].word->exact) r.tell(i, "outline of the room: " + outline);
+        else r.tell_near(i, "outline of the room: " + outline);
+    } else if (what == "outside" && adds.starts_with(kView) && !r.m[i].negated) {
         const std::string view = added_by(*r.m[i].word, "view");
         // "Lisbon" is a city, more or less; "the sea" is the sea.
         if (r.spec.outlook.empty() || (r.m[i].word->exact && outlook_is_a_guess(r, i))) r.spec.outlook = view;
@@ -220,6 +243,17 @@ bool colors_the_light(const Reading& r, std::size_t i) {
     return k < r.m.size() && r.m[k].is(WordKind::light) && r.m[k].word->meaning == "neon" && !r.m[k].negated;
 }
 
+// "a rotunda", "a turret room": the word for the room says its shape.
+void take_shape(Reading& r, std::size_t i) {
+    const Word word = *r.m[i].word;
+    if (r.m[i].negated || r.spec.room != word.meaning) return;
+    if (const std::string outline = added_by(word, "outline"); r.spec.outline.empty()) r.spec.outline = outline;
+    const bool vaulted = std::any_of(r.spec.objects.begin(), r.spec.objects.end(),
+                                     [](const PromptObject& o) { return o.kind == "vault"; });
+    if (const std::string vault = added_by(word, "vault"); !vault.empty() && !vaulted)
+        r.add_object("vault", r.m[i].words).pattern = vault;
+}
+
 void read_one(Reading& r, std::size_t i) {
     Match& m = r.m[i];
     switch (m.word->kind) {
@@ -228,6 +262,7 @@ void read_one(Reading& r, std::size_t i) {
             if (r.spec.room != m.word->meaning && is_same_room(r.spec.room, m.word->meaning) && !m.negated)
                 r.tell(i, "room: " + room_title(r.spec.room));
             else choose(r, i, &PromptSpec::room, "room", room_title(m.word->meaning));
+            take_shape(r, i);
             break;
         case WordKind::style: read_style(r, i); break;
         case WordKind::time: choose(r, i, &PromptSpec::time, "time", m.word->meaning); break;

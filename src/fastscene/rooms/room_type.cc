@@ -121,7 +121,8 @@ class TypeReader {
         const TomlTable shape = table(
             "shape", {"breast_probability", "corner_probability", "bay_probability", "alcove_probability",
                       "doorway_probability", "sloped_ceiling", "high_ceiling", "coffers", "panelling", "accent_wall",
-                      "wall_tiles", "wall_relief", "middle_door", "beams", "door", "cabin", "cove_m"});
+                      "wall_tiles", "wall_relief", "middle_door", "beams", "door", "cabin", "cove_m",
+                      "outline", "vault", "rise_m", "oculus_m"});
         t_.breast_probability = share(shape, "breast_probability");
         t_.corner_probability = share(shape, "corner_probability");
         t_.bay_probability = share(shape, "bay_probability");
@@ -139,6 +140,14 @@ class TypeReader {
         t_.cabin = shape.flag("cabin", t_.cabin);
         constexpr double kWidestCove_m = 1;
         t_.cove_m = static_cast<float>(shape.number("cove_m", t_.cove_m, 0, kWidestCove_m));
+        if (shape.has("outline")) t_.outline = file_fields::choice<Outline>(shape, "outline");
+        if (shape.has("vault")) {
+            constexpr double kLeastRise_m = 0.3, kMostRise_m = 5, kWidestOculus_m = 2;
+            t_.vault = file_fields::choice<Vault>(shape, "vault");
+            if (t_.vault != Vault::flat)
+                t_.rise_m = static_cast<float>(shape.needed_number("rise_m", kLeastRise_m, kMostRise_m));
+            t_.oculus_m = static_cast<float>(shape.number("oculus_m", 0, 0, kWidestOculus_m));
+        }
         if (shape.has("wall_relief")) t_.wall_relief = file_fields::choice<WallRelief>(shape, "wall_relief");
     }
 

@@ -57,6 +57,16 @@ enum class WallRelief : unsigned char { flat, logs, rock };
 template <>
 inline constexpr std::array<std::string_view, 3> kNamesOf<WallRelief>{"flat", "logs", "rock"};
 
+// What the plan's outline is, beyond a box; an apse is a far end that is a half circle.
+enum class Outline : unsigned char { box, octagon, round, apse };
+template <>
+inline constexpr std::array<std::string_view, 4> kNamesOf<Outline>{"box", "octagon", "round", "apse"};
+// The shape of a ceiling that rises from all walls (a dome, over a box a cloister vault; a cone or pyramid) or from the
+// walls at its sides (a barrel vault).
+enum class Vault : unsigned char { flat, dome, cone, barrel };
+template <>
+inline constexpr std::array<std::string_view, 4> kNamesOf<Vault>{"flat", "dome", "cone", "barrel"};
+
 // Whether a lamp stands on the floor: by day as often as not, and always after dark; after dark only; never.
 enum class FloorLamp : unsigned char { usual, after_dark, never };
 template <>
@@ -101,6 +111,10 @@ struct RoomType {
     bool door = true;                       // has a door of houses
     bool cabin = false;                     // of a vehicle or a lift: thin panels, no skirting, panes in rubber
     float cove_m = 0;                       // radius of the curve between its side walls and its ceiling
+    Outline outline = Outline::box;
+    Vault vault = Vault::flat;
+    float rise_m = 0;    // of the vault, from the walls to its top
+    float oculus_m = 0;  // radius of the opening at its top
     WallRelief wall_relief = WallRelief::flat;
     bool wall_tiles = false;  // tiles that a prompt names are on its walls
     RoomWindows windows;

@@ -57,6 +57,7 @@ struct PromptSpec {
     std::string unread;    // "Dutch": the prompt's language, when it is none of those
     std::string room, style, time, weather, size;
     std::string structure;    // "attic", "loft": the house around a room that serves another end ("an attic study")
+    std::string outline;      // "round", "octagon", "apse"; empty: as the room's type has it
     std::string next_room;    // behind a doorway: "a bedroom with an en-suite bathroom"; empty: as the house has it
     Vec3f size_m;             // width, height, depth of the room that were said, in metres; 0: as such rooms are
     float area_m2 = 0;        // its floor, when that was said

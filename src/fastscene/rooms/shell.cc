@@ -101,6 +101,7 @@ void build_wall(const Plan& plan, int index, Room& room, int material) {
 
 void build_blocks(const Plan& plan, const Materials& m, Room& room) {
     for (const Block& b : plan.blocks) {
+        if (cuts_corner(b)) continue;                 // no boxes: shell_vaults.cc
         if (b.kind == Block::Kind::column) continue;  // with its base and capital: shell_trim.cc
         const int material = b.kind == Block::Kind::breast ? m.of_far_wall : m.wall;
         room.meshes.push_back(box_mesh({b.low.x, 0, b.low.y}, {b.high.x, plan.height, b.high.y}, material, -1));
@@ -151,6 +152,16 @@ void fill_corners(const WallBuilder& wall, const Opening& o, float w0, float w1,
         else p = middle + d * (1.f / std::max(std::abs(d.x) / half.x, std::abs(d.y) / half.y));
     }
     wall.band(inner, outer, w0, w1, material, object);
+}
+
+void WallBuilder::slanted_box(float u0, float u1, float y0, float y1, float w0, float w1, int material,
+                              int object) const {
+    Mesh mesh = box_mesh({u0, y0, w0}, {u1, y1, w1}, material, object);
+    for (Vec3f& p : mesh.positions) p = face_.point(p.x, p.y) + face_.inward * p.z;
+    for (Vec3f& n : mesh.normals) n = face_.along * n.x + Vec3f{0, n.y, 0} + face_.inward * n.z;
+    for (std::size_t t = 0; t < mesh.triangles.size(); t += 3)  // (along, up, inward) is left-handed
+        std::swap(mesh.triangles[t + 1], mesh.triangles[t + 2]);
+    room_.meshes.push_back(std::move(mesh));
 }
 
 void WallBuilder::band(const std::vector<Vec2f>& inner, const std::vector<Vec2f>& outer, float w0, float w1,
@@ -256,8 +267,10 @@ void build_shell(const Plan& plan, Room& room) {
                 near = plan.joined ? plan.depth / 2 : d;
     room.meshes.push_back(box_mesh({-w, -0.2f, -near}, {w, 0, d}, m.floor, -1));
     const float flat_half = plan.knee > 0 ? plan.width / 2 - plan.slope_run + 0.05f : w;
-    room.meshes.push_back(
-        box_mesh({-flat_half, plan.height, -near}, {flat_half, plan.height + 0.2f, d}, m.ceiling, -1));
+    if (plan.vault != Vault::flat) build_vault(plan, m, room);
+    if (!(plan.oculus > 0))
+        room.meshes.push_back(
+            box_mesh({-flat_half, plan.height, -near}, {flat_half, plan.height + kCeilingThickness, d}, m.ceiling, -1));
     const bool all = plan.accent && style.accent_wall.pattern == style.wall.pattern &&
                      style.accent_wall.color_a == style.wall.color_a;
     const auto material_of = [&](int wall) {
@@ -272,6 +285,7 @@ void build_shell(const Plan& plan, Room& room) {
     }
     build_blocks(plan, m, room);
     build_platforms(plan, m, room);
+    build_cut_corners(plan, m.wall, room);
     build_openings(plan, m, room);
     if (plan.knee > 0) build_skylights(plan, m, room);
     build_trim(plan, m, room);

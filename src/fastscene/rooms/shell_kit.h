@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 #include <utility>
 #include <vector>
@@ -17,6 +18,8 @@ class WallBuilder {
     WallBuilder(const WallFace& face, Room& room) : face_(face), room_(room) {}
     void box(float u0, float u1, float y0, float y1, float w0, float w1, int material, int object = -1) const {
         if (!(u1 > u0 && y1 > y0 && w1 > w0)) return;
+        if (std::min(std::abs(face_.along.x), std::abs(face_.along.z)) > 1e-4f)
+            return slanted_box(u0, u1, y0, y1, w0, w1, material, object);
         const Vec3f a = face_.point(u0, y0) + face_.inward * w0, b = face_.point(u1, y1) + face_.inward * w1;
         room_.meshes.push_back(box_mesh({std::min(a.x, b.x), std::min(a.y, b.y), std::min(a.z, b.z)},
                                         {std::max(a.x, b.x), std::max(a.y, b.y), std::max(a.z, b.z)}, material,
@@ -29,6 +32,9 @@ class WallBuilder {
               int object = -1) const;
 
   private:
+    // The same at a wall that runs along neither x nor z.
+    void slanted_box(float u0, float u1, float y0, float y1, float w0, float w1, int material, int object) const;
+
     const WallFace& face_;
     Room& room_;
 };
@@ -55,6 +61,7 @@ inline int add_material(Room& room, Material m) {
 // The usual material of a part of the shell, in the material, color and pattern that the prompt wants it in.
 Material as_asked(const Plan& plan, std::string_view kind, Material usual);
 
+inline constexpr float kCeilingThickness = 0.2f;
 inline constexpr float kCasing = 0.08f;  // width of the frame about doors and windows
 // What keeps two faces out of one plane, where renderers show one, the other, or black.
 inline constexpr float kHair_m = 0.001f;
@@ -72,6 +79,10 @@ inline void ring(const WallBuilder& wall, const Opening& o, float inside, float 
 void build_cabin_opening(const Plan& plan, const Opening& o, const WallBuilder& wall, Room& room, int object);
 void build_cove(const Plan& plan, int material, Room& room);
 void build_tunnel(const Plan& plan, Room& room);
+
+// The walls before corners that are cut off; the inside of a vault with its ribs, and its opening: shell_vaults.cc.
+void build_cut_corners(const Plan& plan, int material, Room& room);
+void build_vault(const Plan& plan, const Materials& materials, Room& room);
 
 // A window without frame and panes: columns at its sides, the arch's moulding, a bench of stone below.
 void build_arcade_arch(const Opening& o, const WallFace& face, Room& room, int wall, int object);

@@ -215,9 +215,9 @@ void build_neon(const Plan& plan, Room& room) {
                         : plan.style.mouldings != Mouldings::none ? 0.12f
                                                                   : 0.03f;
     for (const WallFace& face : plan.faces()) {
-        if (plan.joined && face.wall == 2) continue;
+        if ((plan.joined && face.wall == 2) || face.behind > 0) continue;
         const WallBuilder wall(face, room);
-        const float y = (plan.knee > 0 && face.wall % 2 == 1 ? plan.knee : plan.height) - below;
+        const float y = (plan.knee > 0 && face.wall % 2 == 1 ? plan.knee : plan.wall_top()) - below;
         wall.box(0.03f, face.length - 0.03f, y - 0.022f, y, 0.001f, 0.014f,
                  face.wall == 0 || face.wall == 1 ? pink : blue);
     }
@@ -251,7 +251,7 @@ void build_trim(const Plan& plan, const Materials& m, Room& room) {
         panel = add_material(room, as_asked(plan, "wainscoting", plan.style.trim));
     }
     for (const WallFace& face : plan.faces()) {
-        if (plan.joined && face.wall == 2) continue;
+        if ((plan.joined && face.wall == 2) || face.behind > 0) continue;
         if (plan.relief == WallRelief::flat && !plan.cabin) build_skirting(plan, face, room, m.trim);
         if (plan.panelling) build_panelling(plan, face, room, panel, panels);
     }

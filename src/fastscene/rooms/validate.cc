@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "fastscene/base/parallel.h"
+#include "fastscene/rooms/catalogue.h"
 #include "fastscene/rooms/crossings.h"
 #include "fastscene/rooms/layout_relations.h"
 #include "fastscene/rooms/lexicon.h"
@@ -37,7 +38,7 @@ class Checker {
     void add(const char* kind, std::string text) { faults_.push_back({kind, std::move(text)}); }
 
     void inside(std::size_t i) {
-        if (placed_[i].sill >= 0) return;  // within the wall's opening
+        if (placed_[i].sill >= 0 || has_role(placed_[i].piece.kind, Role::roof)) return;  // in an opening, over walls
         if (!plan_.holds(shrunk(footprint_of(placed_[i]), kTolerance)))
             add("outside", name(i) + " reaches into a wall, the floor or the ceiling");
     }
@@ -84,8 +85,8 @@ class Checker {
                 for (const WallFace& face : plan_.faces()) {
                     const Vec3f to = p.position - face.origin;
                     const float u = dot(to, face.along), off = dot(to, face.inward);
-                    at_wall = at_wall || (dot(face.inward, back) > 0.99f && off > -kTolerance && off < 0.08f &&
-                                          u > -kTolerance && u < face.length + kTolerance);
+                    at_wall = at_wall || (hangs_at(face) && dot(face.inward, back) > 0.99f && off > -kTolerance &&
+                                          off < 0.08f && u > -kTolerance && u < face.length + kTolerance);
                 }
                 if (!at_wall) add("unsupported", name(i) + " hangs on no wall");
             }

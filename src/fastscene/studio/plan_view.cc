@@ -66,6 +66,14 @@ Json thing_json(const Placed& p, const std::string& id, const std::vector<std::s
             {"asked", !p.wish.kind.empty()}};
 }
 
+std::vector<Vec2f> outline_of(const Block& b) {
+    if (!cuts_corner(b)) return {b.low, {b.high.x, b.low.y}, b.high, {b.low.x, b.high.y}};
+    std::vector<Vec2f> out = cut_edge(b);
+    const bool right = b.low.x + b.high.x > 0, far = b.low.y + b.high.y > 0;
+    out.push_back({right ? b.high.x : b.low.x, far ? b.high.y : b.low.y});
+    return out;
+}
+
 Json plan_json(const Plan& plan) {
     Json out{{"width", rounded(plan.width)},
              {"depth", rounded(plan.depth)},
@@ -75,9 +83,11 @@ Json plan_json(const Plan& plan) {
              {"wall", seen_color(plan.style.wall)},
              {"blocks", Json::array()},
              {"openings", Json::array()}};
-    for (const Block& b : plan.blocks)
-        out["blocks"].push_back(
-            {{"low", {rounded(b.low.x), rounded(b.low.y)}}, {"high", {rounded(b.high.x), rounded(b.high.y)}}});
+    for (const Block& b : plan.blocks) {
+        Json outline = Json::array();
+        for (const Vec2f p : outline_of(b)) outline.push_back({rounded(p.x), rounded(p.y)});
+        out["blocks"].push_back(std::move(outline));
+    }
     for (const Opening& o : plan.openings) out["openings"].push_back(opening_json(plan, o));
     return out;
 }

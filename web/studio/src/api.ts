@@ -99,7 +99,7 @@ export interface PlanView {
     type: string;
     style: string;
     hour: string;
-    blocks: { low: Point; high: Point }[];
+    blocks: Point[][]; // outlines of what is not room
     openings: { kind: 'window' | 'door' | 'doorway'; wall: number; a: Point; b: Point }[];
     camera: Point;
     looks: Point;

@@ -104,14 +104,11 @@ const Shell = ({ view, x0, y0 }: { view: PlanView; x0: number; y0: number }) => 
             rx={0.02}
         />
         <rect x={x0} y={y0} width={view.width} height={view.depth} fill="url(#floor)" />
-        {view.blocks.map(({ low, high }, i) => (
-            <rect
+        {view.blocks.map((outline, i) => (
+            <polygon
                 key={i}
-                class="plan-wall"
-                x={low[0] - 0.01}
-                y={-high[1] - 0.01}
-                width={high[0] - low[0] + 0.02}
-                height={high[1] - low[1] + 0.02}
+                class="plan-wall plan-block"
+                points={outline.map(([x, z]) => `${x},${-z}`).join(" ")}
             />
         ))}
         <Openings view={view} />

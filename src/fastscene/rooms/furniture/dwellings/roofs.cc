@@ -6,33 +6,45 @@
 #include <vector>
 
 #include "fastscene/rooms/furniture/shop/goods.h"
+#include "fastscene/rooms/plan.h"
 
 namespace fastscene::furniture {
 namespace {
 
-// A roof over a square with rounded corners. Its underside rises from the edge, where it is -s.y, to the top by
-// `rise`, of 0 at the edge and 1 in the middle; outside the rounded square it is level.
-constexpr float kSquareness = 3.2f;  // 2: a circle
-float inside(float a, float b) {
-    const float d = std::pow(std::pow(std::fabs(a), kSquareness) + std::pow(std::fabs(b), kSquareness),
-                             1.f / kSquareness);
-    return std::max(0.f, 1.f - d);
+// Where the roof of a round room meets its wall; a hair inside it.
+std::vector<Vec2f> eaves_of(Vec3f s, float inset = 0.01f) {
+    std::vector<Vec2f> out = round_outline({s.x, s.z});
+    for (Vec2f& p : out) p = p * (1.f - inset / length(p));
+    return out;
 }
+// How far from there to the middle a point is, 0 to 1.
+float inside(const std::vector<Vec2f>& eaves, Vec2f p) {
+    const float far = length(p);
+    return far > 0 ? std::max(0.f, 1.f - far / reach_of(eaves, p * (1.f / far))) : 1.f;
+}
+// Its underside rises from the eaves, where it is -s.y, to the top by `rise`, of 0 there and 1 in the middle.
 template <class Rise>
-Mesh round_roof(Vec3f s, int cells, const Rise& rise, float rough = 0, std::uint32_t seed = 0) {
+Mesh round_roof(Vec3f s, int rings, const Rise& rise, float rough = 0, std::uint32_t seed = 0) {
     constexpr float kThick = 0.01f;
-    Mesh m = shapes::sheet(cells, cells, [&](float u, float v) {
-        const float a = 2 * u - 1, b = 1 - 2 * v;
-        Vec3f p{a * s.x / 2, -s.y, b * s.z / 2};
-        const float in = inside(a, b);
-        p.y += (s.y - kThick) * rise(in);
+    std::vector<Vec2f> eaves = eaves_of(s);
+    eaves.push_back(eaves.front());
+    const int around = static_cast<int>(eaves.size()) - 1;
+    return shapes::sheet(around, rings, [&](float u, float v) {
+        const Vec2f foot = eaves[static_cast<std::size_t>(std::lround(u * static_cast<float>(around)))];
+        Vec3f p{foot.x * v, -s.y + (s.y - kThick) * rise(1 - v), foot.y * v};
         if (rough > 0) {
             const float n = 0.7f * shapes::wobble(p * 1.4f, seed) + 0.3f * shapes::wobble(p * 4.f, seed + 1);
-            p.y = std::clamp(p.y + rough * n * std::min(1.f, 6.f * in), -s.y, -kThick);
+            p.y = std::clamp(p.y + rough * n * std::min(1.f, 6.f * (1 - v)), -s.y, -kThick);
         }
         return p;
     });
-    return m;
+}
+// Over a square with rounded corners, level outside it.
+constexpr float kSquareness = 3.2f;  // 2: a circle
+float inside_square(float a, float b) {
+    const float d = std::pow(std::pow(std::fabs(a), kSquareness) + std::pow(std::fabs(b), kSquareness),
+                             1.f / kSquareness);
+    return std::max(0.f, 1.f - d);
 }
 float dome(float in) { return std::sqrt(std::max(0.f, 1.f - (1.f - in) * (1.f - in))); }
 
@@ -143,15 +155,14 @@ void build_yurt_roof(Kit& k) {
               sky = k.material(lit("sky", {5.5f, 6.0f, 6.8f}));
     constexpr float kCrown = 0.72f;  // radius
     const float outer = std::min(s.x, s.z) / 2, top = 1.f - kCrown / outer;
-    k.add(round_roof(s, 44, [&](float in) { return std::min(1.f, in / top); }), felt);
+    k.add(round_roof(s, 16, [&](float in) { return std::min(1.f, in / top); }), felt);
+    const std::vector<Vec2f> eaves = eaves_of(s, 0.05f);
     constexpr int kPoles = 56;
     for (int i = 0; i < kPoles; ++i) {
         const float a = kTau * (static_cast<float>(i) + 0.5f) / kPoles;
         const Vec3f out = around(a);
-        const float reach = 1.f /
-                            std::pow(std::pow(std::fabs(out.x), kSquareness) + std::pow(std::fabs(out.z), kSquareness),
-                                     1.f / kSquareness);
-        const Vec3f foot{out.x * reach * (s.x / 2 - 0.05f), -s.y + 0.005f, out.z * reach * (s.z / 2 - 0.05f)};
+        const float reach = reach_of(eaves, {out.x, out.z});
+        const Vec3f foot{out.x * reach, -s.y + 0.005f, out.z * reach};
         k.rod(pole, foot, {out.x * kCrown, -0.1f, out.z * kCrown}, 0.02f, 0.016f, 6);
     }
     k.add(shapes::ring(kCrown, 0.1f, 40), ring, {0, -0.1f, 0});
@@ -172,7 +183,7 @@ void build_yurt_roof(Kit& k) {
 void build_snow_dome(Kit& k) {
     const Vec3f s = k.wanted({4.4f, 1.4f, 4.4f});
     const int snow = k.main(k.style.wall), lamp = k.material(lit("daylight", {6.2f, 7.2f, 8.4f}));
-    Mesh m = round_roof(s, 60, dome, 0.02f, k.seed());
+    Mesh m = round_roof(s, 24, dome, 0.02f, k.seed());
     lay_around(m, s);
     k.add(std::move(m), snow);
     k.add(shapes::prism(shapes::circle(0.3f, 28), -0.045f, -0.04f, 0.001f), lamp);
@@ -184,13 +195,23 @@ void build_snow_dome(Kit& k) {
 void build_rock_vault(Kit& k) {
     const Vec3f s = k.wanted({5, 1.2f, 6});
     const int rock = k.main(k.style.wall);
-    k.add(round_roof(
-              s, 72, [](float in) { return std::min(1.f, 1.15f * dome(std::min(1.f, 1.6f * in))); }, 0.42f * s.y,
-              k.seed()),
+    constexpr int kCells = 72;
+    constexpr float kThick = 0.01f;
+    const std::uint32_t seed = k.seed();
+    k.add(shapes::sheet(kCells, kCells,
+                        [&](float u, float v) {
+                            const float a = 2 * u - 1, b = 1 - 2 * v, in = inside_square(a, b);
+                            Vec3f p{a * s.x / 2, -s.y, b * s.z / 2};
+                            p.y += (s.y - kThick) * std::min(1.f, 1.15f * dome(std::min(1.f, 1.6f * in)));
+                            const float n = 0.7f * shapes::wobble(p * 1.4f, seed) +
+                                            0.3f * shapes::wobble(p * 4.f, seed + 1);
+                            p.y = std::clamp(p.y + 0.42f * s.y * n * std::min(1.f, 6.f * in), -s.y, -kThick);
+                            return p;
+                        }),
           rock);
     const int spikes = static_cast<int>(1.1f * s.x * s.z);
     for (int i = 0; i < spikes; ++i) {
-        const float a = k.rng.uniform(-0.88f, 0.88f), b = k.rng.uniform(-0.88f, 0.88f), in = inside(a, b);
+        const float a = k.rng.uniform(-0.88f, 0.88f), b = k.rng.uniform(-0.88f, 0.88f), in = inside_square(a, b);
         if (in < 0.1f) continue;
         const float root = -0.02f, tip = -s.y + k.rng.uniform(0.05f, 0.55f) * s.y, r = k.rng.uniform(0.05f, 0.12f);
         const Vec3f at{a * s.x / 2, 0, b * s.z / 2};
@@ -206,17 +227,16 @@ void build_tower_roof(Kit& k) {
     boards.pattern = Pattern::planks, boards.color_b = {0.1f, 0.055f, 0.03f}, boards.scale_m = 0.16f;
     const int deck = k.main(boards), beam = k.material(old_timber({0.2f, 0.11f, 0.05f}, {0.12f, 0.065f, 0.03f}, 0.05f)),
               gold = k.material(*material_named("brass"));
-    Mesh cone = round_roof(s, 48, [](float in) { return in; });
+    Mesh cone = round_roof(s, 12, [](float in) { return in; });
     lay_around(cone, s);
     k.add(std::move(cone), deck);
+    const std::vector<Vec2f> eaves = eaves_of(s, 0.1f);
     constexpr int kRafters = 12;
     for (int i = 0; i < kRafters; ++i) {
         const Vec3f out = around(kTau * static_cast<float>(i) / kRafters);
-        const float reach = 1.f /
-                            std::pow(std::pow(std::fabs(out.x), kSquareness) + std::pow(std::fabs(out.z), kSquareness),
-                                     1.f / kSquareness);
-        k.rod(beam, {out.x * reach * (s.x / 2 - 0.1f), -s.y + 0.08f, out.z * reach * (s.z / 2 - 0.1f)},
-              {out.x * 0.1f, -0.14f, out.z * 0.1f}, 0.065f, 0.05f, 8);
+        const float reach = reach_of(eaves, {out.x, out.z});
+        k.rod(beam, {out.x * reach, -s.y + 0.08f, out.z * reach}, {out.x * 0.1f, -0.14f, out.z * 0.1f}, 0.065f, 0.05f,
+              8);
     }
     // Planets that hang on threads.
     k.rod(beam, {0, -0.5f, 0}, {0, -0.02f, 0}, 0.11f, -1, 10);
@@ -236,14 +256,15 @@ void build_star_dome(Kit& k) {
     const Vec3f s = k.wanted({8, 1.8f, 8});
     const int shell = k.main(plain("dark dome", {0.012f, 0.016f, 0.04f}, 0.8f)),
               star = k.material(lit("star", {7, 7.5f, 9})), band = k.material(lit("horizon glow", {0.35f, 0.5f, 1.5f}));
-    k.add(round_roof(s, 56, dome), shell);
+    k.add(round_roof(s, 24, dome), shell);
+    const std::vector<Vec2f> eaves = eaves_of(s, 0.06f);
     constexpr int kStars = 420;
     for (int i = 0; i < kStars; ++i) {
         // Half of them lie along a band, as the Milky Way does.
         const float a = k.rng.uniform(-0.94f, 0.94f);
         const float b = i % 2 == 0 ? k.rng.uniform(-0.94f, 0.94f)
                                    : 0.45f * a + 0.12f * (k.rng.uniform(-1, 1) + k.rng.uniform(-1, 1));
-        const float in = inside(a, b);
+        const float in = inside(eaves, {a * s.x / 2, b * s.z / 2});
         if (in < 0.04f) continue;
         const float r = k.rng.chance(0.08f) ? 0.022f : k.rng.uniform(0.005f, 0.012f);
         block(k, star, {a * s.x / 2, -s.y + (s.y - 0.01f) * dome(in) - 1.4f * r - 0.01f, b * s.z / 2}, {r, r, r});
@@ -252,10 +273,8 @@ void build_star_dome(Kit& k) {
     constexpr int kRim = 64;
     for (int i = 0; i <= kRim; ++i) {
         const Vec3f out = around(kTau * static_cast<float>(i) / kRim);
-        const float reach = 1.f /
-                            std::pow(std::pow(std::fabs(out.x), kSquareness) + std::pow(std::fabs(out.z), kSquareness),
-                                     1.f / kSquareness);
-        rim.push_back({out.x * reach * (s.x / 2 - 0.06f), -s.y + 0.06f, out.z * reach * (s.z / 2 - 0.06f)});
+        const float reach = reach_of(eaves, {out.x, out.z});
+        rim.push_back({out.x * reach, -s.y + 0.06f, out.z * reach});
     }
     k.add(shapes::tube(rim, 0.02f, 6), band);
     k.piece.mount = Mount::ceiling;

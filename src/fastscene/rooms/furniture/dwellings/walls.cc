@@ -106,11 +106,12 @@ void build_lattice_wall(Kit& k) {
     const Vec3f s = k.wanted({1.4f, 1.6f, 0.03f});
     const int lath = k.main(plain("lath", {0.44f, 0.13f, 0.04f}, 0.5f)),
               knot = color(k, "knot", {0.6f, 0.5f, 0.32f}, 0.8f);
-    constexpr float kEvery = 0.19f, kWide = 0.028f;
-    const float hx = s.x / 2 - 0.02f;
+    // Panels side by side, with a joint between them, look like one.
+    constexpr float kUsually = 0.19f, kWide = 0.028f, kJoint = 0.024f;
+    const float every = (s.x + kJoint) / std::max(1.f, std::round((s.x + kJoint) / kUsually)), hx = s.x / 2 - 0.006f;
     // Lines x + y = c and x - y = c, cut off at the panel's edges.
     for (const float way : {-1.f, 1.f})
-        for (float c = -hx - s.y; c < hx + s.y; c += kEvery) {
+        for (float c = -(s.x + kJoint) / 2 - every * std::ceil(s.y / every); c < hx + s.y; c += every) {
             float y0 = 0.02f, y1 = s.y - 0.02f;
             const auto x = [&](float y) { return c + way * (y - s.y / 2); };
             const float at_left = s.y / 2 + way * (-hx - c), at_right = s.y / 2 + way * (hx - c);
@@ -120,16 +121,10 @@ void build_lattice_wall(Kit& k) {
             slat(k, lath, {x(y0), y0, z}, {x(y1), y1, z}, kWide, 0.01f);
         }
     for (const float y : {0.012f, s.y - 0.012f}) k.rod(knot, {-hx, y, 0.018f}, {hx, y, 0.018f}, 0.01f, -1, 6);
-    k.board(knot, {-hx, 0, 0.004f}, {0.02f, s.y, 0.008f}, 0.001f),
-        k.board(knot, {hx, 0, 0.004f}, {0.02f, s.y, 0.008f}, 0.001f);
     k.piece.mount = Mount::wall, k.piece.hang_height_m = 0.04f;
 }
 
-// The wall of the room goes round its corners.
-void build_round_corner(Kit& k) {
-    const Vec3f s = k.wanted({1.1f, 2.2f, 1.1f});
-    hollow_corner(k, s, k.main(k.style.wall), 0, 0);
-}
+// Rock fills the corner of a cave.
 void build_rock_corner(Kit& k) {
     const Vec3f s = k.wanted({1.2f, 2.2f, 1.2f});
     hollow_corner(k, s, k.main(k.style.wall), 0.22f, k.seed());
