@@ -94,8 +94,7 @@ class Checker {
     static bool is_at_corner(const Block& b, const DocumentPlan& p) {
         constexpr float kTolerance = 1e-3f;
         const auto ends = [](float low, float high, float half) {
-            return (std::abs(low + half) < kTolerance && high < kTolerance) ||
-                   (std::abs(high - half) < kTolerance && low > -kTolerance);
+            return (std::abs(low + half) < kTolerance) != (std::abs(high - half) < kTolerance);
         };
         return ends(b.low.x, b.high.x, p.width / 2) && ends(b.low.y, b.high.y, p.depth / 2);
     }

@@ -52,6 +52,10 @@ std::vector<Block> take_cut_corners(std::vector<Vec2f>& polygon) {
         if (at_end(a.x, xs) && at_end(b.y, zs)) corner = {a.x, b.y};
         else if (at_end(b.x, xs) && at_end(a.y, zs)) corner = {b.x, a.y};
         else continue;
+        // What takes a whole side away is no corner.
+        if (std::abs(a.x - b.x) > xs.back() - xs.front() - kLevel ||
+            std::abs(a.y - b.y) > zs.back() - zs.front() - kLevel)
+            continue;
         out.push_back(
             {Block::Kind::cut, {std::min(a.x, b.x), std::min(a.y, b.y)}, {std::max(a.x, b.x), std::max(a.y, b.y)}});
         polygon.insert(polygon.begin() + static_cast<std::ptrdiff_t>(i) + 1, corner);
@@ -78,8 +82,7 @@ void check_polygon(const std::vector<Vec2f>& polygon, const std::string& place) 
         if (along_x == along_z)
             throw Error(
                 "{}: expected walls along x or z, or slanted ones that cut off a corner of the plan's box, found "
-                "another one "
-                "from corner {} to {}",
+                "another one from corner {} to {}",
                 place, i, (i + 1) % n);
         for (std::size_t k = i + 2; k < n; ++k)
             if ((k + 1) % n != i && crosses(a, b, polygon[k], polygon[(k + 1) % n]))

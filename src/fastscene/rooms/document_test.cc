@@ -154,6 +154,24 @@ TEST(RoomDocument, TakesAnOutline) {
     EXPECT_EQ(room.furnished.plan.blocks[0].low, (Vec2f{0, 0.5f}));
     EXPECT_NE(error_of(plan("[-2,-2],[2,-2],[2,1],[-1,1],[-1,-3],[-2,-3]")).find("crosses itself"), std::string::npos);
     EXPECT_NE(error_of(plan("[-2,-2],[2,-2],[1,2],[-2,2]")).find("slanted"), std::string::npos);
+
+    const DocumentRoom cut = furnish_document(
+        read_document(plan("[-2,-3],[1,-3],[2,-2],[2,3],[-1,3],[-2,2]"), "room.json"), "room.json", nullptr, kRun);
+    ASSERT_EQ(cut.furnished.plan.blocks.size(), 2u);
+    for (const Block& b : cut.furnished.plan.blocks) EXPECT_EQ(b.kind, Block::Kind::cut);
+    EXPECT_EQ(cut.furnished.plan.outline().size(), 6u);
+}
+
+TEST(RoomDocument, ErrorsOfVaultsAndCutCorners) {
+    const auto plan = [](const std::string& fields) {
+        return with("\"plan\": {\"width_m\": 4, \"depth_m\": 4, \"height_m\": 3, \"openings\": [], " + fields + "}");
+    };
+    EXPECT_NE(error_of(plan("\"vault\": \"dome\"")).find("/plan/spring_m"), std::string::npos);
+    EXPECT_NE(error_of(plan("\"vault\": \"dome\", \"spring_m\": 3.5")).find("/plan/spring_m"), std::string::npos);
+    EXPECT_NE(error_of(plan("\"oculus_m\": 0.4")).find("/plan/oculus_m"), std::string::npos);
+    EXPECT_NE(
+        error_of(plan("\"blocks\": [{\"kind\": \"cut\", \"low\": [0, 0], \"high\": [1, 1]}]")).find("/plan/blocks/0"),
+        std::string::npos);
 }
 
 TEST(RoomDocument, ErrorsNameThePlaceAndTheNearestWord) {

@@ -242,8 +242,11 @@ void place_lights(Placement& p, const RecipeStep& step, int) {
     const Plan& plan = p.layout().plan();
     constexpr float kFree = 0.06f;  // about a piece that fills its cell: pieces that touch count as crossing
     const float pitch = step.pitch_m > 0 ? step.pitch_m : 2.4f;
-    const int columns = std::max(1, static_cast<int>(std::lround(plan.width / pitch))),
-              rows = std::max(1, static_cast<int>(std::lround(plan.depth / pitch)));
+    // Below a vault lamps hang where it is highest.
+    const int columns = plan.vault != Vault::flat ? 1 : std::max(1, static_cast<int>(std::lround(plan.width / pitch))),
+              rows = plan.vault == Vault::dome || plan.vault == Vault::cone
+                         ? 1
+                         : std::max(1, static_cast<int>(std::lround(plan.depth / pitch)));
     for (int j = 0; j < rows; ++j)
         for (int i = 0; i < columns; ++i) {
             if (!lights.open()) return;

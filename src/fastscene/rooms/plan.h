@@ -145,6 +145,8 @@ struct Plan {
     // chords, at which things stand that are wider than the flat parts of the wall.
     std::vector<WallFace> faces() const;
     float ceiling_at(Vec2f point) const;
+    // The part of a wall (u0, u1) that is not cut off at its ends.
+    std::pair<float, float> uncut_span(int wall) const;
     // How high walls go before a vault begins.
     float wall_top() const { return vault == Vault::flat ? height : spring; }
     float floor_at(Vec2f point) const;

@@ -286,6 +286,18 @@ float Plan::air_around(Vec3f p) const {
     return near;
 }
 
+std::pair<float, float> Plan::uncut_span(int i) const {
+    const WallFace face = wall(i);
+    std::pair<float, float> span{0, face.length};
+    for (const Block& b : blocks) {
+        const auto [low, high] = shadow(face, b);
+        if (!cuts_corner(b) || !(high > low)) continue;
+        if (low < 0.5f * face.length) span.first = std::max(span.first, high);
+        else span.second = std::min(span.second, low);
+    }
+    return span;
+}
+
 std::pair<float, float> Plan::free_span(int i, float wanted_height, bool level) const {
     const WallFace face = wall(i);
     std::vector<std::pair<float, float>> covered;

@@ -225,7 +225,12 @@ void shape_plan(PromptSpec& spec, Plan& plan, Random& rng) {
         if (columns) report(spec, *columns, std::max(0, columns->count - 3), "a room has at most three");
     }
     if (!plan.beams && rich && !(plan.knee > 0)) plan.coffers = type.coffers && rng.chance(0.6f);
-    if (wish_for(spec, "coffers")) plan.coffers = !plan.beams && !(plan.knee > 0);
+    const bool level = !plan.beams && !(plan.knee > 0) && outline == Outline::box;
+    if (outline != Outline::box) plan.coffers = false;
+    if (const PromptObject* wish = wish_for(spec, "coffers")) {
+        plan.coffers = level;
+        if (!level) report(spec, *wish, wish->count, "only a level ceiling over a rectangular room has them");
+    }
     plan.relief = type.wall_relief;
     plan.cabin = type.cabin, plan.tunnel = type.windows.tunnel;
     raise_vault(spec, plan);

@@ -75,7 +75,8 @@ void raise_vault(PromptSpec& spec, Plan& plan) {
     const PromptObject* wish = wish_for(spec, "vault");
     if (wish_for(spec, "vault", true)) return;
     Vault vault = type.vault;
-    if (wish) vault = wish->pattern == "barrel" ? Vault::barrel : Vault::dome;
+    if (wish)
+        vault = wish->pattern == kNamesOf<Vault>[static_cast<std::size_t>(Vault::barrel)] ? Vault::barrel : Vault::dome;
     if (vault == Vault::flat) return;
     if (plan.knee > 0) {
         if (wish) report(spec, *wish, wish->count, "not below a sloped ceiling");

@@ -65,7 +65,7 @@ inline constexpr std::array<std::string_view, 4> kNamesOf<Outline>{"box", "octag
 // walls at its sides (a barrel vault).
 enum class Vault : unsigned char { flat, dome, cone, barrel };
 template <>
-inline constexpr std::array<std::string_view, 4> kNamesOf<Vault>{"flat", "dome", "cone", "barrel"};
+inline constexpr std::array<std::string_view, 4> kNamesOf<Vault>{"flat", "dome", "cone", "barrel vault"};
 
 // Whether a lamp stands on the floor: by day as often as not, and always after dark; after dark only; never.
 enum class FloorLamp : unsigned char { usual, after_dark, never };

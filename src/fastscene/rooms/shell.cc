@@ -64,14 +64,21 @@ void build_rock(const WallFace& face, float u0, float u1, float y0, float y1, in
 void build_wall(const Plan& plan, int index, Room& room, int material) {
     const WallFace face = plan.wall(index);
     const WallBuilder wall(face, room);
-    // Far and near walls reach over the corners, so that the shell is closed.
+    // Far and near walls reach over the corners, so that the shell is closed. Where the box is cut, nothing of them is
+    // hidden in the room's corners: light that is cached there would show at the edges.
     const float over = index % 2 == 0 ? plan.wall_thickness() : 0.f;
+    const auto [first, last] = plan.uncut_span(index);
+    const bool cut = is_cut(plan);
+    const float low = cut ? -kFloorThickness : 0.f;
     std::vector<Opening> holes;
     for (const Opening& o : plan.openings)
         if (o.wall == index && o.kind != Opening::Kind::door) holes.push_back(o);
     std::sort(holes.begin(), holes.end(), [](const Opening& a, const Opening& b) { return a.u0 < b.u0; });
     // A side wall below a slope ends with it.
-    const float top = plan.knee > 0 && index % 2 == 1 ? plan.knee + 0.02f : plan.height;
+    const float top = plan.knee > 0 && index % 2 == 1 ? plan.knee + 0.02f
+                      : plan.vault != Vault::flat     ? plan.spring
+                      : cut                           ? plan.height + kCeilingThickness
+                                                      : plan.height;
     const float behind = relief_depth(plan);
     const auto solid = [&](float u0, float u1, float y0, float y1) {
         wall.box(u0, u1, y0, y1, -plan.wall_thickness(), -behind, material);
@@ -81,10 +88,10 @@ void build_wall(const Plan& plan, int index, Room& room, int material) {
         if (plan.relief == WallRelief::logs) build_logs(face, from, to, y0, y1, material, room);
         else build_rock(face, from, to, y0, y1, material, room);
     };
-    float u = -over;
+    float u = first > 0 ? first : -over;
     for (const Opening& hole : holes) {
-        solid(u, hole.u0, 0, top);
-        solid(hole.u0, hole.u1, 0, hole.y0);
+        solid(u, hole.u0, low, top);
+        solid(hole.u0, hole.u1, low, hole.y0);
         solid(hole.u0, hole.u1, hole.y1, top);
         if (behind > 0) {  // what the frame is set into
             constexpr float kJamb = 0.03f;
@@ -96,7 +103,7 @@ void build_wall(const Plan& plan, int index, Room& room, int material) {
         fill_corners(wall, hole, -plan.wall_thickness(), 0, material, -1);
         u = hole.u1;
     }
-    solid(u, face.length + over, 0, top);
+    solid(u, last < face.length ? last : face.length + over, low, top);
 }
 
 void build_blocks(const Plan& plan, const Materials& m, Room& room) {
@@ -265,10 +272,12 @@ void build_shell(const Plan& plan, Room& room) {
                 add_material(room, style.floor), add_material(room, style.ceiling)};
     const float w = plan.width / 2 + kWallThickness, d = plan.depth / 2 + kWallThickness,
                 near = plan.joined ? plan.depth / 2 : d;
-    room.meshes.push_back(box_mesh({-w, -0.2f, -near}, {w, 0, d}, m.floor, -1));
+    if (is_cut(plan)) build_slab(plan, -kFloorThickness, 0, m.floor, room);
+    else room.meshes.push_back(box_mesh({-w, -kFloorThickness, -near}, {w, 0, d}, m.floor, -1));
     const float flat_half = plan.knee > 0 ? plan.width / 2 - plan.slope_run + 0.05f : w;
-    if (plan.vault != Vault::flat) build_vault(plan, m, room);
-    if (!(plan.oculus > 0))
+    if (is_cut(plan) && plan.vault == Vault::flat)
+        build_slab(plan, plan.height, plan.height + kCeilingThickness, m.ceiling, room);
+    else if (plan.vault == Vault::flat)
         room.meshes.push_back(
             box_mesh({-flat_half, plan.height, -near}, {flat_half, plan.height + kCeilingThickness, d}, m.ceiling, -1));
     const bool all = plan.accent && style.accent_wall.pattern == style.wall.pattern &&
@@ -282,7 +291,9 @@ void build_shell(const Plan& plan, Room& room) {
         const int material = material_of(i);
         if (i == 0) m.of_far_wall = plan.own_walls[0] || (plan.accent && plan.accent_wall == 0) ? material : m.wall;
         build_wall(plan, i, room, material);
+        if (plan.vault == Vault::barrel) build_gable(plan, i, material, room);
     }
+    if (plan.vault != Vault::flat) build_vault(plan, m, room);
     build_blocks(plan, m, room);
     build_platforms(plan, m, room);
     build_cut_corners(plan, m.wall, room);

@@ -61,7 +61,7 @@ inline int add_material(Room& room, Material m) {
 // The usual material of a part of the shell, in the material, color and pattern that the prompt wants it in.
 Material as_asked(const Plan& plan, std::string_view kind, Material usual);
 
-inline constexpr float kCeilingThickness = 0.2f;
+inline constexpr float kCeilingThickness = 0.2f, kFloorThickness = 0.2f;
 inline constexpr float kCasing = 0.08f;  // width of the frame about doors and windows
 // What keeps two faces out of one plane, where renderers show one, the other, or black.
 inline constexpr float kHair_m = 0.001f;
@@ -81,7 +81,12 @@ void build_cove(const Plan& plan, int material, Room& room);
 void build_tunnel(const Plan& plan, Room& room);
 
 // The walls before corners that are cut off; the inside of a vault with its ribs, and its opening: shell_vaults.cc.
+inline bool is_cut(const Plan& plan) { return std::any_of(plan.blocks.begin(), plan.blocks.end(), cuts_corner); }
 void build_cut_corners(const Plan& plan, int material, Room& room);
+// A floor or a ceiling of the plan's outline.
+void build_slab(const Plan& plan, float y0, float y1, int material, Room& room);
+// What a wall has above the spring of a barrel vault.
+void build_gable(const Plan& plan, int wall, int material, Room& room);
 void build_vault(const Plan& plan, const Materials& materials, Room& room);
 
 // A window without frame and panes: columns at its sides, the arch's moulding, a bench of stone below.

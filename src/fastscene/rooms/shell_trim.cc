@@ -65,6 +65,22 @@ void build_panelling(const Plan& plan, const WallFace& face, Room& room, int tri
     }
 }
 
+// How far the room goes to both sides, that far from its middle towards either end.
+float half_width_at(const Plan& plan, float off) {
+    float half = plan.width / 2;
+    for (const Block& b : plan.blocks) {
+        if (!cuts_corner(b)) continue;
+        const std::vector<Vec2f> edge = cut_edge(b);
+        for (std::size_t i = 0; i + 1 < edge.size(); ++i) {
+            const Vec2f p = edge[i], q = edge[i + 1];
+            if ((std::abs(p.y) < off) == (std::abs(q.y) < off)) continue;
+            half = std::min(half,
+                            std::abs(std::lerp(p.x, q.x, (off - std::abs(p.y)) / (std::abs(q.y) - std::abs(p.y)))));
+        }
+    }
+    return half;
+}
+
 void build_beams(const Plan& plan, Room& room) {
     // Old, dark wood: the color of new furniture would shout along a whole ceiling.
     Material wood = plan.style.wood;
@@ -87,8 +103,9 @@ void build_beams(const Plan& plan, Room& room) {
                 room.meshes.push_back(box_mesh({-half, y, z - 0.06f}, {half, y + 0.14f, z + 0.06f}, material, object));
             continue;
         }
-        Mesh beam = box_mesh({-plan.width / 2, plan.height - kBeamDepth, z - kBeamWidth / 2},
-                             {plan.width / 2, plan.height, z + kBeamWidth / 2}, material, object);
+        const float half = is_cut(plan) ? half_width_at(plan, std::abs(z) + kBeamWidth / 2) : plan.width / 2;
+        Mesh beam = box_mesh({-half, plan.height - kBeamDepth, z - kBeamWidth / 2},
+                             {half, plan.height, z + kBeamWidth / 2}, material, object);
         // The grain runs along the beam, and no two are cut from the same place.
         for (Vec3f& c : beam.coords) c = {c.z + 0.37f * static_cast<float>(i), c.x, c.y};
         room.meshes.push_back(std::move(beam));

@@ -9,6 +9,8 @@ namespace {
 
 constexpr float kRib = 0.11f, kRibDepth = 0.07f;  // half its width; how far it stands proud of the vault
 constexpr int kAlongProfile = 24;                 // facets from the wall to the top
+constexpr float kFlange = 0.25f;                  // metres: how far a vault lies on its walls, and beyond
+constexpr float kLap = 0.04f, kReach = 0.005f;    // metres: of curved walls behind it; of slabs into walls
 
 Vec2f inward_of(Vec2f a, Vec2f b) {
     const Vec2f along = (b - a) * (1.f / length(b - a));
@@ -93,15 +95,19 @@ void build_cap(const Plan& plan, Vec2f middle, int material, Room& room) {
     for (std::size_t i = 0; i < n; ++i) {
         const Vec2f a = corner(i), b = corner(i + 1), before = corner(i + n - 1), after = corner(i + 2);
         if (half && std::min(a.y, b.y) < middle.y - 1e-3f) continue;
-        Grid grid(1, cap.rows, material);
-        for (const bool end : {false, true})
+        Grid grid(1, cap.rows + 1, material);
+        for (const bool end : {false, true}) {
+            // It begins on the wall, so that no light comes in between them.
+            const Vec2f foot = end ? b : a, beyond = foot + (foot - middle) * (kFlange / length(foot - middle));
+            grid.add({beyond.x, plan.spring, beyond.y}, {0, -1, 0}, {along, -kFlange, 0});
             for (int k = 0; k <= cap.rows; ++k) {
                 const float at = static_cast<float>(k) / static_cast<float>(cap.rows);
                 Vec3f normal = cap.normal(a, b, at);
                 if (!end && is_smooth(before, a, b)) normal = normalize(normal + cap.normal(before, a, at));
                 if (end && is_smooth(a, b, after)) normal = normalize(normal + cap.normal(b, after, at));
-                grid.add(cap.point(end ? b : a, at), normal, {along + (end ? length(b - a) : 0.f), at * slope, 0});
+                grid.add(cap.point(foot, at), normal, {along + (end ? length(b - a) : 0.f), at * slope, 0});
             }
+        }
         room.meshes.push_back(grid.take());
         along += length(b - a);
     }
@@ -174,16 +180,24 @@ struct Barrel {
 void build_barrel(const Plan& plan, int material, Room& room) {
     constexpr int kSteps = 2 * kAlongProfile;
     const Barrel barrel{plan};
-    const float near = -plan.depth / 2, far = conch_from(plan);
-    Grid grid(kSteps, 1, material);
+    // It lies on all four walls.
+    const bool apse = conch_from(plan) < plan.depth / 2 - kHair_m;
+    const float near = -plan.depth / 2 - kFlange, far = apse ? conch_from(plan) : plan.depth / 2 + kFlange;
+    Grid grid(kSteps + 2, 1, material);
     float run = 0;
+    const auto flange = [&](float side) {
+        for (const float z : {near, far})
+            grid.add({side * (plan.width / 2 + kFlange), plan.spring, z}, {0, -1, 0}, {z, run - side * kFlange, 0});
+    };
+    flange(1);
     for (int i = 0; i <= kSteps; ++i) {
         const float at = static_cast<float>(i) / kSteps;
         if (i > 0) run += length(barrel.point(at, 0) - barrel.point(at - 1.f / kSteps, 0));
         for (const float z : {near, far}) grid.add(barrel.point(at, z), barrel.inward(at), {z, run, 0});
     }
+    flange(-1);
     room.meshes.push_back(grid.take());
-    if (far < plan.depth / 2 - kHair_m) build_cap(plan, {0, far}, material, room);
+    if (apse) build_cap(plan, {0, far}, material, room);
 }
 
 void build_barrel_ribs(const Plan& plan, int material, Room& room) {
@@ -206,14 +220,9 @@ void build_barrel_ribs(const Plan& plan, int material, Room& room) {
 
 // ---- the opening at the top
 
-// The ceiling's slab around a square hole, a drum in it, and the bars of a lantern.
+// A drum around it, and the bars of a lantern.
 void build_oculus(const Plan& plan, const Materials& m, Room& room) {
-    const float r = plan.oculus, w = plan.width / 2 + kWallThickness, d = plan.depth / 2 + kWallThickness,
-                y0 = plan.height, y1 = plan.height + kCeilingThickness;
-    const auto slab = [&](float x0, float z0, float x1, float z1) {
-        room.meshes.push_back(box_mesh({x0, y0, z0}, {x1, y1, z1}, m.ceiling, -1));
-    };
-    slab(-w, -d, w, -r), slab(-w, r, w, d), slab(-w, -r, -r, r), slab(r, -r, w, r);
+    const float r = plan.oculus, y0 = plan.height, y1 = plan.height + kCeilingThickness;
     RoomObject object;
     object.kind = object.name = "skylight";
     object.source = "built-in";
@@ -257,22 +266,70 @@ void build_cornice(const Plan& plan, int trim, Room& room) {
 }  // namespace
 
 void build_cut_corners(const Plan& plan, int material, Room& room) {
+    // A vault that only met them edge to edge would let light in.
+    const float top = plan.vault != Vault::flat ? plan.spring + kLap : plan.height + kCeilingThickness;
     for (const Block& b : plan.blocks) {
         if (!cuts_corner(b)) continue;
         const std::vector<Vec2f> edge = cut_edge(b);
         const std::size_t last = edge.size() - 1;
-        Grid grid(static_cast<int>(last), 1, material);
-        float along = 0;
-        for (std::size_t i = 0; i <= last; ++i) {
-            if (i > 0) along += length(edge[i] - edge[i - 1]);
-            // At its ends a curve meets the walls smoothly.
+        const auto normal_at = [&](std::size_t i) {
             const Vec2f before = inward_of(edge[i > 0 ? i - 1 : 0], edge[i > 0 ? i : 1]),
                         after = inward_of(edge[i < last ? i : last - 1], edge[i < last ? i + 1 : last]);
-            const Vec3f normal = normalize(Vec3f{before.x + after.x, 0, before.y + after.y});
-            for (const float y : {0.f, plan.height}) grid.add({edge[i].x, y, edge[i].y}, normal, {along, y, 0});
+            return (before + after) * (1.f / length(before + after));
+        };
+        // At both ends it goes on along the end of the wall that it meets.
+        const auto beyond = [&](Vec2f at) {
+            const bool side = std::abs(std::abs(at.x) - plan.width / 2) < kHair_m;
+            return at + (side ? Vec2f{std::copysign(kFlange, at.x), 0} : Vec2f{0, std::copysign(kFlange, at.y)});
+        };
+        Grid inside(static_cast<int>(last) + 2, 1, material), outside(static_cast<int>(last), 1, material);
+        float along = 0;
+        const auto column = [&](Grid& grid, Vec2f at, Vec2f normal) {
+            for (const float y : {-kFloorThickness, top})
+                grid.add({at.x, y, at.y}, {normal.x, 0, normal.y}, {along, y, 0});
+        };
+        column(inside, beyond(edge.front()), normal_at(0));
+        for (std::size_t i = 0; i <= last; ++i) {
+            if (i > 0) along += length(edge[i] - edge[i - 1]);
+            const Vec2f normal = normal_at(i);
+            column(inside, edge[i], normal);
+            column(outside, edge[i] - normal * kWallThickness, normal * -1.f);
         }
-        room.meshes.push_back(grid.take());
+        column(inside, beyond(edge.back()), normal_at(last));
+        room.meshes.push_back(inside.take());
+        room.meshes.push_back(outside.take());
     }
+}
+
+void build_slab(const Plan& plan, float y0, float y1, int material, Room& room) {
+    std::vector<Vec2f> outline = plan.outline();
+    for (Vec2f& p : outline) p = p * (1.f + kReach / length(p));
+    for (const float y : {y0, y1}) {
+        Mesh face;
+        face.material = material;
+        for (const Vec2f p : outline) {
+            face.positions.push_back({p.x, y, p.y});
+            face.coords.push_back({p.x, y, p.y});
+            face.normals.push_back({0, y == y0 ? -1.f : 1.f, 0});
+        }
+        // A fan: the outline is convex, and its order is counterclockwise seen from above.
+        for (std::uint32_t i = 1; i + 1 < outline.size(); ++i)
+            face.triangles.insert(face.triangles.end(), {0u, y == y0 ? i + 1 : i, y == y0 ? i : i + 1});
+        room.meshes.push_back(std::move(face));
+    }
+}
+
+void build_gable(const Plan& plan, int wall, int material, Room& room) {
+    if (wall % 2 == 1 || (wall == 0 && conch_from(plan) < plan.depth / 2 - kHair_m)) return;
+    const WallFace face = plan.wall(wall);
+    const Barrel barrel{plan};
+    constexpr int kSteps = 2 * kAlongProfile;
+    Grid grid(kSteps, 1, material);
+    for (int i = 0; i <= kSteps; ++i) {
+        const Vec3f top = barrel.point(static_cast<float>(i) / kSteps, face.origin.z);
+        for (const float y : {plan.spring, top.y}) grid.add({top.x, y, top.z}, face.inward, {top.x, y, top.z});
+    }
+    room.meshes.push_back(grid.take());
 }
 
 void build_vault(const Plan& plan, const Materials& m, Room& room) {

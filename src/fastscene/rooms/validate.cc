@@ -43,6 +43,14 @@ class Checker {
             add("outside", name(i) + " reaches into a wall, the floor or the ceiling");
     }
 
+    // Above its middle; below a vault above all of it.
+    float lowest_ceiling(const Placed& p) const {
+        float low = plan_.ceiling_at(flat(p.position));
+        if (plan_.vault != Vault::flat)
+            for (const Vec2f corner : corners_of(footprint_of(p))) low = std::min(low, plan_.ceiling_at(corner));
+        return low;
+    }
+
     // On the floor, on the top of what carries it, at a wall, at the ceiling.
     void supported(std::size_t i) {
         const Placed& p = placed_[i];
@@ -76,7 +84,7 @@ class Checker {
                 break;
             case Mount::surface: add("unsupported", name(i) + " stands on nothing"); break;
             case Mount::ceiling:
-                if (std::abs(p.position.y - plan_.ceiling_at(flat(p.position))) > 0.3f)
+                if (std::abs(p.position.y - lowest_ceiling(p)) > 0.3f)
                     add("unsupported", name(i) + " does not hang from the ceiling");
                 break;
             case Mount::wall: {
