@@ -65,16 +65,16 @@ std::vector<float> along_row(const RecipeStep& step, float length, float size) {
 
 void place_rows(Placement& p, const RecipeStep& step, int) {
     const std::string thing = thing_of(step, p);
-    Pattern row(p, thing, step.alike), seats(p, step.seat, true);
-    if (!row.open() || !is_due(p, step, thing)) return;
     const Plan& plan = p.layout().plan();
+    const bool tiered = step.rise_m > 0 && !plan.platforms.empty();
+    Pattern row(p, thing, step.alike, tiered), seats(p, step.seat, true);
+    if (!row.open() || !is_due(p, step, thing)) return;
     const float yaw = yaw_towards(step.towards);
     // One looks at the front of a desk from behind it: with a seat the piece is turned to that.
     const float stands = step.seat.empty() ? yaw : std::remainder(yaw + kPi, 2 * kPi);
     const Vec2f ahead = direction(yaw), right = flat(right_of(yaw));
     const Vec3f size = row.piece().size_m;
     const float deep = extent_of(plan, ahead), pitch = std::max(step.pitch_m, size.z + 0.02f);
-    const bool tiered = step.rise_m > 0 && !plan.platforms.empty();
     const auto fill = [&](const std::vector<float>& columns, float front, float rear, int most) {
         int rows = 0;
         // On tiers, backs are where the next one rises.

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <set>
 #include <string>
 #include <vector>
@@ -119,6 +120,19 @@ TEST(Levels, SeatsStandOnTheirTiers) {
         EXPECT_NEAR(h.room.camera.y, h.plan().floor_at(flat(h.room.camera)) + kEyeHeight, 1e-4f);
         EXPECT_GT(h.room.camera.y, kEyeHeight);  // it looks over the rows
     }
+}
+
+TEST(Levels, AllSeatsAreAsTheyWereAskedFor) {
+    const auto colors = [](const Hall& h) {
+        std::map<std::string, int> out;
+        for (const Placed& p : h.room.placed)
+            if (p.piece.kind == "cinema_seat") ++out[p.piece.made_from->color_name];
+        return out;
+    };
+    const auto blue = colors(hall("a cinema with blue seats"));
+    ASSERT_EQ(blue.size(), 1u);
+    EXPECT_GT(blue.at("blue"), 30);
+    EXPECT_EQ(colors(hall("a lecture hall with 20 blue seats")), (std::map<std::string, int>{{"blue", 20}}));
 }
 
 TEST(Levels, WhatHangsBesideATierHangsAboveIt) {
