@@ -66,6 +66,7 @@ struct DocumentPlan {
     WallRelief wall_relief = WallRelief::flat;
     bool cabin = false, tunnel = false;
     float cove = 0;
+    Mezzanine mezzanine;
     Vault vault = Vault::flat;
     float spring = 0, oculus = 0;
     std::optional<int> accent_wall;  // the wall that has the accent material

@@ -16,7 +16,8 @@ inline constexpr std::array<std::string_view, 3> kNamesOf<Opening::Kind>{"window
 template <>
 inline constexpr std::array<std::string_view, 4> kNamesOf<Opening::Shape>{"square", "arched", "round", "rounded"};
 template <>
-inline constexpr std::array<std::string_view, 5> kNamesOf<Block::Kind>{"corner", "breast", "column", "cut", "curve"};
+inline constexpr std::array<std::string_view, 6> kNamesOf<Block::Kind>{"corner", "breast", "column",
+                                                                       "cut",    "curve",  "stairs"};
 template <>
 inline constexpr std::array<std::string_view, 2> kNamesOf<Platform::Kind>{"tier", "step"};
 
@@ -182,6 +183,9 @@ void visit_fields(DocumentPlan& p, V&& v) {
     v("wall_relief", p.wall_relief, Rule{}, "What walls are built of, beyond their material.");
     v("cabin", p.cabin, Rule{}, "Of a vehicle or a lift: thin panels, no skirting, panes in rubber.");
     v("cove_m", p.cove, Rule{.low = 0, .high = 1}, "Radius of the curve between the walls 1 and 3 and the ceiling.");
+    v("mezzanine_m", p.mezzanine.depth, Rule{.low = 0}, "Depth of a mezzanine, from the far wall; 0: there is none.");
+    v("mezzanine_floor_m", p.mezzanine.floor, Rule{.low = 0}, "Height of its floor.");
+    v("mezzanine_stairs", p.mezzanine.stairs_wall, Rule{.low = 1, .high = 3}, "The wall of its stairs: 1 or 3.");
     v("vault", p.vault, Rule{}, "The shape of a ceiling that is not level.");
     v("spring_m", p.spring, Rule{.low = 0}, "Height at the walls at which a vault begins.");
     v("oculus_m", p.oculus, Rule{.low = 0, .high = 2}, "Radius of an opening to the sky at the top of a dome.");

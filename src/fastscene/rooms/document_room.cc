@@ -72,6 +72,7 @@ DocumentPlan plan_of(const Plan& plan) {
     out.recessed_lights = plan.recessed_lights, out.coffers = plan.coffers, out.bay = plan.bay;
     out.wall_relief = plan.relief;
     out.cabin = plan.cabin, out.tunnel = plan.tunnel, out.cove = plan.cove;
+    out.mezzanine = plan.mezzanine;
     out.vault = plan.vault, out.spring = plan.spring, out.oculus = plan.oculus;
     out.panelling = plan.panelling;
     if (plan.accent) out.accent_wall = plan.accent_wall;
@@ -181,6 +182,7 @@ class Builder {
         plan.recessed_lights = given.recessed_lights, plan.coffers = given.coffers, plan.bay = given.bay;
         plan.relief = given.wall_relief;
         plan.cabin = given.cabin, plan.tunnel = given.tunnel, plan.cove = given.cove;
+        plan.mezzanine = given.mezzanine;
         plan.vault = given.vault, plan.spring = given.spring, plan.oculus = given.oculus;
         plan.glazed = type.windows.glazed;
         plan.panelling = given.panelling;

@@ -113,6 +113,9 @@ float Layout::ease_of(Vec3f eye, const Surroundings& things) const {
     // picture and show nothing. The middle of the room shows most of it.
     float score = 3.f * std::min(tall, 0.9f) + 1.1f * std::min(walls, 1.6f) + 1.2f * std::min(low, 0.45f) -
                   0.35f * length(at);
+    // A mezzanine is seen from before it.
+    constexpr float kBeforeMezzanine = 2.4f;
+    if (plan_.mezzanine.depth > 0) score -= 3.f * std::max(0.f, at.y - (plan_.mezzanine_edge() - kBeforeMezzanine));
     // Air around the eyes comes before all that may be seen, and behind a barrier of tables nobody stands.
     constexpr float kMustBeFree = 0.58f, kNoWall = 1.05f;
     score -= 1.6f * std::max(0.f, kNoWall - walls);

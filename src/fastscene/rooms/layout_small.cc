@@ -273,8 +273,9 @@ std::optional<int> Layout::hanging(const PieceRequest& request, Vec2f at, const 
     p.piece = make_piece(request);
     p.overhead = true;
     p.position = {at.x, plan_.height, at.y};
-    for (const Vec2f corner : corners_of(footprint_of(p)))  // below a vault all of it
-        if (plan_.vault != Vault::flat) p.position.y = std::min(p.position.y, plan_.ceiling_at(corner));
+    for (const Vec2f corner : corners_of(footprint_of(p)))  // below a vault or a mezzanine all of it
+        if (plan_.vault != Vault::flat || plan_.mezzanine.depth > 0)
+            p.position.y = std::min(p.position.y, plan_.ceiling_at(corner));
     if (plan_.beams && !(plan_.knee > 0)) hang_among_beams(plan_, p);
     if (!plan_.holds(footprint_of(p)) && !has_role(p.piece.kind, Role::roof)) return {};
     // Nor into what hangs above a tier.
@@ -394,7 +395,8 @@ int Layout::at_windows(const PieceRequest& request, const PromptObject& from) {
     enum class Length { floor, apron, sill };
     const auto hang_at = [&](const Opening& o, Length length) {
         const WallFace face = plan_.wall(o.wall);
-        const float top = std::min(plan_.wall_top() - 0.06f, o.y1 + 0.16f);
+        const float wall_top = o.y1 > plan_.wall_top() ? plan_.height : plan_.wall_top(),
+                    top = std::min(wall_top - 0.06f, o.y1 + 0.16f);
         const auto hang = [&](float margin, float low) {
             PieceRequest r = request;
             r.size_m = {std::min(o.u1 - o.u0 + 2 * margin, face.length - 0.04f), top - low, 0};

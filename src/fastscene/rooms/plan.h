@@ -69,9 +69,10 @@ bool is_shell(std::string_view kind);
 
 // A part of the plan's box that is not room, from floor to ceiling: the corner that an L leaves out, a chimney breast,
 // a column; or what lies behind a corner that is cut off straight (of an octagon) or by a quarter of an ellipse (of
-// round rooms and apses), where `low` and `high` are the box of what is cut off.
+// round rooms and apses), where `low` and `high` are the box of what is cut off; or what the stairs of a mezzanine
+// take.
 struct Block {
-    enum class Kind : unsigned char { corner, breast, column, cut, curve } kind = Kind::corner;
+    enum class Kind : unsigned char { corner, breast, column, cut, curve, stairs } kind = Kind::corner;
     Vec2f low, high;  // x, z
 };
 inline bool cuts_corner(const Block& b) { return b.kind == Block::Kind::cut || b.kind == Block::Kind::curve; }
@@ -94,6 +95,18 @@ struct Skylight {
     int wall = 1;
     float z0 = 0, z1 = 0, s0 = 0, s1 = 0;
 };
+
+// A floor halfway up over the far part of the room, open to it behind a railing, with stairs along a side wall. What
+// stands on it is the furniture of a next room.
+struct Mezzanine {
+    float depth = 0;      // from the far wall; 0: there is none
+    float floor = 0;      // height of its floor
+    int stairs_wall = 1;  // 1 or 3
+};
+inline constexpr float kMezzanineSlab = 0.2f;     // thickness
+inline constexpr float kMezzanineStairs = 0.85f;  // width
+inline constexpr float kMezzanineGoing = 0.19f;   // of a step: steep, as such stairs are
+inline constexpr int kMezzanineSteps = 13;
 
 struct NextRoom;
 
@@ -121,6 +134,7 @@ struct Plan {
     Vault vault = Vault::flat;
     float spring = 0;  // height at the walls at which a vault begins; it reaches `height` in the middle
     float oculus = 0;  // radius of a round opening to the sky at the top of a dome; 0: none
+    Mezzanine mezzanine;
     std::vector<Block> blocks;
     std::vector<Platform> platforms;        // empty: all of the floor is y = 0
     std::vector<PromptObject> asked_parts;  // what of is_shell the prompt asks for
@@ -147,8 +161,12 @@ struct Plan {
     float ceiling_at(Vec2f point) const;
     // The part of a wall (u0, u1) that is not cut off at its ends.
     std::pair<float, float> uncut_span(int wall) const;
-    // How high walls go before a vault begins.
-    float wall_top() const { return vault == Vault::flat ? height : spring; }
+    // How high walls go before a vault or the floor of a mezzanine begins.
+    float wall_top() const {
+        return mezzanine.depth > 0 ? mezzanine.floor - kMezzanineSlab : vault == Vault::flat ? height : spring;
+    }
+    // The edge of the mezzanine along z; the far wall where there is none.
+    float mezzanine_edge() const { return depth / 2 - mezzanine.depth; }
     float floor_at(Vec2f point) const;
     // The highest floor below a box; and whether all of the floor below it is as high.
     float floor_below(const Footprint& box) const;

@@ -213,7 +213,7 @@ std::vector<WallFace> Plan::faces() const {
         // As seen from the room, a side of a block runs the other way round than the walls about it.
         const float x = b.high.x - b.low.x, z = b.high.y - b.low.y;
         if (cuts_corner(b)) add_edge_faces(b, out);
-        if (b.kind == Block::Kind::column || cuts_corner(b)) continue;
+        if (b.kind == Block::Kind::column || b.kind == Block::Kind::stairs || cuts_corner(b)) continue;
         if (b.low.y > -d && x > kShortestFace) out.push_back({{b.low.x, 0, b.low.y}, {1, 0, 0}, {0, 0, -1}, x});
         if (b.high.y < d && x > kShortestFace) out.push_back({{b.high.x, 0, b.high.y}, {-1, 0, 0}, {0, 0, 1}, x});
         if (b.low.x > -w && z > kShortestFace) out.push_back({{b.low.x, 0, b.high.y}, {0, 0, -1}, {-1, 0, 0}, z});
@@ -231,6 +231,7 @@ const PromptObject* Plan::asked(std::string_view kind) const {
 }
 
 float Plan::ceiling_at(Vec2f p) const {
+    if (mezzanine.depth > 0) return p.y > mezzanine_edge() ? mezzanine.floor - kMezzanineSlab : height;
     if (vault != Vault::flat)  // as high as at a wall, or higher
         return spring + (height - spring) * vault_rise(*this, p);
     if (!(knee > 0)) {
@@ -269,7 +270,8 @@ float Plan::wall_distance(Vec2f p) const {
 }
 
 float Plan::air_around(Vec3f p) const {
-    float near = std::min({wall_distance({p.x, p.z}), p.y - floor_at({p.x, p.z}), height - p.y});
+    const float above = mezzanine.depth > 0 ? ceiling_at({p.x, p.z}) : height;
+    float near = std::min({wall_distance({p.x, p.z}), p.y - floor_at({p.x, p.z}), above - p.y});
     constexpr float kFarthest = 1.2f;
     if (vault != Vault::flat && p.y + kFarthest > spring)
         for (int i = 0; i < 8; ++i)  // towards where it comes down, whichever way that is

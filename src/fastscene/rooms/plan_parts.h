@@ -44,6 +44,10 @@ void cut_corners(Outline outline, Plan& plan);
 // A vault as asked for or as the room's type has it, below which there are no beams and coffers.
 void raise_vault(PromptSpec& spec, Plan& plan);
 
+// A mezzanine, where one is asked for and the room takes it; and what is on it, once windows and doors stand.
+void add_mezzanine(PromptSpec& spec, Plan& plan, Random& rng);
+void open_mezzanine(PromptSpec& spec, Plan& plan);
+
 // The shape that a window, a door or a doorway was asked in.
 inline Opening::Shape shape_of(const PromptObject* wish) {
     if (!wish || wish->pattern.empty()) return Opening::Shape::square;

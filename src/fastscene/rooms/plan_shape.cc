@@ -234,6 +234,7 @@ void shape_plan(PromptSpec& spec, Plan& plan, Random& rng) {
     plan.relief = type.wall_relief;
     plan.cabin = type.cabin, plan.tunnel = type.windows.tunnel;
     raise_vault(spec, plan);
+    add_mezzanine(spec, plan, rng);
     plan.cove = plan.knee > 0 ? 0.f : type.cove_m;
     plan.glazed = type.windows.glazed;
     plan.panelling = decide(spec, "wainscoting", old && type.panelling ? 0.6f : 0.f, rng);
@@ -241,6 +242,11 @@ void shape_plan(PromptSpec& spec, Plan& plan, Random& rng) {
 
 void open_plan(PromptSpec& spec, Plan& plan, Random& rng) {
     add_skylights(spec, plan, rng);
+    if (plan.mezzanine.depth > 0) {
+        if (const PromptObject* wish = wish_for(spec, "doorway")) report(spec, *wish, wish->count, "not beside a mezzanine");
+        if (!spec.next_room.empty()) tell_next_room(spec, "no second room opens beside a mezzanine");
+        return open_mezzanine(spec, plan);
+    }
     if (plan.knee > 0) {
         if (const PromptObject* wish = wish_for(spec, "doorway")) report(spec, *wish, wish->count, "not in an attic");
         if (!spec.next_room.empty()) tell_next_room(spec, "no second room opens from an attic");

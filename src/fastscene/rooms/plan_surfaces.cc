@@ -55,10 +55,11 @@ void choose_ceiling(const PromptSpec& spec, Plan& plan) {
     // A generator of its own: what the ceiling is like changes nothing else.
     Random rng(hash_name(spec.text) ^ std::bit_cast<std::uint32_t>(plan.width), "ceiling");
     const float boards = rng.uniform(), tray = rng.uniform(), spots = rng.uniform();
-    plan.recessed_lights = wish_for(spec, "recessed_lights") != nullptr && plan.vault == Vault::flat;
+    plan.recessed_lights = wish_for(spec, "recessed_lights") != nullptr && plan.vault == Vault::flat &&
+                           !(plan.mezzanine.depth > 0);
     if (room_type(spec.room).ceiling || speaks_of("ceiling") || !spec.everything.kind.empty()) return;
-    const bool wet = room_type(spec.room).wet,
-               flat = !(plan.knee > 0) && !plan.beams && !plan.coffers && plan.vault == Vault::flat;
+    const bool wet = room_type(spec.room).wet, flat = !(plan.knee > 0) && !plan.beams && !plan.coffers &&
+                                                      plan.vault == Vault::flat && !(plan.mezzanine.depth > 0);
     const Style& style = plan.style;
     if (boards < style.ceiling_boards_probability && !wet && plan.vault == Vault::flat) {
         plan.style.ceiling = style.ceiling_boards;

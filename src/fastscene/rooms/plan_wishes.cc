@@ -101,7 +101,9 @@ std::string metres(float value) {
 void take_measures(const PromptSpec& spec, Plan& plan) {
     const Vec3f& said = spec.size_m;
     const RoomType& type = room_type(spec.room);
-    const float most_side = std::max({kUsualMostSide, type.width_high_m, type.depth_high_m});  // halls are larger
+    constexpr float kBeyondUsual = 1.3f;  // who says how large it is may have it larger than halls usually are
+    const float most_side = std::max(
+        {kUsualMostSide, kBeyondUsual * type.width_high_m, kBeyondUsual * type.depth_high_m});
     const float most_height = std::max(kUsualMostHeight, type.height_high_m);
     if (spec.area_m2 > 0) {
         const float grow = std::sqrt(spec.area_m2 / (plan.width * plan.depth));

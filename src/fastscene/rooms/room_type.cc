@@ -44,16 +44,14 @@ std::vector<std::string> things(const TomlTable& table, std::string_view key) {
 }
 
 const std::vector<std::string>& keys_of_types() {
-    static const std::vector<std::string> keys{"name",           "title",        "words",           "words_near",
-                                               "rank",           "wet",          "for_children",    "deep_paints",
-                                               "next_rooms",     "next_door",    "second_room",     "styles",
-                                               "look_at",        "surfaces",     "kind_of",         "house",
-                                               "guess_rank",     "main_thing",   "as_thing",        "thing_words",
-                                               "own_things",     "table",        "table_when_near", "cooks",
-                                               "upright_chairs", "per_person",   "most_people",     "mess",
-                                               "meanings",       "size",         "shape",           "windows",
-                                               "touches",        "furnished_as", "recipe",          "glazed",
-                                               "look_along"};
+    static const std::vector<std::string> keys{
+        "name",         "title",          "words",       "words_near",  "rank",         "wet",
+        "for_children", "deep_paints",    "next_rooms",  "next_door",   "second_room",  "upstairs",
+        "styles",       "look_at",        "surfaces",    "kind_of",     "house",        "guess_rank",
+        "main_thing",   "as_thing",       "thing_words", "own_things",  "table",        "table_when_near",
+        "cooks",        "upright_chairs", "per_person",  "most_people", "mess",         "meanings",
+        "size",         "shape",          "windows",     "touches",     "furnished_as", "recipe",
+        "glazed",       "look_along"};
     return keys;
 }
 
@@ -73,6 +71,7 @@ class TypeReader {
         t_.next_rooms = {next[0], next[1]};
         t_.next_door = top_.flag("next_door", t_.next_door);
         t_.second_room = top_.text("second_room");
+        t_.upstairs = top_.text("upstairs");
         t_.kind_of = top_.text("kind_of");
         t_.house = top_.flag("house", t_.house);
         t_.furnished_as = top_.text("furnished_as");
@@ -118,11 +117,27 @@ class TypeReader {
         if (size.has("height_m")) std::tie(t_.height_low_m, t_.height_high_m) = range_of(size, "height_m");
         std::tie(t_.width_low_m, t_.width_high_m) = range_of(size, "width_m");
         std::tie(t_.depth_low_m, t_.depth_high_m) = range_of(size, "depth_m");
-        const TomlTable shape = table(
-            "shape", {"breast_probability", "corner_probability", "bay_probability", "alcove_probability",
-                      "doorway_probability", "sloped_ceiling", "high_ceiling", "coffers", "panelling", "accent_wall",
-                      "wall_tiles", "wall_relief", "middle_door", "beams", "door", "cabin", "cove_m",
-                      "outline", "vault", "rise_m", "oculus_m"});
+        const TomlTable shape = table("shape", {"breast_probability",
+                                                "corner_probability",
+                                                "bay_probability",
+                                                "alcove_probability",
+                                                "doorway_probability",
+                                                "sloped_ceiling",
+                                                "high_ceiling",
+                                                "coffers",
+                                                "panelling",
+                                                "accent_wall",
+                                                "wall_tiles",
+                                                "wall_relief",
+                                                "middle_door",
+                                                "beams",
+                                                "door",
+                                                "cabin",
+                                                "cove_m",
+                                                "outline",
+                                                "vault",
+                                                "rise_m",
+                                                "oculus_m"});
         t_.breast_probability = share(shape, "breast_probability");
         t_.corner_probability = share(shape, "corner_probability");
         t_.bay_probability = share(shape, "bay_probability");
@@ -291,6 +306,7 @@ void check_references(const std::vector<RoomType>& all) {
     for (const RoomType& type : all) {
         for (const std::string& next : type.next_rooms) check(type, "next_rooms", next);
         if (!type.furnished_as.empty()) check(type, "furnished_as", type.furnished_as);
+        if (!type.upstairs.empty()) check(type, "upstairs", type.upstairs);
         if (!type.second_room.empty()) check(type, "second_room", type.second_room);
         if (!type.kind_of.empty()) check(type, "kind_of", type.kind_of);
     }

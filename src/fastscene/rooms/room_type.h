@@ -95,6 +95,7 @@ struct RoomType {
     bool deep_paints = false;               // may be painted dark
     std::array<std::string, 2> next_rooms;  // behind a doorway, one as often as the other
     bool next_door = true;                  // may lie behind a doorway that the prompt names
+    std::string upstairs;                   // on a mezzanine; empty: more of the same
     std::string second_room;                // "a second room" of no named type is one of these
     std::vector<std::string> styles;        // that suit it; empty: any
     std::string look_at;                    // the thing that the first view looks at

@@ -191,7 +191,7 @@ bool lacks_a_bed(const FurnishedRoom& room, const PromptSpec& spec) {
 }  // namespace
 
 Vec3f usual_look(const FurnishedRoom& room, const std::string& type) {
-    if (room_type(type).look_along) return {0, 0, 1};
+    if (room_type(type).look_along || room.plan.mezzanine.depth > 0) return {0, 0, 1};
     for (const Placed& p : room.placed) {
         const Vec3f to = p.position - room.camera;
         if (p.piece.kind == room_type(type).look_at && std::hypot(to.x, to.z) > 0.4f)

@@ -108,8 +108,8 @@ void build_wall(const Plan& plan, int index, Room& room, int material) {
 
 void build_blocks(const Plan& plan, const Materials& m, Room& room) {
     for (const Block& b : plan.blocks) {
-        if (cuts_corner(b)) continue;                 // no boxes: shell_vaults.cc
-        if (b.kind == Block::Kind::column) continue;  // with its base and capital: shell_trim.cc
+        if (cuts_corner(b) || b.kind == Block::Kind::stairs) continue;  // no boxes
+        if (b.kind == Block::Kind::column) continue;                    // with its base and capital: shell_trim.cc
         const int material = b.kind == Block::Kind::breast ? m.of_far_wall : m.wall;
         room.meshes.push_back(box_mesh({b.low.x, 0, b.low.y}, {b.high.x, plan.height, b.high.y}, material, -1));
     }
@@ -302,7 +302,8 @@ void build_shell(const Plan& plan, Room& room) {
     build_trim(plan, m, room);
     if (plan.cove > 0) build_cove(plan, m.ceiling, room);
     if (plan.tunnel) build_tunnel(plan, room);
-    if (plan.next) {
+    if (plan.mezzanine.depth > 0) build_mezzanine(plan, m, room);
+    if (plan.next && !(plan.mezzanine.depth > 0)) {
         Room next;
         next.seed = room.seed + 1;
         build_shell(plan.next->plan, next);

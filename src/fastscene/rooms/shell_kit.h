@@ -80,6 +80,10 @@ void build_cabin_opening(const Plan& plan, const Opening& o, const WallBuilder& 
 void build_cove(const Plan& plan, int material, Room& room);
 void build_tunnel(const Plan& plan, Room& room);
 
+// A part of the room as an object, with what the prompt said of it; its meshes follow.
+int part_object(const Plan& plan, Room& room, const char* kind, Vec3f size);
+void build_mezzanine(const Plan& plan, const Materials& materials, Room& room);
+
 // The walls before corners that are cut off; the inside of a vault with its ribs, and its opening: shell_vaults.cc.
 inline bool is_cut(const Plan& plan) { return std::any_of(plan.blocks.begin(), plan.blocks.end(), cuts_corner); }
 void build_cut_corners(const Plan& plan, int material, Room& room);

@@ -23,20 +23,6 @@ void build_skirting(const Plan& plan, const WallFace& face, Room& room, int trim
     wall.box(0, face.length, plan.height - 0.1f - lowered(face), plan.height, 0, 0.06f, trim);
 }
 
-// Parts of the shell that a prompt may ask for are objects of the room, so that they can be found in it.
-int part_object(const Plan& plan, Room& room, const char* kind, Vec3f size) {
-    const PromptObject* wish = plan.asked(kind);
-    RoomObject object;
-    object.kind = kind;
-    object.color = wish ? wish->color : "";
-    object.name = object.color.empty() ? kind : object.color + " " + kind;
-    object.source = "built-in";
-    object.size_m = size;
-    object.requested = wish != nullptr;
-    room.objects.push_back(object);
-    return static_cast<int>(room.objects.size()) - 1;
-}
-
 // Frames below a rail (rich) or upright boards (plain).
 void build_panelling(const Plan& plan, const WallFace& face, Room& room, int trim, int object) {
     const WallBuilder wall(face, room);
@@ -260,6 +246,20 @@ void build_columns(const Plan& plan, Room& room, int trim) {
 }
 
 }  // namespace
+
+// Parts of the shell that a prompt may ask for are objects of the room, so that they can be found in it.
+int part_object(const Plan& plan, Room& room, const char* kind, Vec3f size) {
+    const PromptObject* wish = plan.asked(kind);
+    RoomObject object;
+    object.kind = kind;
+    object.color = wish ? wish->color : "";
+    object.name = object.color.empty() ? kind : object.color + " " + kind;
+    object.source = "built-in";
+    object.size_m = size;
+    object.requested = wish != nullptr;
+    room.objects.push_back(object);
+    return static_cast<int>(room.objects.size()) - 1;
+}
 
 void build_trim(const Plan& plan, const Materials& m, Room& room) {
     int panels = -1, panel = m.trim;

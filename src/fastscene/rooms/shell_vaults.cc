@@ -9,7 +9,8 @@ namespace {
 
 constexpr float kRib = 0.11f, kRibDepth = 0.07f;  // half its width; how far it stands proud of the vault
 constexpr int kAlongProfile = 24;                 // facets from the wall to the top
-constexpr float kFlange = 0.25f;                  // metres: how far a vault lies on its walls, and beyond
+constexpr float kFlange = 0.215f;                 // metres: how far a vault lies on its walls, and beyond
+constexpr float kCurvedWall = 0.2f;               // metres: thickness
 constexpr float kLap = 0.04f, kReach = 0.005f;    // metres: of curved walls behind it; of slabs into walls
 
 Vec2f inward_of(Vec2f a, Vec2f b) {
@@ -293,7 +294,7 @@ void build_cut_corners(const Plan& plan, int material, Room& room) {
             if (i > 0) along += length(edge[i] - edge[i - 1]);
             const Vec2f normal = normal_at(i);
             column(inside, edge[i], normal);
-            column(outside, edge[i] - normal * kWallThickness, normal * -1.f);
+            column(outside, edge[i] - normal * kCurvedWall, normal * -1.f);
         }
         column(inside, beyond(edge.back()), normal_at(last));
         room.meshes.push_back(inside.take());

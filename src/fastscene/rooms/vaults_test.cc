@@ -230,6 +230,51 @@ TEST(Vaults, AnyHomeMayBeRoundOrOctagonalOrDomed) {
         }
 }
 
+TEST(Mezzanines, AreFurnishedAboveAndBelowAndReachedByStairs) {
+    for (const char* text :
+         {"a living room with a mezzanine", "a bedroom with a mezzanine", "a library with a mezzanine",
+          "a bookstore with a mezzanine", "an industrial loft with a mezzanine"})
+        for (const std::uint64_t seed : {1u, 2u, 3u}) {
+            SCOPED_TRACE(std::string(text) + ", seed " + std::to_string(seed));
+            PromptSpec spec = understand_prompt(text, true);
+            const fastscene::Run run{seed, nullptr, {}};
+            const FurnishedRoom furnished = furnish_room(spec, run);
+            const Plan& plan = furnished.plan;
+            ASSERT_GT(plan.mezzanine.depth, 2);
+            EXPECT_GE(plan.mezzanine.floor - kMezzanineSlab, 2.3f) << "one walks below it";
+            EXPECT_GE(plan.height - plan.mezzanine.floor, 2.1f) << "one stands on it";
+            EXPECT_LT(furnished.camera.z, plan.mezzanine_edge());
+            for (const Fault& fault : room_faults(plan, furnished.placed, furnished.camera))
+                ADD_FAILURE() << fault.kind << ": " << fault.text;
+            EXPECT_TRUE(spec.not_placed.empty()) << spec.not_placed.front();
+            EXPECT_GE(furnished.placed_next.size(), 3u);
+            for (const Placed& p : furnished.placed_next) {
+                EXPECT_GE(p.position.y, plan.mezzanine.floor - 0.01f) << p.piece.kind;
+                EXPECT_GT(p.position.z, plan.mezzanine_edge()) << p.piece.kind;
+            }
+            const auto stairs = std::find_if(plan.blocks.begin(), plan.blocks.end(),
+                                             [](const Block& b) { return b.kind == Block::Kind::stairs; });
+            ASSERT_NE(stairs, plan.blocks.end());
+            for (const Placed& p : furnished.placed)
+                EXPECT_FALSE(overlap(footprint_of(p, -0.01f), {(stairs->low + stairs->high) * 0.5f,
+                                                               (stairs->high - stairs->low) * 0.5f, 0, 0, 2}))
+                    << p.piece.kind;
+            const std::string json = document_json(document_of(spec, furnished, seed)).dump(2);
+            DocumentRoom again = furnish_document(read_document(json, "room.json"), "room.json", nullptr, run);
+            EXPECT_EQ(document_json(document_of(again.spec, again.furnished, seed)).dump(2), json);
+        }
+}
+
+TEST(Mezzanines, WhereThereIsNoRoomThatIsSaid) {
+    for (const char* text : {"a bedroom with a mezzanine and a ceiling 2.6 m high", "an attic with a mezzanine",
+                             "a living room 3 by 4 m with a mezzanine"}) {
+        PromptSpec spec = understand_prompt(text, false);
+        const FurnishedRoom furnished = furnish_room(spec, {3, nullptr, {}});
+        EXPECT_EQ(furnished.plan.mezzanine.depth, 0) << text;
+        EXPECT_FALSE(spec.not_placed.empty()) << text;
+    }
+}
+
 TEST(Vaults, WhatCannotBeIsSaid) {
     for (const char* text : {"an attic with a domed ceiling", "a bedroom with a dome and a ceiling 2.3 m high"}) {
         PromptSpec spec = understand_prompt(text, false);
