@@ -7,6 +7,7 @@ const SKIN_M = 1e-3;       // the camera stops this far inside the boundary, so 
 const NOTCH_M = 0.11;      // shallower notches are cut off: steps of the 0.1 m grid that the boundary comes from
 const MAX_CONTACTS = 6;    // edges met in one frame; what is left of a move after that waits for the next frame
 const TOUCHING_M = 1e-9;   // a shorter advance is none: the edges touched before are still touched
+const CLIMB_S = 0.12;      // the eye rises to the height of a step within a few of these, as a walker's does
 
 const turn = (a, b, c) => (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
 
@@ -157,23 +158,39 @@ class WalkableFloor {
 
 // What the viewer's CameraManager asks (its names: `camera` has position, angles, distance, look, calcFocusPoint).
 class WalkBounds {
-    // rings: closed polygons of [x, z]; low and high: between which y the camera stays; ground: y of the floor.
-    constructor({ rings, low, high, ground }) {
+    // rings: closed polygons of [x, z]; low and high: between which y the camera stays; ground: y of the floor; levels,
+    // of a floor with tiers or steps: the rings of each part and how far it is raised above the ground. There the camera
+    // stays as much higher.
+    constructor({ rings, low, high, ground, levels = [] }) {
         this.floor = new WalkableFloor(rings);
         this.low = low;
         this.high = high;
         this.ground = ground;
+        this.levels = levels;
+        this.raised = 0;     // the floor below the camera, as far as the eye has risen to it
         this.at = null;      // where the camera was held last
         this.jumps = false;  // the next pose is a new place, not a step from the last one
     }
 
-    _height(y) {
-        return Math.min(this.high, Math.max(this.low, y));
+    _height(y, raised = 0) {
+        return Math.min(this.high + raised, Math.max(this.low + raised, y));
+    }
+
+    // How far the floor is raised there; between two parts, as it was.
+    _raisedAt(x, z) {
+        return this.levels.find(({ rings }) => insideRings(rings, x, z))?.raised ?? this.raised;
     }
 
     _nearest({ x, y, z }) {
         const [px, pz] = this.floor.nearestInside(x, z) ?? [x, z];
-        return { x: px, y: this._height(y), z: pz };
+        return { x: px, y: this._height(y, this._raisedAt(px, pz)), z: pz };
+    }
+
+    // From one height of the floor to another: the eye goes along, not at once, and keeps its height above the floor.
+    _climb(y, x, z, dt) {
+        const before = this.raised;
+        this.raised += (this._raisedAt(x, z) - before) * (dt === undefined ? 1 : 1 - Math.exp(-dt / CLIMB_S));
+        return this._height(y - before) + this.raised;
     }
 
     listen(events) {
@@ -189,14 +206,15 @@ class WalkBounds {
 
     // After each step of a controller: holds the pose it wants and tells the controller, so that it goes on from there
     // and the way back is free at once.
-    hold(mode, controller, camera) {
+    hold(mode, controller, camera, dt) {
         const wish = camera.position;
         let held;
         if (this.jumps || mode === 'anim' || !this.at) {
             held = this._nearest(wish);
+            this.raised = this._raisedAt(held.x, held.z);
         } else {
             const [x, z] = this.floor.slide(this.at.x, this.at.z, wish.x, wish.z);
-            held = { x, y: this._height(wish.y), z };
+            held = { x, y: this._climb(wish.y, x, z, dt), z };
         }
         this.jumps = false;
         this.at = held;
@@ -227,12 +245,15 @@ class WalkBounds {
         const head = camera.getPosition();
         const [x, z] = this.floor.nearestInside(head.x, head.z) ?? [head.x, head.z];
         if (x !== head.x || z !== head.z) rig.translate(x - head.x, 0, z - head.z);
+        if (this.levels.length === 0) return;
+        this.raised = this._raisedAt(x, z);
+        rig.translate(0, this.ground + this.raised - rig.getPosition().y, 0);
     }
 
     // Where one who was sent to a point looks while he walks there: at it, but never down to his own feet.
     walkTarget(point) {
         const target = point.clone();
-        target.y = this._height(point.y);
+        target.y = this._height(point.y, this._raisedAt(point.x, point.z));
         return target;
     }
 }

@@ -146,7 +146,7 @@ void bind_traced_room(py::module_& m) {
         .def(
             "walkable",
             [](const TracedRoom& room) { return python_of(walkable_json(walkable_room(passable_floor(room)))); },
-            "Where a person can walk: polygon_m, rings_m, eye_heights_m, floor_y_m.")
+            "Where a person can walk: polygon_m, rings_m, eye_heights_m, floor_y_m; levels of a floor with tiers.")
         .def(
             "save_glb",
             [](const TracedRoom& room, const std::filesystem::path& path) {

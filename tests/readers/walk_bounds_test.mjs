@@ -265,3 +265,54 @@ test('in virtual reality the rig follows so that the head stays over the floor',
     assert.ok(walk.floor.contains(head.x, head.z), `held at ${head.x}, ${head.z}`);
     assert.ok(Math.abs(head.z - -2) < 0.01);
 });
+
+// A floor of 4 x 6 m whose half beyond z = 2 is raised by 0.4 m, by a step of 0.2 m at z = 1.5.
+const tiers = () => new WalkBounds({
+    rings: [box(-2, -2, 2, 4)], low: -0.5, high: 0.5, ground: -1.5,
+    levels: [{ rings: [box(-2, -2, 2, 1.5)], raised: 0 }, { rings: [box(-2, 1.5, 2, 2)], raised: 0.2 },
+        { rings: [box(-2, 2, 2, 4)], raised: 0.4 }],
+});
+const camera = (x, y, z) => ({
+    position: { x, y, z, set(...p) { [this.x, this.y, this.z] = p; } },
+});
+
+test('up steps the eye keeps its height above the floor, and rises little by little', () => {
+    const bounds = tiers(), walker = camera(0, 0.1, 0);
+    bounds.hold('walk', {}, walker, 1 / 60);
+    let last = walker.position.y;
+    for (let k = 0; k < 240; ++k) {
+        walker.position.z = Math.min(3.5, walker.position.z + 1.4 / 60);
+        bounds.hold('walk', {}, walker, 1 / 60);
+        assert.ok(walker.position.y - last < 0.04 && walker.position.y >= last - 1e-9);
+        last = walker.position.y;
+    }
+    assert.ok(Math.abs(walker.position.y - 0.5) < 1e-3);
+    for (let k = 0; k < 240; ++k) {
+        walker.position.z = Math.max(0, walker.position.z - 1.4 / 60);
+        bounds.hold('walk', {}, walker, 1 / 60);
+    }
+    assert.ok(Math.abs(walker.position.y - 0.1) < 1e-3);
+});
+
+test('on a tier the camera stays between heights that are as much higher', () => {
+    const bounds = tiers();
+    const held = (z, y) => {
+        const one = camera(0, y, z);
+        bounds.jumps = true;
+        bounds.hold('fly', {}, one, 1 / 60);
+        return one.position.y;
+    };
+    const near = (a, b) => assert.ok(Math.abs(a - b) < 1e-9, `${a}, not ${b}`);
+    near(held(0, 3), 0.5);
+    near(held(3, 3), 0.9);
+    near(held(3, -3), -0.1);
+    near(bounds.walkTarget({ x: 0, y: -1.1, z: 3, clone() { return { ...this }; } }).y, -0.1);
+});
+
+test('a rig stands on the tier', () => {
+    const bounds = tiers();
+    let y = -1.5;
+    const rig = { translate: (dx, dy) => (y += dy), getPosition: () => ({ x: 0, y, z: 3 }) };
+    bounds.holdRig(rig, { getPosition: () => ({ x: 0, y: 0.2, z: 3 }) });
+    assert.ok(Math.abs(y + 1.1) < 1e-9);
+});

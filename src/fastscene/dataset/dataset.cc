@@ -22,6 +22,7 @@
 #include "fastscene/pipeline/build_info.h"
 #include "fastscene/rooms/catalogue.h"
 #include "fastscene/scene/pose_json.h"
+#include "fastscene/scene/raised_floor.h"
 
 namespace fastscene {
 namespace {
@@ -110,9 +111,9 @@ Vec3f random_place(const TracedRoom& room, bool over_things, Random& rng) {
     constexpr float kLowestThing = 0.25f;  // anything lower, such as a carpet, counts as floor
     const Vec3f low = room.room().min_corner, high = room.room().max_corner;
     for (int attempt = 0; attempt < 200; ++attempt) {
-        const float floor = high.y;  // y is down
-        const Vec3f p{rng.uniform(low.x, high.x), floor - rng.uniform(0.7f, std::min(2.f, high.y - low.y - 0.3f)),
-                      rng.uniform(low.z, high.z)};
+        const float x = rng.uniform(low.x, high.x), above = rng.uniform(0.7f, std::min(2.f, high.y - low.y - 0.3f)),
+                    z = rng.uniform(low.z, high.z), floor = floor_at(room.room(), {x, z});  // y is down
+        const Vec3f p{x, floor - above, z};
         const bool inside = room.distance(p, {0, 1, 0}) < 4.f && room.distance(p, {0, -1, 0}) < 6.f;
         const bool as_wished = !over_things || attempt >= 150 ||
                                room.distance(p, {0, 1, 0}) < floor - p.y - kLowestThing;

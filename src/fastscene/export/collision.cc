@@ -9,6 +9,7 @@
 #include "fastscene/export/identities.h"
 #include "fastscene/export/object_boxes.h"
 #include "fastscene/export/shell.h"
+#include "fastscene/scene/raised_floor.h"
 
 namespace fastscene {
 namespace {
@@ -170,6 +171,7 @@ struct Source {
     Collider collider;
     Triangles triangles;
     bool whole = false;    // one box
+    bool exact = false;    // … known already
     bool passage = false;  // one walks through it: its cells stay small
 };
 
@@ -187,8 +189,16 @@ std::vector<Source> sources(const Room& room, float floor_y) {
                           corner & 4 ? boxes[i].high.z : boxes[i].low.z};
             top_y = std::min(top_y, (pose * p).y);
         }
-        if (floor_y - top_y < kStep_m) continue;
         Source source{{ids[i], pose, {}}, {}};
+        if (is_raised_floor(room.objects[i])) {  // without the noses of steps
+            const Vec3f size = room.objects[i].size_m;
+            source.collider.boxes = {{{-size.x / 2, 0, -size.z / 2}, {size.x / 2, size.y, size.z / 2}}};
+            source.exact = true;
+            out.push_back(std::move(source));
+            continue;
+        }
+        const Vec3f foot = pose.translation;
+        if (std::min(floor_y, floor_at(room, {foot.x, foot.z})) - top_y < kStep_m) continue;
         for (const Mesh& mesh : room.meshes)
             if (mesh.object == static_cast<int>(i)) append(source.triangles, mesh, inverse(pose));
         // Panes are not modelled, but nobody can walk through them.
@@ -244,7 +254,7 @@ std::vector<Collider> colliders(const Room& room, float floor_y) {
                                : source.passage ? kFinestCell_m
                                : shell          ? std::min(cell, kCoarsestShell_m)
                                                 : cell;
-            collider.boxes = Grid(source.triangles, size).boxes();
+            if (!source.exact) collider.boxes = Grid(source.triangles, size).boxes();
             boxes += collider.boxes.size();
             out.push_back(std::move(collider));
         }

@@ -19,7 +19,8 @@ struct Collider {
     Rigid world_from_boxes;
     std::vector<Box> boxes;
 };
-// Things lower than a step (rugs) have none: one walks over them. `floor_y`: of the floor, a flat slab.
+// Things lower than a step (rugs) have none: one walks over them. `floor_y`: of the lowest floor, a flat slab; tiers
+// and the steps between them are boxes of their own.
 std::vector<Collider> colliders(const Room& room, float floor_y);
 // glTF binary with a node per collider, 12 triangles per box; without materials.
 std::string collision_glb_bytes(const Room& room, float floor_y);

@@ -12,6 +12,7 @@
 #include "fastscene/export/object_boxes.h"
 #include "fastscene/export/shell.h"
 #include "fastscene/rooms/catalogue.h"
+#include "fastscene/scene/raised_floor.h"
 #include "fastscene/trace/standable.h"
 
 namespace fastscene {
@@ -99,20 +100,42 @@ Json labels_json(const TracedRoom& traced) {
             {"instances", instances_json(instances_of(room))}};
 }
 
-Json walkable_floor_json(const TracedRoom& traced) {
-    const Room& room = traced.room();
-    const StandableFloor floor = passable_floor(traced), standing = standable_floor(traced);
-    Json polygons = Json::array(), spawns = Json::array(), doors = Json::array();
+namespace {
+
+Json polygons_of(const StandableFloor& floor) {
+    Json polygons = Json::array();
     for (const std::vector<Vec2f>& ring : outlines(floor)) {
         Json points = Json::array();
         for (const Vec2f p : ring) points.push_back({shortest(-p.x), shortest(p.y)});
         polygons.push_back(std::move(points));
     }
+    return polygons;
+}
+
+// Not before or on a step: who is set down there would stand with one foot on it.
+bool stands_even(const StandableFloor& floor, FloorCell cell) {
+    constexpr int kAround = 3;  // cells
+    if (floor.level_y.empty()) return true;
+    const float level = floor.level_at(cell.column, cell.row);
+    for (int row = std::max(0, cell.row - kAround); row <= std::min(floor.rows - 1, cell.row + kAround); ++row)
+        for (int column = std::max(0, cell.column - kAround);
+             column <= std::min(floor.columns - 1, cell.column + kAround); ++column)
+            if (floor.level_at(column, row) != level) return false;
+    return true;
+}
+
+}  // namespace
+
+Json walkable_floor_json(const TracedRoom& traced) {
+    const Room& room = traced.room();
+    const StandableFloor floor = passable_floor(traced), standing = standable_floor(traced);
+    Json spawns = Json::array(), doors = Json::array();
     // The place nearest to the panorama's camera, then always the one farthest from all others.
     constexpr std::size_t kMostSpawns = 12;
     constexpr float kApart_m = 0.8f;
     std::vector<Vec2f> chosen, free;
-    for (const FloorCell cell : standable_cells(standing)) free.push_back(standing.center(cell.column, cell.row));
+    for (const FloorCell cell : standable_cells(standing))
+        if (stands_even(standing, cell)) free.push_back(standing.center(cell.column, cell.row));
     while (chosen.size() < kMostSpawns && !free.empty()) {
         const auto clearance = [&](Vec2f p) {
             float nearest = chosen.empty() ? -length(p) : 1e9f;
@@ -123,7 +146,7 @@ Json walkable_floor_json(const TracedRoom& traced) {
                                              [&](Vec2f a, Vec2f b) { return clearance(a) < clearance(b); });
         if (!chosen.empty() && clearance(best) < kApart_m) break;
         chosen.push_back(best);
-        spawns.push_back(json_list({-best.x, -standing.floor_y, best.y}));
+        spawns.push_back(json_list({-best.x, -floor_at(room, best), best.y}));
     }
     const std::vector<std::string> ids = object_ids(room);
     const std::vector<ObjectBox> boxes = object_boxes(room);
@@ -136,12 +159,16 @@ Json walkable_floor_json(const TracedRoom& traced) {
                          {"width_m", shortest(boxes[i].size().x)},
                          {"height_m", shortest(boxes[i].size().y)}});
     }
-    return {{"axes", "x left, y up, z forward; polygons are [x, z], even-odd rule"},
-            {"floor_y_m", shortest(-standing.floor_y)},
-            {"area_m2", standable_area_m2(floor)},
-            {"polygons_m", std::move(polygons)},
-            {"spawn_points_m", std::move(spawns)},
-            {"doors", std::move(doors)}};
+    Json out{{"axes", "x left, y up, z forward; polygons are [x, z], even-odd rule"},
+             {"floor_y_m", shortest(-standing.floor_y)},
+             {"area_m2", standable_area_m2(floor)},
+             {"polygons_m", polygons_of(floor)},
+             {"spawn_points_m", std::move(spawns)},
+             {"doors", std::move(doors)}};
+    if (!floor.level_y.empty())
+        for (const float y : levels_of(floor))
+            out["levels"].push_back({{"floor_y_m", shortest(-y)}, {"polygons_m", polygons_of(at_level(floor, y))}});
+    return out;
 }
 
 }  // namespace fastscene

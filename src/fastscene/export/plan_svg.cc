@@ -8,6 +8,7 @@
 #include "fastscene/export/object_boxes.h"
 #include "fastscene/export/shell.h"
 #include "fastscene/rooms/catalogue.h"
+#include "fastscene/scene/raised_floor.h"
 
 namespace fastscene {
 namespace {
@@ -145,20 +146,23 @@ std::string plan_svg(const TracedRoom& traced) {
     std::iota(order.begin(), order.end(), std::size_t{0});
     std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return top(a) > top(b); });
     for (const std::size_t i : order) {
-        if (boxes[i].empty || (has_role(room.objects[i].kind, Role::shell) && !is_opening(i))) continue;
         const RoomObject& object = room.objects[i];
+        if (boxes[i].empty || (has_role(object.kind, Role::shell) && !is_opening(i) && !is_raised_floor(object)))
+            continue;
         const Vec3f a = boxes[i].low, b = boxes[i].high;
         const bool door = object.kind.find("door") != std::string::npos, window = is_opening(i) && !door;
         page.polygon({object.world_from_object * Vec3f{a.x, a.y, a.z}, object.world_from_object * Vec3f{b.x, a.y, a.z},
                       object.world_from_object * Vec3f{b.x, a.y, b.z}, object.world_from_object * Vec3f{a.x, a.y, b.z}},
-                     window ? "fill=\"#9cc9e8\" stroke=\"#2f6f9f\""
-                     : door ? "fill=\"#d8b48a\" stroke=\"#7a5230\""
-                            : "fill=\"#c9ccd6\" fill-opacity=\"0.55\" stroke=\"#555\"");
+                     is_raised_floor(object) ? "fill=\"#e9e3d3\" stroke=\"#b5ab93\""
+                     : window                ? "fill=\"#9cc9e8\" stroke=\"#2f6f9f\""
+                     : door                  ? "fill=\"#d8b48a\" stroke=\"#7a5230\""
+                                             : "fill=\"#c9ccd6\" fill-opacity=\"0.55\" stroke=\"#555\"");
     }
     for (const std::size_t i : order) {
         const RoomObject& object = room.objects[i];
         if (boxes[i].empty || (has_role(object.kind, Role::shell) && !is_opening(i))) continue;
-        const float above_floor = room.max_corner.y - (object.world_from_object * boxes[i].low).y;
+        const Vec3f low = object.world_from_object * boxes[i].low;
+        const float above_floor = floor_at(room, {low.x, low.z}) - low.y;
         if (const Vec3f size = boxes[i].size(); size.x * size.z > kNamed_m2 && above_floor < kOverhead_m)
             page.text(page.on_page(object.world_from_object * boxes[i].center()), object.name, 11);
     }

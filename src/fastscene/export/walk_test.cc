@@ -10,6 +10,7 @@
 #include "fastscene/export/gltf.h"
 #include "fastscene/export/labels.h"
 #include "fastscene/export/test_rooms.h"
+#include "fastscene/scene/raised_floor.h"
 #include "fastscene/trace/standable.h"
 
 namespace fastscene {
@@ -82,6 +83,10 @@ TEST_P(Walk, FromEachSpawnPointToEachOther) {
     for (const Json& p : file["spawn_points_m"])
         spawns.push_back(transpose(kGltfAxes) * Vec3f{p[0].get<float>(), p[1].get<float>(), p[2].get<float>()});
     ASSERT_GE(spawns.size(), 2u);
+    // On tiers it climbs steps.
+    constexpr float kClimb_m = 0.25f;
+    const float step = has_raised_floor(traced.room()) ? kClimb_m : kStep_m;
+    const auto feet = [&](Vec2f p) { return Vec3f{p.x, floor_at(traced.room(), p), p.y}; };
     constexpr float kDrop_m = 0.1f;
     for (const Vec3f spawn : spawns) {
         EXPECT_EQ(capsule.blocked_by(spawn, kStep_m), "") << "at " << spawn.x << " " << spawn.z;
@@ -96,12 +101,12 @@ TEST_P(Walk, FromEachSpawnPointToEachOther) {
             const Cell next{open.front().first + dx, open.front().second + dz};
             const Vec2f p = place_of(next);
             if (seen.contains(next) || !is_inside(rings, p)) continue;
-            seen[next] = capsule.blocked_by({p.x, spawns[0].y, p.y}, kStep_m).empty();
+            seen[next] = capsule.blocked_by(feet(p), step).empty();
             if (seen[next]) open.push_back(next);
         }
     std::map<std::string, int> blocked;
     for (const auto& [cell, free] : seen)
-        if (!free) ++blocked[capsule.blocked_by({place_of(cell).x, spawns[0].y, place_of(cell).y}, kStep_m)];
+        if (!free) ++blocked[capsule.blocked_by(feet(place_of(cell)), step)];
     std::string by;
     for (const auto& [id, count] : blocked) by += fmt::format(" {} ({})", id, count);
     for (const Vec3f spawn : spawns) {
@@ -111,11 +116,30 @@ TEST_P(Walk, FromEachSpawnPointToEachOther) {
     }
 }
 
+// However the grid lies over them: no gap at a step's edge.
+TEST(Tiers, OneWalksUpEachFlightOfSteps) {
+    for (std::uint64_t seed = 1; seed < 6; ++seed) {
+        const TracedRoom traced(room_from(seed % 2 ? "a cinema" : "an auditorium", seed));
+        const StandableFloor floor = passable_floor(traced);
+        for (const RoomObject& object : traced.room().objects) {
+            if (object.kind != kTierStep) continue;
+            const float reach = object.size_m.z / 2 + 0.4f;
+            for (float z = -reach; z < reach; z += 0.05f) {
+                const Vec3f p = object.world_from_object * Vec3f{0, 0, z};
+                const int column = static_cast<int>(std::floor((p.x - floor.corner_m.x) / floor.cell_m)),
+                          row = static_cast<int>(std::floor((p.z - floor.corner_m.y) / floor.cell_m));
+                EXPECT_TRUE(floor.at(column, row)) << seed << ": " << p.x << " " << p.z;
+            }
+        }
+        EXPECT_GT(levels_of(floor).size(), 8u);
+    }
+}
+
 INSTANTIATE_TEST_SUITE_P(Rooms, Walk,
                          testing::Values("a bedroom with two chairs and a desk", "a kitchen with an island",
                                          "a small bathroom with a bathtub", "an attic study with a slanted ceiling",
                                          "a living room with a sofa, two armchairs and a piano",
-                                         "a large hall with many tables and chairs"),
+                                         "a large hall with many tables and chairs", "a cinema", "a lecture hall"),
                          [](const auto& room) { return fmt::format("Room{}", room.index); });
 
 }  // namespace

@@ -70,6 +70,30 @@ TEST(Film, EveryPathObeysItsLaws) {
     }
 }
 
+// Behind the table the floor rises in three steps of 0.18 m.
+TEST(Film, OnStepsTheEyeRisesEvenly) {
+    WalkableArea area = furnished_floor();
+    area.low_y = -0.3f, area.high_y = 1.f;
+    area.levels = {{{box(-1.6f, -2.5f, 4.4f, -1)}, 1.6f},
+                   {{box(-1.6f, -1, 4.4f, -0.5f)}, 1.42f},
+                   {{box(-1.6f, -0.5f, 4.4f, 0)}, 1.24f},
+                   {{box(-1.6f, 0, 4.4f, 2.5f)}, 1.06f}};
+    for (const std::string_view kind : kPathKinds) {
+        SCOPED_TRACE(std::string(kind));
+        FilmWish wish;
+        wish.kind = kind;
+        const CameraPath path = plan_film(area, things(), wish, {});
+        float lowest = 9, highest = -9;
+        for (int i = 0; i < path.frames(); ++i) {
+            const Vec3f here = path.at(path.time_of(i)).position_m, next = path.at(path.time_of(i + 1)).position_m;
+            ASSERT_TRUE(contains(area, here)) << "frame " << i;
+            EXPECT_LT(std::fabs(next.y - here.y), 0.45f / path.fps) << "frame " << i;
+            lowest = std::min(lowest, here.y), highest = std::max(highest, here.y);
+        }
+        EXPECT_GT(highest - lowest, 0.15f);
+    }
+}
+
 TEST(Film, PathsExistWithoutSubjectsAndOnASmallFloor) {
     WalkableArea small{{box(-0.3f, -0.2f, 0.3f, 0.2f)}, -0.1f, 0.1f, 1.6f};
     for (const WalkableArea& area : {furnished_floor(), small})

@@ -125,15 +125,32 @@ std::vector<Vec2f> places_of(const Timeline& line, const std::vector<float>& way
     return stays ? mean : exact;
 }
 
+// The eye's heights over time (world y). Up a flight of steps it rises evenly.
+std::vector<float> heights_of(const std::vector<Vec2f>& places, const FilmSet& set) {
+    std::vector<float> heights;
+    for (const Vec2f p : places) heights.push_back(set.eye(p).y);
+    if (set.area.levels.empty()) return heights;
+    constexpr float kFlight_s = 0.8f;
+    for (int pass = 0; pass < 2; ++pass)
+        heights = averaged(heights, static_cast<std::ptrdiff_t>(kFlight_s / kStep_s / 2));
+    for (std::size_t i = 0; i < heights.size(); ++i) {
+        const float raised = raised_at(set.area, places[i]);
+        heights[i] = std::clamp(heights[i], set.area.low_y - raised, set.area.high_y - raised);
+    }
+    return heights;
+}
+
 std::vector<CameraKey> keys_of(const std::vector<FilmStep>& steps, const FilmSet& set) {
     const Timeline line = timed(steps, {});
     const std::vector<float> way = eased(sampled(line.way_m, line.time_s)), yaw = eased(sampled(line.yaw, line.time_s)),
                              pitch = eased(sampled(line.pitch, line.time_s));
     const std::vector<Vec2f> places = places_of(line, way, set.area);
+    const std::vector<float> heights = heights_of(places, set);
     constexpr std::size_t kKeyEvery = 6;  // a key each tenth of a second
     std::vector<CameraKey> keys;
     const auto add = [&](std::size_t k) {
-        keys.push_back({static_cast<float>(k) * kStep_s, set.eye(places[k]), yaw[k], pitch[k]});
+        const Vec3f eye{places[k].x, heights[k], places[k].y};
+        keys.push_back({static_cast<float>(k) * kStep_s, eye, yaw[k], pitch[k]});
     };
     for (std::size_t k = 0; k < way.size(); k += kKeyEvery) add(k);
     if ((way.size() - 1) % kKeyEvery != 0) add(way.size() - 1);
@@ -143,7 +160,8 @@ std::vector<CameraKey> keys_of(const std::vector<FilmStep>& steps, const FilmSet
 FilmSet film_set(const WalkableArea& area, const FloorGrid& grid, const std::vector<FilmSubject>& subjects,
                  const FilmWish& wish, const FilmSight& sight) {
     // The first panorama's height, at which the room was planned to be seen.
-    FilmSet set{area, grid, {}, {}, std::clamp(0.f, area.low_y, area.high_y), wish.fov_deg, {}, sight};
+    FilmSet set{area,         grid, {},   {}, std::clamp(raised_at(area, {0, 0}), area.low_y, area.high_y),
+                wish.fov_deg, {},   sight};
     for (const FilmSubject& subject : subjects) {
         if (subject.door) set.doors.push_back({subject.center_m.x, subject.center_m.z});
         else set.subjects.push_back(subject);
@@ -155,7 +173,7 @@ FilmSet film_set(const WalkableArea& area, const FloorGrid& grid, const std::vec
         Vec2f mean{};
         for (const Vec2f p : grid.places()) mean = mean + p;
         mean = mean * (1.f / static_cast<float>(grid.places().size()));
-        set.middle = {mean.x, set.eye_y + 0.2f, mean.y};
+        set.middle = {mean.x, set.eye(mean).y + 0.2f, mean.y};
     }
     return set;
 }

@@ -25,11 +25,11 @@ struct FilmSet {
     const FloorGrid& grid;
     std::vector<FilmSubject> subjects;  // without doors
     std::vector<Vec2f> doors;
-    float eye_y = 0, fov_deg = 75;
-    Vec3f middle;  // what a view of the whole looks at
+    float eye_y = 0, fov_deg = 75;  // above the lowest floor
+    Vec3f middle;                   // what a view of the whole looks at
     const FilmSight& sight;
 
-    Vec3f eye(Vec2f place) const { return {place.x, eye_y, place.y}; }
+    Vec3f eye(Vec2f place) const { return {place.x, eye_y - raised_at(area, place), place.y}; }
 };
 
 struct Aim {

@@ -330,7 +330,7 @@ TEST(Viewer, TheWalkableAreaIsTurnedIntoTheViewersFrameAndHeldByTheScript) {
         R"({"rings":[[[-1.0,2.0],[-3.0,2.0],[-3.0,5.0]]],"low":-0.7,"high":0.4,"ground":-1.6})";
     EXPECT_NE(text.find("new WalkBounds(" + std::string(bounds) + ")"), std::string::npos);
     EXPECT_NE(text.find("class WalkBounds"), std::string::npos);
-    EXPECT_NE(text.find("walkBounds.hold(state.cameraMode, controller, target)"), std::string::npos);
+    EXPECT_NE(text.find("walkBounds.hold(state.cameraMode, controller, target, dt)"), std::string::npos);
     EXPECT_EQ(text.find("export {"), std::string::npos);
     EXPECT_EQ(text.find("setCameraBasis"), std::string::npos);
 

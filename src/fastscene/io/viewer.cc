@@ -59,17 +59,24 @@ Json viewer_point(Vec3f world) { return {-world.x, -world.y, world.z}; }
 double tenth_of_millimetre(float metres) { return std::round(metres * 1e4) / 1e4; }
 
 // The script's WalkBounds parameters, in the viewer's frame (y up).
-Json viewer_bounds(const WalkableArea& area) {
+Json viewer_rings(const std::vector<std::vector<Vec2f>>& rings_m) {
     Json rings = Json::array();
-    for (const auto& ring : area.rings_m) {
+    for (const auto& ring : rings_m) {
         Json points = Json::array();
         for (const Vec2f p : ring) points.push_back({tenth_of_millimetre(-p.x), tenth_of_millimetre(p.y)});
         rings.push_back(points);
     }
-    return {{"rings", rings},
-            {"low", tenth_of_millimetre(-area.high_y)},
-            {"high", tenth_of_millimetre(-area.low_y)},
-            {"ground", tenth_of_millimetre(-area.floor_y)}};
+    return rings;
+}
+Json viewer_bounds(const WalkableArea& area) {
+    Json out{{"rings", viewer_rings(area.rings_m)},
+             {"low", tenth_of_millimetre(-area.high_y)},
+             {"high", tenth_of_millimetre(-area.low_y)},
+             {"ground", tenth_of_millimetre(-area.floor_y)}};
+    for (const WalkableArea::Level& level : area.levels)
+        out["levels"].push_back(
+            {{"rings", viewer_rings(level.rings_m)}, {"raised", tenth_of_millimetre(area.floor_y - level.floor_y)}});
+    return out;
 }
 
 void remove_export(std::string& script, std::string_view exported, const fs::path& file) {
@@ -86,7 +93,7 @@ void hold_camera(std::string& script, const WalkableArea& area, const fs::path& 
     // Constrains each controller step, and then the displayed pose, which may be a blend of two.
     const std::string step = "controller.update(dt, frame, target);";
     const std::string shown = "lastPosition.copy(this.camera.position);";
-    replace_once(script, step, step + " walkBounds.hold(state.cameraMode, controller, target);", file);
+    replace_once(script, step, step + " walkBounds.hold(state.cameraMode, controller, target, dt);", file);
     replace_once(script, shown, "walkBounds.holdBlend(this.camera); " + shown, file);
     const std::string made = "this.update = (deltaTime, frame) => {";
     replace_once(script, made, "walkBounds.listen(events); " + made, file);

@@ -9,6 +9,7 @@
 #include "fastscene/image/ssim.h"
 #include "fastscene/metrics/metrics.h"
 #include "fastscene/scene/box.h"
+#include "fastscene/trace/test_room.h"
 
 namespace fastscene {
 namespace {
@@ -74,6 +75,25 @@ TEST(TruthPoses, StandAllOverTheRoomAtTheHeightOfEyes) {
         behind += p.z > 1.7f;
     }
     EXPECT_GT(behind, 20) << "walked around the cupboard";
+}
+
+TEST(TruthPoses, StandOnTiersToo) {
+    Room room = box_room();
+    room.meshes.pop_back();
+    raise_floor(room, {-2, 0.5f}, {2, 2.5f}, 0.36f);
+    raise_floor(room, {-1, 0}, {1, 0.5f}, 0.18f, kTierStep);
+    const TracedRoom traced(std::move(room));
+    TruthParams params;
+    params.views = 60;
+    int above = 0;
+    for (const TruthPose& pose : truth_poses(traced, params, 3)) {
+        const Vec3f p = pose.world_from_camera.translation;
+        constexpr float kStep = 0.2f;  // poses are spread over a cell, which may lie across an edge
+        const float height = floor_at(traced.room(), {p.x, p.z}) - p.y;
+        EXPECT_TRUE(height > 1.2f - kStep && height < 1.8f + kStep) << height;
+        above += p.z > 0.6f;
+    }
+    EXPECT_GT(above, 10);
 }
 
 TEST(TruthPoses, NoSpaceIsAnError) {

@@ -63,7 +63,7 @@ std::vector<TruthPose> poses_in_room(const TracedRoom& room, const TruthParams& 
         const Vec2f middle = floor.center(cell.column, cell.row),
                     off{random.uniform(-0.5f, 0.5f), random.uniform(-0.5f, 0.5f)};
         const Vec2f at = middle + off * floor.cell_m;
-        const Vec3f eye{at.x, floor.floor_y - random.uniform(kLow_m, kHigh_m), at.y};
+        const Vec3f eye{at.x, floor.level_at(cell.column, cell.row) - random.uniform(kLow_m, kHigh_m), at.y};
         const Mat3f rotation = looking_anywhere(random);
         if (has_air(room, eye, kAir_m)) poses.push_back({{rotation, eye}});
     }

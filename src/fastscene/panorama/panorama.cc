@@ -28,7 +28,8 @@ std::vector<Vec3f> places_to_look_from(const TracedRoom& room) {
     std::vector<Vec3f> places{Vec3f{}};
     for (const auto& [column, row] : standable_cells(floor)) {
         const Vec2f at = floor.center(column, row);
-        if (column % kApart == 0 && row % kApart == 0) places.push_back({at.x, floor.floor_y - kEyeHeight_m, at.y});
+        if (column % kApart == 0 && row % kApart == 0)
+            places.push_back({at.x, floor.level_at(column, row) - kEyeHeight_m, at.y});
     }
     return places;
 }

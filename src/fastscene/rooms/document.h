@@ -57,6 +57,7 @@ struct DocumentPlan {
     float width = 0, depth = 0, height = 0;  // inside; 0: as rooms of the type have it
     std::vector<Vec2f> polygon;              // in place of width, depth and blocks; right angles only
     std::vector<Block> blocks;
+    std::vector<Platform> platforms;
     std::optional<std::vector<Opening>> openings;  // nothing: as rooms of the type have them
     std::vector<Skylight> skylights;
     float knee = 0, slope_run = 0;

@@ -78,9 +78,18 @@ class Checker {
         for (std::size_t i = 0; i < p.blocks.size(); ++i)
             if (!(p.blocks[i].low.x < p.blocks[i].high.x && p.blocks[i].low.y < p.blocks[i].high.y))
                 fail(fmt::format("{}/blocks/{}", pointer, i), "expected low below high");
+        for (std::size_t i = 0; i < p.platforms.size(); ++i)
+            platform(fmt::format("{}/platforms/{}", pointer, i), p.platforms[i], p);
         if (p.openings)
             for (std::size_t i = 0; i < p.openings->size(); ++i)
                 opening(fmt::format("{}/openings/{}", pointer, i), (*p.openings)[i], p);
+    }
+    void platform(const std::string& pointer, const Platform& f, const DocumentPlan& p) const {
+        constexpr float kHead = 1.9f;
+        if (!(f.low.x < f.high.x && f.low.y < f.high.y)) fail(pointer, "expected low below high");
+        if (!(f.height > 0) || (p.height > 0 && f.height > p.height - kHead))
+            fail(pointer, fmt::format("height_m: expected more than 0 and {} m below the ceiling, found {:.2f}", kHead,
+                                      f.height));
     }
     static bool is_at_corner(const Block& b, const DocumentPlan& p) {
         constexpr float kTolerance = 1e-3f;

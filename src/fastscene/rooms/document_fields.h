@@ -18,6 +18,8 @@ inline constexpr std::array<std::string_view, 4> kNamesOf<Opening::Shape>{"squar
 template <>
 inline constexpr std::array<std::string_view, 6> kNamesOf<Block::Kind>{"corner", "breast", "column",
                                                                        "cut",    "curve",  "stairs"};
+template <>
+inline constexpr std::array<std::string_view, 2> kNamesOf<Platform::Kind>{"tier", "step"};
 
 namespace document_fields {
 
@@ -55,6 +57,13 @@ void visit_fields(Block& b, V&& v) {
       "curve.");
     v("low", b.low, Rule{.needed = true, .always = true}, "x, z of its lower corner.");
     v("high", b.high, Rule{.needed = true, .always = true}, "x, z of its upper corner.");
+}
+template <class V>
+void visit_fields(Platform& p, V&& v) {
+    v("kind", p.kind, Rule{.always = true}, "A tier, which things may stand on, or a step that leads up to one.");
+    v("low", p.low, Rule{.needed = true, .always = true}, "x, z of its lower corner.");
+    v("high", p.high, Rule{.needed = true, .always = true}, "x, z of its upper corner.");
+    v("height_m", p.height, Rule{.low = 0, .needed = true, .always = true}, "Of its top above y = 0.");
 }
 template <class V>
 void visit_fields(Skylight& s, V&& v) {
@@ -155,6 +164,7 @@ void visit_fields(DocumentPlan& p, V&& v) {
       "In place of width, depth and blocks: the corners (x, z) in order; right angles, but for corners of "
       "the box that are cut off.");
     v("blocks", p.blocks, Rule{}, "Parts of the box that are not room.");
+    v("platforms", p.platforms, Rule{}, "Parts of the floor that are raised: tiers of seats with their steps.");
     v("openings", p.openings, Rule{}, "Windows, doors and doorways; without it, as rooms of the type have them.");
     v("skylights", p.skylights, Rule{}, "Windows in a sloped ceiling.");
     v("knee_m", p.knee, Rule{.low = 0},

@@ -64,6 +64,7 @@ DocumentPlan plan_of(const Plan& plan) {
     DocumentPlan out;
     out.width = plan.width, out.depth = plan.depth, out.height = plan.height;
     out.blocks = plan.blocks;
+    out.platforms = plan.platforms;
     out.openings = plan.openings;
     out.skylights = plan.skylights;
     out.knee = plan.knee, out.slope_run = plan.slope_run;
@@ -100,6 +101,7 @@ class Builder {
         room.plan = first_plan(out.spec, rng);
         out.spec.style = room.plan.style.name;
         room.placed = placed(document_.things, "/things", room.plan.style);
+        if (document_.plan.platforms.empty()) lift_onto_platforms(room);
         check_inside(room);
         if (document_.furnish) complete(out.spec, rng, room);
         if (document_.next_room) {
@@ -143,6 +145,7 @@ class Builder {
             if (given.depth > 0) plan.depth = given.depth;
             if (given.polygon.empty() && given.width > 0) plan.measured = true, cut_corners(outline_asked(spec), plan);
             if (given.accent_wall) plan.accent = true, plan.accent_wall = *given.accent_wall;
+            if (!given.platforms.empty()) plan.platforms = given.platforms;
             plan.beams |= given.beams, plan.neon |= given.neon, plan.coffers |= given.coffers;
             dress(document_.surfaces, plan.style);
             plan.own_walls = document_.surfaces.walls;
@@ -169,6 +172,7 @@ class Builder {
         plan.depth = given.depth > 0 ? given.depth : (type.depth_low_m + type.depth_high_m) / 2;
         plan.height = given.height > 0 ? given.height : plan.style.ceiling_m;
         plan.blocks = given.blocks;
+        plan.platforms = given.platforms;
         plan.measured = given.measured;
         if (!given.polygon.empty()) apply_polygon(given.polygon, file_ + ": " + pointer + "/polygon", plan);
         if (given.openings) plan.openings = *given.openings;
@@ -252,6 +256,19 @@ class Builder {
         for (std::size_t i = 0; i < out.size(); ++i)
             if (out[i].on >= 0) add_flat_top(out[static_cast<std::size_t>(out[i].on)].piece);
         return out;
+    }
+
+    // A document that says nothing of the floor means by y = 0 the floor, wherever a thing is.
+    static void lift_onto_platforms(FurnishedRoom& room) {
+        if (room.plan.platforms.empty()) return;
+        std::vector<float> lifts;
+        for (const Placed& p : room.placed) {
+            const Placed* root = &p;
+            while (root->on >= 0) root = &room.placed[static_cast<std::size_t>(root->on)];
+            const bool stands = root->piece.mount == Mount::floor && root->sill < 0;
+            lifts.push_back(stands ? room.plan.floor_below(footprint_of(*root)) : 0.f);
+        }
+        for (std::size_t i = 0; i < lifts.size(); ++i) room.placed[i].position.y += lifts[i];
     }
 
     void check_inside(const FurnishedRoom& room) const {

@@ -17,6 +17,8 @@ inline constexpr const char* kDefinition<Opening> = "opening";
 template <>
 inline constexpr const char* kDefinition<Block> = "block";
 template <>
+inline constexpr const char* kDefinition<Platform> = "platform";
+template <>
 inline constexpr const char* kDefinition<Skylight> = "skylight";
 template <>
 inline constexpr const char* kDefinition<Material> = "material";

@@ -99,6 +99,13 @@ bool wall_is_free(const Plan& plan, const WallFace& face, float u0, float u1, fl
     });
 }
 
+bool stands_level(const Plan& plan, const Placed& placed) {
+    constexpr float kTolerance = 0.02f;
+    if (plan.platforms.empty() || placed.piece.mount != Mount::floor || placed.on >= 0 || placed.sill >= 0) return true;
+    const Footprint box = footprint_of(placed);
+    return plan.is_level(box) && std::abs(box.y0 - plan.floor_below(box)) < kTolerance;
+}
+
 bool clear_of_walls(const Plan& plan, const Placed& placed) {
     const bool stands = placed.piece.mount == Mount::floor && !placed.flat && placed.on < 0;
     return plan.holds(footprint_of(placed, plan.panelling && stands ? kPanelling : 0.f));
@@ -159,9 +166,14 @@ bool hides(const Placed& floor, const Placed& hung) {
     return overlap(before, footprint_of(floor));
 }
 
+void Layout::ground(Placed& placed) const {
+    if (plan_.platforms.empty() || placed.piece.mount != Mount::floor) return;
+    placed.position.y += plan_.floor_below(footprint_of(placed));
+}
+
 bool Layout::fits(const Placed& placed, bool with_clearance) const {
     const Footprint box = footprint_of(placed);
-    if (!clear_of_walls(plan_, placed)) return false;
+    if (!clear_of_walls(plan_, placed) || !stands_level(plan_, placed)) return false;
     if (placed.flat || placed.overhead) return true;
     if (placed.piece.mount == Mount::floor && blocks_opening(plan_, box)) return false;
     Footprint room_for = box;

@@ -55,6 +55,8 @@ bool stands_on_sill(const Plan& plan, const Placed& placed);
 // Whether a piece on the floor, or a plant from the ceiling, is close before what hangs on a wall, and reaches to its
 // height.
 bool hides(const Placed& floor, const Placed& hung);
+// Whether all of what stands on the floor is on it: not half on a step, nor above or below its tier.
+bool stands_level(const Plan& plan, const Placed& placed);
 // In the room, off its walls and their panelling.
 bool clear_of_walls(const Plan& plan, const Placed& placed);
 // No door and no window in this part of a wall face.
@@ -198,11 +200,14 @@ class Layout {
     std::optional<Placed> hung(const Piece& piece, const WallFace& face, float u) const;
     std::string accent_of(const std::string& kind) const;
     bool fits(const Placed& placed, bool with_clearance) const;
+    // Lifts what was placed as if all of the floor were y = 0 onto the floor there.
+    void ground(Placed& placed) const;
     // What a place is worth for being where the wish says.
     float as_asked(const Placed& placed, const PromptObject& wish) const;
     // How good a place is for the camera, whatever is seen from there.
     struct Surroundings;
-    Surroundings surroundings() const;
+    class Levels;
+    Surroundings surroundings(float floor) const;
     float ease_of(Vec3f eye, const Surroundings& things) const;
     bool looks_along() const;
     Vec3f position_along(float share) const;

@@ -186,7 +186,7 @@ class Annealer {
         for (const int i : groups_[static_cast<std::size_t>(group)].members) {
             const Placed& p = at(i);
             const Footprint& box = boxes_[static_cast<std::size_t>(i)];
-            if (!clear_of_walls(plan_, p)) return false;
+            if (!clear_of_walls(plan_, p) || !stands_level(plan_, p)) return false;
             if (p.piece.mount == Mount::wall && p.on < 0 && !hangs_on_wall(plan_, faces_, p)) return false;
             if (p.piece.mount == Mount::floor && !p.flat && p.on < 0 && blocks_opening(plan_, box)) return false;
             for (std::size_t k = 0; k < placed_.size(); ++k) {

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
 
 #include "fastscene/rooms/layout.h"
 #include "fastscene/rooms/layout_sight.h"
@@ -61,15 +62,43 @@ struct Layout::Surroundings {
     std::vector<Box> tall, low;
 };
 
-Layout::Surroundings Layout::surroundings() const {
+// … from each level of the floor.
+class Layout::Levels {
+  public:
+    explicit Levels(const Layout& layout) : layout_(layout) {
+        for (const Platform& p : layout.plan_.platforms) highest_ = std::max(highest_, p.height);
+    }
+    Vec3f eye(float x, float z) const { return {x, layout_.plan_.floor_at({x, z}) + kEyeHeight, z}; }
+    float ease_of(Vec3f eye) {
+        // From among the upper rows one sees the tiers and what they rise to see; from the very last, a wall is near.
+        constexpr float kOverlook = 2.5f, kUpper = 0.75f;
+        const float floor = layout_.plan_.floor_at(flat(eye));
+        const float over = highest_ > 0 ? std::min(floor / highest_, kUpper) / kUpper : 0.f;
+        return layout_.ease_of(eye, things(floor)) + kOverlook * over;
+    }
+    const Surroundings& things(float floor) {
+        const auto found = things_.find(floor);
+        return found != things_.end() ? found->second
+                                      : things_.emplace(floor, layout_.surroundings(floor)).first->second;
+    }
+
+  private:
+    const Layout& layout_;
+    float highest_ = 0;
+    std::map<float, Surroundings> things_;
+};
+
+Layout::Surroundings Layout::surroundings(float floor) const {
     constexpr float kBall = 0.7f;  // about the eyes
+    const float eyes = floor + kEyeHeight;
     Surroundings out;
     for (const Placed& p : placed_) {
         if (p.flat) continue;
         const Footprint whole = footprint_of(p);
-        if (whole.y1 < kEyeHeight) out.low.push_back({whole, axes_of(whole)});
-        if (whole.y0 >= kEyeHeight + kBall) continue;
-        if (const auto tall = part_above(p, kEyeHeight - kBall)) out.tall.push_back({*tall, axes_of(*tall)});
+        if (floor > 0 && whole.y1 < floor) continue;  // on a lower tier
+        if (whole.y1 < eyes) out.low.push_back({whole, axes_of(whole)});
+        if (whole.y0 >= eyes + kBall) continue;
+        if (const auto tall = part_above(p, eyes - kBall)) out.tall.push_back({*tall, axes_of(*tall)});
     }
     return out;
 }
@@ -99,17 +128,18 @@ bool Layout::looks_along() const { return room_type(spec_.room).look_along && !p
 // In a corridor or an aisle: near this share of the depth, in the middle of what is free there.
 Vec3f Layout::position_along(float share) const {
     constexpr float kAside_m = 0.6f, kAhead_m = 1.2f, kStep_m = 0.1f, kEnough_m = 0.6f;
-    const Surroundings things = surroundings();
+    Levels levels(*this);
     const float from = plan_.depth * (share - 0.5f);
-    Vec3f best{0, kEyeHeight, from};
+    Vec3f best = levels.eye(0, from);
     float best_score = -1e9f;
     for (float x = -kAside_m; x <= kAside_m; x += kStep_m)
         for (float z = from - kAhead_m; z <= from + kAhead_m; z += kStep_m) {
             const Vec2f at{x, z};
+            const Vec3f eye = levels.eye(x, z);
+            const Surroundings& things = levels.things(plan_.floor_at(at));
             float free = std::min(kEnough_m, plan_.wall_distance(at));
             for (const auto* boxes : {&things.tall, &things.low})
                 for (const auto& [box, axes] : *boxes) free = std::min(free, distance_to(box, axes, at));
-            const Vec3f eye{x, kEyeHeight, z};
             const float score = 4.f * free - 0.5f * std::abs(x) - 0.3f * std::abs(z - from) -
                                 kWorthSeeing * static_cast<float>(likely_hidden(eye));
             if (score > best_score) best_score = score, best = eye;
@@ -119,13 +149,13 @@ Vec3f Layout::position_along(float share) const {
 
 Vec3f Layout::camera_position() const {
     if (looks_along()) return position_along(*room_type(spec_.room).look_along);
-    Vec3f best{0, kEyeHeight, 0};
+    Levels levels(*this);
+    Vec3f best = levels.eye(0, 0);
     float best_score = -1e9f;
-    const Surroundings things = surroundings();
     for (float x = -plan_.width / 2 + 0.6f; x <= plan_.width / 2 - 0.6f; x += 0.1f)
         for (float z = -plan_.depth / 2 + 0.6f; z <= plan_.depth / 2 - 0.6f; z += 0.1f) {
-            const Vec3f eye{x, kEyeHeight, z};
-            float score = ease_of(eye, things);
+            const Vec3f eye = levels.eye(x, z);
+            float score = levels.ease_of(eye);
             if (score <= best_score) continue;
             if (!ways_.reaches({x, z})) score -= 50.f;
             if (score <= best_score) continue;
@@ -141,14 +171,14 @@ Vec3f Layout::viewpoint() const {
     Vec3f best = camera_position();
     const std::size_t hidden = unseen(best).size();
     if (hidden == 0) return best;
-    const Surroundings things = surroundings();
-    float best_score = ease_of(best, things) - kWorthSeeing * static_cast<float>(hidden);
+    Levels levels(*this);
+    float best_score = levels.ease_of(best) - kWorthSeeing * static_cast<float>(hidden);
     constexpr float kStep = 0.4f;
     std::vector<std::pair<float, Vec3f>> places;
     for (float x = -plan_.width / 2 + 0.6f; x <= plan_.width / 2 - 0.6f; x += kStep)
         for (float z = -plan_.depth / 2 + 0.6f; z <= plan_.depth / 2 - 0.6f; z += kStep)
-            if (const float score = ease_of({x, kEyeHeight, z}, things); score > best_score)
-                places.push_back({score, {x, kEyeHeight, z}});
+            if (const float score = levels.ease_of(levels.eye(x, z)); score > best_score)
+                places.push_back({score, levels.eye(x, z)});
     std::sort(places.begin(), places.end(), [](const auto& a, const auto& b) { return a.first > b.first; });
     for (const auto& [ease, eye] : places) {
         if (ease <= best_score) break;

@@ -46,7 +46,10 @@ std::optional<int> Layout::against_wall(const PieceRequest& request, const WallW
             for (float u = size.x / 2 + gap; u <= face.length - size.x / 2 - gap; u += kSlotStep) {
                 p.position = face.point(u, 0) + face.inward * (size.z / 2 + gap_at(face, u) + off_wall);
                 if (p.piece.mount == Mount::wall)
-                    p.position = face.point(u, p.piece.hang_height_m) + face.inward * kWallGap;
+                    p.position = face.point(u, p.piece.hang_height_m +
+                                                   plan_.floor_before(face, u - size.x / 2, u + size.x / 2)) +
+                                 face.inward * kWallGap;
+                ground(p);
                 if (!fits(p, must.clearance) || (must.spare && !has_spare(p, want))) continue;
                 if (p.piece.mount == Mount::wall &&
                     !wall_is_free(plan_, face, u - size.x / 2, u + size.x / 2, p.position.y, p.position.y + size.y))
@@ -102,6 +105,7 @@ std::optional<int> Layout::in_front_of(int anchor, const PieceRequest& request, 
                          right * side;
             p.position.y = 0;
             p.with = anchor;
+            ground(p);
             if (fits(p, false) && leaves_way(p)) return keep(p, from);
         }
     return {};
@@ -121,6 +125,7 @@ std::optional<int> Layout::beside(int anchor, const PieceRequest& request, int s
                      front * ((p.piece.size_m.z - a.piece.size_m.z) / 2);
         p.position.y = 0;
         p.with = anchor;
+        ground(p);
         // Beside a fire before its chimney breast: back to the wall, where there is one.
         constexpr float kBack = 0.05f, kDeepest = 0.5f;
         for (Placed back = p;
@@ -183,6 +188,7 @@ std::optional<int> Layout::behind(int anchor, const PieceRequest& request, const
             p.position = a.position - front * (a.piece.size_m.z / 2 + gap + p.piece.size_m.z / 2) +
                          right * (side * end);
             p.position.y = 0;
+            ground(p);
             if (fits(p, false) && leaves_way(p)) return keep(p, from);
         }
     return {};
@@ -208,6 +214,7 @@ std::optional<int> Layout::below(int anchor, const PieceRequest& request, const 
             p.position = a.position + right_of(a.yaw) * ((bed ? side - 0.6f : side) * slack);
             if (bed) p.position += front_of(a.yaw) * std::max(0.f, (a.piece.size_m.z - deep) / 2 - kInsideBed);
             p.position.y = 0;
+            ground(p);
             const Footprint box = footprint_of(p);
             const bool free = std::none_of(placed_.begin(), placed_.end(), [&](const Placed& other) {
                 return !other.flat && &other != &a && overlap(box, footprint_of(other));
@@ -228,6 +235,7 @@ std::optional<int> Layout::free_standing(const PieceRequest& request, const Prom
             for (float z = -plan_.depth / 2; z < plan_.depth / 2; z += 0.2f) {
                 p.position = {x, 0, z};
                 p.yaw = yaw;
+                ground(p);
                 if (!fits(p, false)) continue;
                 Footprint wide = footprint_of(p, 0.5f);
                 float score = -0.3f * std::hypot(x, z - 0.3f) + 0.02f * rng_.uniform() +
@@ -248,6 +256,7 @@ std::optional<int> Layout::stand_at(const Piece& piece, Vec2f at, float yaw, con
     p.position = {at.x, 0, at.y};
     p.yaw = yaw;
     p.fixed = true;
+    ground(p);
     if (!fits(p, with_clearance) || !has_spare(p, spare) || !leaves_way(p)) return {};
     return keep(std::move(p), from);
 }
@@ -258,7 +267,8 @@ std::optional<Placed> Layout::hung(const Piece& piece, const WallFace& face, flo
     p.piece = piece;
     p.yaw = yaw_of(face.inward);
     p.fixed = true;
-    const float y = std::min(piece.hang_height_m, plan_.wall_top() - kBelowCeiling - piece.size_m.y);
+    const float floor = plan_.floor_before(face, u - piece.size_m.x / 2, u + piece.size_m.x / 2),
+                y = std::min(floor + piece.hang_height_m, plan_.wall_top() - kBelowCeiling - piece.size_m.y);
     p.position = face.point(u, y) + face.inward * kOffWall;
     const Footprint box = footprint_of(p);
     if (y < 0.f || !plan_.holds(box) || !hangs_on_wall(plan_, faces_, p) || !leaves_way(p)) return {};
@@ -289,6 +299,7 @@ std::optional<int> Layout::angled_towards(Vec2f target, const PieceRequest& requ
             p.position = {x, 0, z};
             // Turned towards the target by steps of 15 degrees.
             p.yaw = std::round(std::atan2(to.x, to.y) / (kPi / 12)) * (kPi / 12);
+            ground(p);
             if (!fits(p, false)) continue;
             const float wall = plan_.wall_distance({x, z});
             const float score = -std::abs(far - 1.8f) - 0.6f * wall + 0.05f * rng_.uniform();
@@ -332,6 +343,7 @@ int Layout::around(int table, const PieceRequest& request, int count, const Prom
             p.position = a.position + right * seat.x + front * seat.z + out * (p.piece.size_m.z / 2 + pull);
             p.position.y = 0;
             p.with = table;
+            ground(p);
             if (fits(p, false) && leaves_way(p)) {
                 keep(p, from);
                 ++placed;
@@ -361,7 +373,8 @@ std::optional<int> Layout::lay(Vec2f at, float yaw, const PieceRequest& request,
                 over_z = std::abs(f.center.y) + extent(f, {0, 1}) - plan_.depth / 2 + 0.12f;
     if (over_x > 0) p.position.x -= std::copysign(over_x, p.position.x);
     if (over_z > 0) p.position.z -= std::copysign(over_z, p.position.z);
-    if (!plan_.holds(footprint_of(p))) return {};
+    ground(p);
+    if (!plan_.holds(footprint_of(p)) || !stands_level(plan_, p)) return {};
     for (const Placed& other : placed_)
         if (other.flat && overlap(footprint_of(p), footprint_of(other))) return {};
     return keep(p, from);

@@ -14,7 +14,9 @@ inline constexpr float kOffWall = 0.05f;  // of what stands with its back at a w
 // The pieces of one pattern: what was asked for first, then as many as the pattern has.
 class Pattern {
   public:
-    Pattern(Placement& p, std::string thing, bool alike) : p_(p), thing_(std::move(thing)), alike_(alike) {}
+    // `as_asked`: where the prompt says no number ("blue seats"), all are like the one that it asks for.
+    Pattern(Placement& p, std::string thing, bool alike, bool as_asked = false)
+        : p_(p), thing_(std::move(thing)), alike_(alike), as_asked_(as_asked) {}
 
     // Whether more may come.
     bool open() {
@@ -29,6 +31,7 @@ class Pattern {
     const Piece& piece() {
         const PromptObject* wish = p_.wishes().next(thing_);
         if (wish) p_.wishes().give_back(wish);
+        if (!wish && as_asked_ && wish_ && !wish_->counted) wish = wish_;
         if (piece_ && alike_ && wish == wish_) return *piece_;
         wish_ = wish;
         PieceRequest r = p_.layout().request(thing_, wish, pattern_);
@@ -62,7 +65,7 @@ class Pattern {
   private:
     Placement& p_;
     std::string thing_;
-    bool alike_;
+    bool alike_, as_asked_;
     Vec3f size_{};
     std::string pattern_;
     std::optional<Piece> piece_;

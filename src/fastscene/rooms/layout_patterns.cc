@@ -65,9 +65,10 @@ std::vector<float> along_row(const RecipeStep& step, float length, float size) {
 
 void place_rows(Placement& p, const RecipeStep& step, int) {
     const std::string thing = thing_of(step, p);
-    Pattern row(p, thing, step.alike), seats(p, step.seat, true);
-    if (!row.open() || !is_due(p, step, thing)) return;
     const Plan& plan = p.layout().plan();
+    const bool tiered = step.rise_m > 0 && !plan.platforms.empty();
+    Pattern row(p, thing, step.alike, tiered), seats(p, step.seat, true);
+    if (!row.open() || !is_due(p, step, thing)) return;
     const float yaw = yaw_towards(step.towards);
     // One looks at the front of a desk from behind it: with a seat the piece is turned to that.
     const float stands = step.seat.empty() ? yaw : std::remainder(yaw + kPi, 2 * kPi);
@@ -76,7 +77,10 @@ void place_rows(Placement& p, const RecipeStep& step, int) {
     const float deep = extent_of(plan, ahead), pitch = std::max(step.pitch_m, size.z + 0.02f);
     const auto fill = [&](const std::vector<float>& columns, float front, float rear, int most) {
         int rows = 0;
-        for (float at = deep / 2 - front - size.z / 2; at - size.z / 2 > rear - deep / 2; at -= pitch) {
+        // On tiers, backs are where the next one rises.
+        const float behind = tiered ? kBehindRow : 0.f, before = tiered ? pitch - size.z - behind : 0.f;
+        for (float at = deep / 2 - front - before - size.z / 2; at - size.z / 2 - behind > rear - deep / 2;
+             at -= pitch) {
             if (most > 0 && rows++ >= most) return;
             for (const float column : columns) {
                 if (!row.open()) return;
@@ -264,8 +268,8 @@ void place_lights(Placement& p, const RecipeStep& step, int) {
 std::span<const StepKind> pattern_kinds() {
     static const std::array<StepKind, 10> all{{
         {"rows",
-         {"thing", "first_asked", "other", "thing_share", "probability", "seat", "towards", "pitch_m", "gap_m",
-          "aisle_m", "side_m", "front_m", "rear_m", "rows", "block", "alike", "then"},
+         {"thing", "first_asked", "other", "thing_share", "probability", "seat", "towards", "pitch_m", "rise_m",
+          "gap_m", "aisle_m", "side_m", "front_m", "rear_m", "rows", "block", "alike", "then"},
          false,
          {},
          place_rows},

@@ -100,6 +100,9 @@ Sight::Sight(const Plan& plan, const std::vector<Placed>& placed) : plan_(plan),
     for (const Block& b : plan.blocks)
         if (!cuts_corner(b) && b.kind != Block::Kind::stairs)  // the room is convex there
             blocks_.push_back({(b.low + b.high) * 0.5f, (b.high - b.low) * 0.5f, 0, 0, plan.height});
+    constexpr float kOn = 0.01f;  // what stands on a platform is not hidden by it
+    for (const Platform& p : plan.platforms)
+        blocks_.push_back({(p.low + p.high) * 0.5f, (p.high - p.low) * 0.5f, 0, 0, p.height - kOn});
 }
 
 bool Sight::stops(std::size_t piece, Vec3f eye, Vec3f target) const {

@@ -148,6 +148,7 @@ std::optional<int> Layout::on_floor_near(Vec2f at, const PieceRequest& request, 
         const float far = tries < 12 ? 0.7f : 1.6f;
         p.position = {at.x + rng_.uniform(-far, far), 0.013f, at.y + rng_.uniform(-far, far)};  // it may lie on a rug
         p.yaw = rng_.uniform(-kPi, kPi);
+        ground(p);
         if (fits(p, false) && leaves_way(p)) return keep(p, from);
     }
     return {};
@@ -213,7 +214,11 @@ std::optional<int> Layout::on_wall(const PieceRequest& request, std::optional<in
             if (y + size.y > top - 0.05f) continue;
         } else if (y + size.y > top - 0.12f) y = top - 0.12f - size.y;
         if (y < 0) continue;
+        const float usual = y;
         for (float u = size.x / 2 + 0.1f; u <= face.length - size.x / 2 - 0.1f; u += kSlotStep) {
+            if (const float floor = plan_.floor_before(face, u - size.x / 2, u + size.x / 2); floor > 0 && !above)
+                y = std::min(floor + usual, top - 0.12f - size.y);
+            else y = usual;
             if (!wall_is_free(plan_, face, u - size.x / 2, u + size.x / 2, y, y + size.y)) continue;
             if (wanted_u && std::abs(u - *wanted_u) > reach) continue;
             p.position = face.point(u, y) + face.inward * 0.002f;
@@ -273,6 +278,10 @@ std::optional<int> Layout::hanging(const PieceRequest& request, Vec2f at, const 
             p.position.y = std::min(p.position.y, plan_.ceiling_at(corner));
     if (plan_.beams && !(plan_.knee > 0)) hang_among_beams(plan_, p);
     if (!plan_.holds(footprint_of(p)) && !has_role(p.piece.kind, Role::roof)) return {};
+    // Nor into what hangs above a tier.
+    constexpr float kHead = 2.f;
+    if (const float floor = plan_.floor_below(footprint_of(p)); floor > 0 && footprint_of(p).y0 < floor + kHead)
+        return {};
     for (const Placed& other : placed_)
         if (!other.flat && (overlap(footprint_of(p, 0.05f), footprint_of(other)) || hides(p, other))) return {};
     // Nobody walks into it who comes through a door.
@@ -319,8 +328,9 @@ std::optional<int> Layout::beside_on_wall(int anchor, const PieceRequest& reques
     const Vec3f size = p.piece.size_m;
     const bool hung = a.piece.mount == Mount::wall;
     constexpr float kLowest = 1.1f, kHighest = 1.75f;
-    const float y = hung ? std::clamp(a.position.y + (a.piece.size_m.y - size.y) / 2, kLowest, kHighest)
-                         : p.piece.hang_height_m;
+    const float floor = plan_.floor_below(footprint_of(a)),
+                y = hung ? std::clamp(a.position.y + (a.piece.size_m.y - size.y) / 2, floor + kLowest, floor + kHighest)
+                         : floor + p.piece.hang_height_m;
     for (const WallFace& face : faces_) {
         if (!hangs_at(face)) continue;
         const float off = dot(a.position - face.origin, face.inward) - (hung ? 0.f : a.piece.size_m.z / 2);
@@ -412,7 +422,9 @@ int Layout::at_windows(const PieceRequest& request, const PromptObject& from) {
         };
         const float low = length == Length::floor ? 0.02f : length == Length::apron ? o.y0 - 0.12f : o.y0 - 0.02f;
         bool done = false;
-        for (const float margin : {kCurtainMargin, 0.18f, 0.08f}) done = done || hang(margin, std::max(0.02f, low));
+        const float floor = plan_.floor_before(face, o.u0, o.u1);
+        for (const float margin : {kCurtainMargin, 0.18f, 0.08f})
+            done = done || hang(margin, std::max(0.02f, length == Length::floor ? floor + low : low));
         return done;
     };
     // All curtains of a room end alike, where all of them can.

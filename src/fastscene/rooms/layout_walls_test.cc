@@ -37,12 +37,13 @@ float longest_bare_stretch(const WalledRoom& room, int wall) {
     const WallFace face = room.plan.wall(wall);
     float longest = 0, bare = 0;
     for (float u = 0; u < face.length; u += kStep) {
+        const float floor = room.plan.floor_before(face, u, u + kStep);
         const Footprint column{flat(face.point(u, 0) + face.inward * (kAtWall / 2)),
                                {kStep / 2, kAtWall / 2},
                                yaw_of(face.inward),
-                               kLow,
-                               kHigh};
-        const bool taken = !wall_is_free(room.plan, face, u, u + kStep, kLow, kHigh) ||
+                               floor + kLow,
+                               floor + kHigh};
+        const bool taken = !wall_is_free(room.plan, face, u, u + kStep, floor + kLow, floor + kHigh) ||
                            std::any_of(room.placed.begin(), room.placed.end(), [&](const Placed& p) {
                                return !p.overhead && overlap(column, footprint_of(p));
                            });

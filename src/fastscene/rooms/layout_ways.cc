@@ -1,6 +1,7 @@
 #include "fastscene/rooms/layout_ways.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "fastscene/rooms/layout.h"
@@ -9,9 +10,11 @@ namespace fastscene {
 namespace {
 
 constexpr float kCell = 0.1f;
-constexpr float kEyeBand = 0.7f;   // heights that count for that: as Layout::camera_position has it
-constexpr float kHead = 1.75f;     // of who walks
-constexpr float kStepOver = 1.2f;  // what hangs higher is walked under (or beside: wall lamps, pictures)
+constexpr float kEyeBand = 0.7f;             // heights that count for that: as Layout::camera_position has it
+constexpr float kHead = 1.75f;               // of who walks
+constexpr float kStepOver = 1.2f;            // what hangs higher is walked under (or beside: wall lamps, pictures)
+constexpr float kClimb = kMostStep + 0.05f;  // from one cell to the next
+constexpr float kUnderfoot = 0.05f;          // what ends lower stands on a lower tier
 
 }  // namespace
 
@@ -23,9 +26,11 @@ Ways::Ways(const Plan& plan, const Passage& passage)
     for (int j = 0; j < rows_; ++j)
         for (int i = 0; i < columns_; ++i) {
             const Vec2f p = center(i, j);
+            const float floor = plan.floor_at(p);
+            if (!plan.platforms.empty()) floors_.push_back(floor);
             // Below a slope one walks where one can stand.
-            const float wall = plan.wall_distance(p), head = plan.ceiling_at(p) < kHead ? 0.f : wall;
-            cells_.push_back({head, std::min(wall, plan.air_around({p.x, kEyeHeight, p.y}))});
+            const float wall = plan.wall_distance(p), head = plan.ceiling_at(p) < floor + kHead ? 0.f : wall;
+            cells_.push_back({head, std::min(wall, plan.air_around({p.x, floor + kEyeHeight, p.y}))});
         }
     for (const Opening& o : plan.openings) {
         if (o.kind != Opening::Kind::door) continue;
@@ -62,12 +67,14 @@ bool Ways::narrow(std::vector<Clear>& cells, const Placed& placed) const {
     // One steps over a toy.
     constexpr float kToyHigh = 0.36f, kToyWide = 0.34f;
     const bool toy = box.y1 < kToyHigh && std::max(box.half.x, box.half.y) < kToyWide / 2;
-    const bool feet = !toy && placed.on < 0 && !placed.overhead && box.y0 < kStepOver && placed.piece.kind != "curtain";
-    const bool eyes = box.y1 > kEyeHeight - kEyeBand && box.y0 < kEyeHeight + kEyeBand;
-    if (!feet && !eyes) return false;
+    const bool stands = !toy && placed.on < 0 && !placed.overhead && placed.piece.kind != "curtain";
+    bool feet = stands && box.y0 < kStepOver;
+    bool eyes = box.y1 > kEyeHeight - kEyeBand && box.y0 < kEyeHeight + kEyeBand;
+    const bool tiers = !floors_.empty();
+    if (!feet && !eyes && !tiers) return false;
     // Only distances below the radii count: the cells around it.
     const auto axes = axes_of(box);
-    const float reach = (eyes ? passage_.eye_radius : passage_.body_radius) + kCell;
+    const float reach = (eyes || tiers ? passage_.eye_radius : passage_.body_radius) + kCell;
     const auto span = [&](float middle, float half, float size, int count) {
         return std::pair{std::clamp(static_cast<int>((middle - half - reach + size / 2) / kCell), 0, count),
                          std::clamp(static_cast<int>((middle + half + reach + size / 2) / kCell) + 1, 0, count)};
@@ -78,6 +85,11 @@ bool Ways::narrow(std::vector<Clear>& cells, const Placed& placed) const {
     for (int j = j0; j < j1; ++j)
         for (int i = i0; i < i1; ++i) {
             Clear& cell = cells[static_cast<std::size_t>(j * columns_ + i)];
+            if (tiers) {
+                const float floor = floor_of(j * columns_ + i), eye = floor + kEyeHeight;
+                feet = stands && box.y0 < floor + kStepOver && box.y1 > floor + kUnderfoot;
+                eyes = box.y1 > eye - kEyeBand && box.y0 < eye + kEyeBand;
+            }
             const float far = distance_to(box, axes, center(i, j));
             narrower |= (feet && cell.feet >= passage_.body_radius && far < passage_.body_radius) ||
                         (eyes && cell.eyes >= passage_.eye_radius && far < passage_.eye_radius);
@@ -92,15 +104,18 @@ std::vector<char> Ways::walked(const std::vector<Clear>& cells) const {
     const auto free = [&](int k) { return cells[static_cast<std::size_t>(k)].feet >= passage_.body_radius; };
     std::vector<char> seen(cells.size(), 0);
     std::vector<int> todo;
-    const auto visit = [&](int k) {
+    const auto enter = [&](int k) {
         if (free(k) && !seen[static_cast<std::size_t>(k)]) seen[static_cast<std::size_t>(k)] = 1, todo.push_back(k);
     };
-    for (const int k : starts_) visit(k);
+    for (const int k : starts_) enter(k);
     if (starts_.empty())  // no door: whoever is inside may be anywhere
-        for (int k = 0; k < static_cast<int>(cells.size()); ++k) visit(k);
+        for (int k = 0; k < static_cast<int>(cells.size()); ++k) enter(k);
     while (!todo.empty()) {
         const int k = todo.back(), i = k % columns_, j = k / columns_;
         todo.pop_back();
+        const auto visit = [&](int n) {
+            if (std::abs(floor_of(n) - floor_of(k)) < kClimb) enter(n);
+        };
         if (i > 0) visit(k - 1);
         if (i + 1 < columns_) visit(k + 1);
         if (j > 0) visit(k - columns_);

@@ -36,6 +36,7 @@ class Ways {
         float feet, eyes;
     };
     Vec2f center(int i, int j) const;
+    float floor_of(int cell) const { return floors_.empty() ? 0.f : floors_[static_cast<std::size_t>(cell)]; }
     int cell_near(Vec2f point) const;
     // Says whether a cell where one could walk or look from is none any more.
     bool narrow(std::vector<Clear>& cells, const Placed& placed) const;
@@ -46,8 +47,9 @@ class Ways {
     Passage passage_;
     int columns_, rows_;
     std::vector<Clear> cells_;
-    std::vector<int> starts_;  // cells before the door
-    std::vector<int> goals_;   // … and before a doorway, which must be reached too
+    std::vector<float> floors_;  // height of each cell; empty: the floor is level
+    std::vector<int> starts_;    // cells before the door
+    std::vector<int> goals_;     // … and before a doorway, which must be reached too
     std::vector<char> walked_;
     bool open_ = false;
 };

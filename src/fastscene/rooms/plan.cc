@@ -263,7 +263,9 @@ Plan make_plan(PromptSpec& spec, Random& rng) {
     report_unbuilt(spec);
     shape_plan(spec, plan, rng);
     tell_measures(spec, plan);
+    add_tiers(spec, plan);
     add_windows(spec, plan, rng);
+    lift_windows(spec, plan);
     add_door(spec, plan, rng);
     choose_ceiling(spec, plan);
     plan.neon = spec.light == "neon";

@@ -80,6 +80,16 @@ inline bool cuts_corner(const Block& b) { return b.kind == Block::Kind::cut || b
 // walls. Convex seen from outside.
 std::vector<Vec2f> cut_edge(const Block& block);
 
+// A part of the floor that is raised: a box on it. Tiers carry rows of seats; steps lead up an aisle from one to the
+// next, and stand on the lower one. Where two overlap, the higher is the floor.
+struct Platform {
+    enum class Kind : unsigned char { tier, step } kind = Kind::tier;
+    Vec2f low, high;   // x, z
+    float height = 0;  // of its top
+};
+inline constexpr float kMostStep = 0.2f;    // metres that one climbs at once
+inline constexpr float kBehindRow = 0.03f;  // free between the backs of a row and the end of its tier
+
 // A window in a sloped ceiling above wall 1 or 3: from z0 to z1, and from s0 to s1 metres up the slope.
 struct Skylight {
     int wall = 1;
@@ -126,6 +136,7 @@ struct Plan {
     float oculus = 0;  // radius of a round opening to the sky at the top of a dome; 0: none
     Mezzanine mezzanine;
     std::vector<Block> blocks;
+    std::vector<Platform> platforms;        // empty: all of the floor is y = 0
     std::vector<PromptObject> asked_parts;  // what of is_shell the prompt asks for
     // Sloped ceiling (attic): it begins at this height at walls 1 and 3 and reaches `height` after slope_run metres; 0
     // = flat.
@@ -156,14 +167,20 @@ struct Plan {
     }
     // The edge of the mezzanine along z; the far wall where there is none.
     float mezzanine_edge() const { return depth / 2 - mezzanine.depth; }
-    // Whether the box lies in the room: within the walls, out of blocks, below the ceiling.
+    float floor_at(Vec2f point) const;
+    // The highest floor below a box; and whether all of the floor below it is as high.
+    float floor_below(const Footprint& box) const;
+    bool is_level(const Footprint& box) const;
+    // The highest floor that a part of a wall face stands on.
+    float floor_before(const WallFace& face, float u0, float u1) const;
+    // Whether the box lies in the room: within the walls, out of blocks, above the floor, below the ceiling.
     bool holds(const Footprint& box) const;
     // Distance to the nearest wall or block on the floor, and to any of them or a sloped ceiling in space.
     float wall_distance(Vec2f point) const;
     float air_around(Vec3f point) const;
     // The longest part of a wall (u0, u1) before which nothing stands and above which the ceiling is at least this
-    // high.
-    std::pair<float, float> free_span(int wall, float height) const;
+    // high; `level`: and before which the floor is y = 0, as doors want it.
+    std::pair<float, float> free_span(int wall, float height, bool level = false) const;
 };
 
 // How far up a vault is at a point, 0 where it springs from the walls to 1 at its top; and at a share `out` of the way
@@ -188,6 +205,14 @@ struct NextRoom {
 void shape_plan(PromptSpec& spec, Plan& plan, Random& rng);
 // Skylights, and a doorway to a next room where a wall is left for it. After windows and door.
 void open_plan(PromptSpec& spec, Plan& plan, Random& rng);
+
+// The tiers that the rows of the room's recipe stand on, where the room is large and high enough for them. Once it has
+// its shape.
+void add_tiers(const PromptSpec& spec, Plan& plan);
+// Windows whose sills a tier would reach are lifted above it, or left out; and a door is moved to where the floor is
+// y = 0, beside the tiers.
+void lift_windows(PromptSpec& spec, Plan& plan);
+void move_door(Plan& plan, Opening& door);
 
 // Beams run along x, evenly spaced over the room's depth: the middle of the first is half a space from the wall.
 inline int beam_count(const Plan& plan) { return std::max(2, static_cast<int>(plan.depth / 1.1f)); }

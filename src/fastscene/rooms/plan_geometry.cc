@@ -243,7 +243,7 @@ float Plan::ceiling_at(Vec2f p) const {
 
 bool Plan::holds(const Footprint& box) const {
     if (!(std::abs(box.center.x) + extent(box, {1, 0}) <= width / 2 - 0.002f &&
-          std::abs(box.center.y) + extent(box, {0, 1}) <= depth / 2 - 0.002f && box.y0 > -0.01f))
+          std::abs(box.center.y) + extent(box, {0, 1}) <= depth / 2 - 0.002f && box.y0 > floor_below(box) - 0.01f))
         return false;
     const float low_enough = vault == Vault::flat ? -1.f : spring;  // below any vault
     for (const Vec2f corner : corners_of(box))
@@ -271,7 +271,7 @@ float Plan::wall_distance(Vec2f p) const {
 
 float Plan::air_around(Vec3f p) const {
     const float above = mezzanine.depth > 0 ? ceiling_at({p.x, p.z}) : height;
-    float near = std::min({wall_distance({p.x, p.z}), p.y, above - p.y});
+    float near = std::min({wall_distance({p.x, p.z}), p.y - floor_at({p.x, p.z}), above - p.y});
     constexpr float kFarthest = 1.2f;
     if (vault != Vault::flat && p.y + kFarthest > spring)
         for (int i = 0; i < 8; ++i)  // towards where it comes down, whichever way that is
@@ -300,10 +300,12 @@ std::pair<float, float> Plan::uncut_span(int i) const {
     return span;
 }
 
-std::pair<float, float> Plan::free_span(int i, float wanted_height) const {
+std::pair<float, float> Plan::free_span(int i, float wanted_height, bool level) const {
     const WallFace face = wall(i);
     std::vector<std::pair<float, float>> covered;
     for (const Block& b : blocks) covered.push_back(shadow(face, b));
+    for (const Platform& p : platforms)
+        if (level) covered.push_back(shadow(face, {Block::Kind::corner, p.low, p.high}));
     if (knee > 0) {
         // Below the slope: all of the side walls, the ends of the others.
         const float cut = std::clamp((wanted_height - knee) / (height - knee), 0.f, 1.f) * slope_run;

@@ -247,6 +247,7 @@ void add_door(PromptSpec& spec, Plan& plan, Random& rng) {
     door.y1 = 2.06f;
     if (shape_of(wish) != Opening::Shape::square)
         door.shape = Opening::Shape::arched, door.y1 = std::min(plan.wall_top() - 0.2f, 2.2f);
+    move_door(plan, door);
     plan.openings.push_back(door);
 }
 

@@ -104,7 +104,7 @@ void add_doorway(PromptSpec& spec, Plan& plan, Random& rng) {
     for (const int w : order) {
         if (std::any_of(plan.openings.begin(), plan.openings.end(), [&](const Opening& o) { return o.wall == w; }))
             continue;
-        const auto [low, high] = plan.free_span(w, 2.3f);
+        const auto [low, high] = plan.free_span(w, 2.3f, true);
         if (high - low < 2.2f) continue;
         Opening o;
         o.kind = Opening::Kind::doorway;

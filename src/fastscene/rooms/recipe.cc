@@ -16,8 +16,9 @@ using furnishing::StepKind;
 
 constexpr double kMostPull = 5, kLeastGap = -1, kMostGap = 3, kLongest = 6;  // the latter in metres
 constexpr int kMostTimes = 20, kMostPieces = 99;
-constexpr double kLongestRun = 12;   // metres
-constexpr double kWidestPitch = 20;  // metres: one vault over a whole hall
+constexpr double kLongestRun = 12;    // metres
+constexpr double kWidestPitch = 20;   // metres: one vault over a whole hall
+constexpr double kHighestRise = 0.5;  // metres: steeper seats want a rail before them
 
 // Keys that every step may have.
 constexpr std::string_view kEveryStep[] = {"do",        "only_asked",    "if_asked",     "if_not_asked",  "if_to_place",
@@ -125,6 +126,9 @@ class StepReader {
                 s_.walls.push_back(static_cast<int>(t_.choice_of("walls", name, file_fields::kWallNames)));
         }
         s_.pitch_m = number("pitch_m", s_.pitch_m, 0.2, kWidestPitch);
+        s_.rise_m = number("rise_m", s_.rise_m, 0, kHighestRise);
+        if (s_.rise_m > 0 && !(s_.pitch_m > 0))
+            t_.fail_missing("pitch_m", "how far apart the rows are that rise_m lifts, in metres");
         s_.aisle_m = number("aisle_m", s_.aisle_m, 0, kLongest);
         s_.side_m = number("side_m", s_.side_m, 0, kLongest);
         s_.front_m = number("front_m", s_.front_m, 0, kLongestRun);

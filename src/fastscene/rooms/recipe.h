@@ -57,6 +57,7 @@ struct RecipeStep {
     int towards = 0;                      // the wall that rows look at: 0 far, 1 right, 2 near, 3 left
     std::vector<int> walls{0, 1, 3};      // at which walls, in this order
     float pitch_m = 0;                    // from one row, lamp or seat to the next
+    float rise_m = 0;                     // from one row to the next behind it: they stand on tiers (Plan::platforms)
     float aisle_m = 0;                    // down the middle
     float side_m = 0.35f;                 // free at both ends of rows, and at the ends of a counter
     float front_m = 1.5f, rear_m = 0.8f;  // free before the first row and behind the last

@@ -45,6 +45,12 @@ TEST(Recipe, ErrorsNameFileLineAndKey) {
                         "1: [[recipe]] above: at: expected the things at which \"above\" may place its thing");
     expect_recipe_error("[[recipe]]\ndo = \"wall\"\nthing = \"sofa\"\nthen = [\n{ do = \"top\", thing = \"soffa\" }]\n",
                         "5: [[then]] top: thing: expected a thing of the catalogue, found \"soffa\"");
+    expect_recipe_error("[[recipe]]\ndo = \"rows\"\nthing = \"cinema_seat\"\npitch_m = 1\nrise_m = 0.9\n",
+                        "5: [[recipe]] rows: rise_m: expected a number from 0 to 0.5, found 0.9");
+    expect_recipe_error("[[recipe]]\ndo = \"rows\"\nthing = \"cinema_seat\"\nrise_m = 0.3\n",
+                        "1: [[recipe]] rows: pitch_m: expected how far apart the rows are that rise_m lifts");
+    expect_recipe_error("[[recipe]]\ndo = \"tables\"\nthing = \"dining_table\"\nrise_m = 0.3\n",
+                        "4: unknown key \"rise_m\" in [[recipe]] tables");
 }
 
 TEST(Recipe, StepsHaveWhatTheirFileSays) {

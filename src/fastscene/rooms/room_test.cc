@@ -13,6 +13,7 @@
 #include "fastscene/rooms/rooms.h"
 #include "fastscene/rooms/style.h"
 #include "fastscene/rooms/validate.h"
+#include "fastscene/scene/raised_floor.h"
 
 namespace fastscene {
 namespace {
@@ -137,7 +138,7 @@ void check_room(const Room& room, const std::vector<Vec3f>& rays) {
         EXPECT_EQ(outside, -2) << (outside < 0 ? "the shell" : room.objects[static_cast<std::size_t>(outside)].name)
                                << " reaches out of the house";
     }
-    floor = room.max_corner.y;
+    floor = floor_at(room, {0, 0});
     EXPECT_GT(floor, 1.2f);
     EXPECT_LT(floor, 1.8f);
     EXPECT_GE(nearest, 0.45f) << "of the camera: "

@@ -295,6 +295,7 @@ void build_shell(const Plan& plan, Room& room) {
     }
     if (plan.vault != Vault::flat) build_vault(plan, m, room);
     build_blocks(plan, m, room);
+    build_platforms(plan, m, room);
     build_cut_corners(plan, m.wall, room);
     build_openings(plan, m, room);
     if (plan.knee > 0) build_skylights(plan, m, room);

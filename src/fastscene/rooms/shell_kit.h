@@ -95,7 +95,9 @@ void build_vault(const Plan& plan, const Materials& materials, Room& room);
 
 // A window without frame and panes: columns at its sides, the arch's moulding, a bench of stone below.
 void build_arcade_arch(const Opening& o, const WallFace& face, Room& room, int wall, int object);
-void build_openings(const Plan& plan, const Materials& materials, Room& room);   // windows, doors, doorways
+void build_openings(const Plan& plan, const Materials& materials, Room& room);  // windows, doors, doorways
+// Tiers and steps: shell_tiers.cc.
+void build_platforms(const Plan& plan, const Materials& materials, Room& room);
 void build_skylights(const Plan& plan, const Materials& materials, Room& room);  // with the slopes they are in
 void build_trim(const Plan& plan, const Materials& materials,
                 Room& room);  // skirting, mouldings, panelling, beams, coffers

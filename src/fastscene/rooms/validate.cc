@@ -78,7 +78,8 @@ class Checker {
         }
         switch (p.piece.mount) {
             case Mount::floor:
-                if (std::abs(p.position.y) > 0.02f && p.piece.kind != "curtain")
+                if (p.piece.kind == "curtain") break;
+                if (!plan_.platforms.empty() ? !stands_level(plan_, p) : std::abs(p.position.y) > 0.02f)
                     add("unsupported", name(i) + " does not stand on the floor");
                 break;
             case Mount::surface: add("unsupported", name(i) + " stands on nothing"); break;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <map>
 #include <utility>
 
@@ -40,6 +41,26 @@ std::vector<FloorCell> standable_cells(const StandableFloor& floor) {
         for (int column = 0; column < floor.columns; ++column)
             if (floor.at(column, row)) cells.push_back({column, row});
     return cells;
+}
+
+std::vector<float> levels_of(const StandableFloor& floor) {
+    if (floor.level_y.empty()) return {floor.floor_y};
+    std::vector<float> levels;
+    for (const FloorCell cell : standable_cells(floor)) levels.push_back(floor.level_at(cell.column, cell.row));
+    std::sort(levels.begin(), levels.end(), std::greater<>());
+    levels.erase(std::unique(levels.begin(), levels.end()), levels.end());
+    return levels;
+}
+
+StandableFloor at_level(const StandableFloor& floor, float y) {
+    StandableFloor out = floor;
+    out.floor_y = y;
+    out.level_y.clear();
+    for (const FloorCell cell : standable_cells(floor))
+        if (floor.level_at(cell.column, cell.row) != y)
+            out.standable[static_cast<std::size_t>(cell.row) * static_cast<std::size_t>(floor.columns) +
+                          static_cast<std::size_t>(cell.column)] = 0;
+    return out;
 }
 
 double standable_area_m2(const StandableFloor& floor) {

@@ -13,13 +13,19 @@ struct StandableFloor {
     float cell_m = 0.1f;
     int columns = 0;                      // along x
     int rows = 0;                         // along z
-    float floor_y = 0;                    // of the floor; y points down
+    float floor_y = 0;                    // of the lowest floor; y points down
     std::vector<std::uint8_t> standable;  // rows x columns; nonzero: one can stand at the cell's center
+    std::vector<float> level_y;           // of the floor in each cell; empty: floor_y everywhere
 
     bool at(int column, int row) const {
         return column >= 0 && row >= 0 && column < columns && row < rows &&
                standable[static_cast<std::size_t>(row) * static_cast<std::size_t>(columns) +
                          static_cast<std::size_t>(column)] != 0;
+    }
+    float level_at(int column, int row) const {
+        return level_y.empty() ? floor_y
+                               : level_y[static_cast<std::size_t>(row) * static_cast<std::size_t>(columns) +
+                                         static_cast<std::size_t>(column)];
     }
     Vec2f center(int column, int row) const {
         return {corner_m.x + (static_cast<float>(column) + 0.5f) * cell_m,
@@ -33,6 +39,10 @@ struct FloorCell {
     friend bool operator==(FloorCell, FloorCell) = default;
 };
 std::vector<FloorCell> standable_cells(const StandableFloor& floor);
+// The heights (world y) of the standable cells, each once, from the lowest floor up; floor_y alone if it is level.
+std::vector<float> levels_of(const StandableFloor& floor);
+// The cells of one of those heights alone.
+StandableFloor at_level(const StandableFloor& floor, float y);
 // Square metres.
 double standable_area_m2(const StandableFloor& floor);
 

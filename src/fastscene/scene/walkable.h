@@ -12,9 +12,22 @@ namespace fastscene {
 struct WalkableArea {
     // Closed polygons, the last vertex connected to the first; outlines and holes (furniture) alike, even-odd rule.
     std::vector<std::vector<Vec2f>> rings_m;
-    float low_y = 0, high_y = 0;  // eyes stay within [low_y, high_y]
-    float floor_y = 0;            // reference of eye heights
+    float low_y = 0, high_y = 0;  // above floor_y eyes stay within [low_y, high_y]
+    float floor_y = 0;            // reference of eye heights: of the lowest floor
+    // Of a floor with tiers and steps: its parts, each of one height, and above each the eyes as far from it as above
+    // floor_y. Empty: all of it is level.
+    struct Level {
+        std::vector<std::vector<Vec2f>> rings_m;
+        float floor_y = 0;
+    };
+    std::vector<Level> levels = {};
 };
+
+// The floor (world y) at a point of the area; elsewhere that of the nearest part. And how far above floor_y it is.
+float floor_at(const WalkableArea& area, Vec2f point);
+inline float raised_at(const WalkableArea& area, Vec2f point) {
+    return area.levels.empty() ? 0.f : area.floor_y - floor_at(area, point);
+}
 
 bool contains(const WalkableArea& area, Vec2f point);
 bool contains(const WalkableArea& area, Vec3f position);

@@ -36,6 +36,40 @@ TEST(Walkable, EyesStayBetweenTheirHeights) {
     EXPECT_EQ(held, (Vec3f{0, -0.5f, -1}));
 }
 
+// … whose half at z > 0 is raised by 0.4 m.
+WalkableArea raised_room() {
+    WalkableArea area{{square(-2, -2, 2, 2)}, -0.5f, 0.7f, 1.5f};
+    area.levels = {{{square(-2, -2, 2, 0)}, 1.5f}, {{square(-2, 0, 2, 2)}, 1.1f}};
+    return area;
+}
+
+TEST(Walkable, OnTiersEyesAreAsMuchHigher) {
+    const WalkableArea area = raised_room();
+    EXPECT_EQ(floor_at(area, {0, -1}), 1.5f);
+    EXPECT_EQ(floor_at(area, {0, 1}), 1.1f);
+    EXPECT_EQ(floor_at(area, {0, 9}), 1.1f) << "the nearest part";
+    EXPECT_EQ(floor_at(room(), {0, 1}), 1.5f);
+    EXPECT_TRUE(contains(area, Vec3f{0, 0.6f, -1}) && !contains(area, Vec3f{0, 0.6f, 1}));
+    EXPECT_TRUE(contains(area, Vec3f{0, -0.8f, 1}) && !contains(area, Vec3f{0, -0.8f, -1}));
+    EXPECT_NEAR(nearest_inside(area, Vec3f{0, -2, 1}).y, -0.9f, 1e-6f);
+    EXPECT_NEAR(nearest_inside(area, Vec3f{0, 2, 1}).y, 0.3f, 1e-6f);
+}
+
+TEST(Walkable, JsonKeepsLevelsAndALevelFloorHasNone) {
+    EXPECT_FALSE(walkable_json(room()).contains("levels"));
+    const Json json = walkable_json(raised_room());
+    const WalkableArea again = walkable_from_json(json, "walkable.json");
+    ASSERT_EQ(again.levels.size(), 2u);
+    EXPECT_EQ(again.levels[1].floor_y, 1.1f);
+    EXPECT_EQ(again.levels[1].rings_m, raised_room().levels[1].rings_m);
+    EXPECT_EQ(walkable_json(again), json);
+    for (const Json& wrong : {Json(3), Json{{{"floor_y_m", 1}}}, Json{{{"rings_m", Json::array()}}}}) {
+        Json broken = json;
+        broken["levels"] = wrong;
+        EXPECT_THROW(walkable_from_json(broken, "walkable.json"), Error) << wrong.dump();
+    }
+}
+
 TEST(Walkable, NearestInsideIsInsideAndNoNearerPlaceIs) {
     const WalkableArea area = room();
     Random random(3, "walkable");

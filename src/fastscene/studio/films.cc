@@ -96,7 +96,9 @@ Json Films::film(const std::string& scene) {
         for (const Vec2f p : ring) out["rings"].back().push_back({p.x, p.y});
     }
     out["low_m"] = area.floor_y - area.high_y;
-    out["high_m"] = area.floor_y - area.low_y;
+    float highest_y = area.floor_y;
+    for (const WalkableArea::Level& level : area.levels) highest_y = std::min(highest_y, level.floor_y);
+    out["high_m"] = area.floor_y - area.low_y + (area.floor_y - highest_y);
     out["floor_y"] = area.floor_y;
     return out;
 }

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "fastscene/base/parallel.h"
+#include "fastscene/scene/raised_floor.h"
 
 namespace fastscene {
 namespace {
@@ -38,13 +39,17 @@ std::vector<float> ball_heights(const Body& body, float radius_m) {
     return heights;
 }
 
+// Where one climbs, legs are not stopped by the next step: the body is free above this height.
+constexpr float kClimb_m = 0.25f;
+
 // The free radius around a body at a point of the floor, up to its `clear_m`; 0 where it does not fit.
 float free_radius(const TracedRoom& room, const Body& body, const std::vector<float>& heights, Vec2f at,
                   float floor_y) {
     // There must be a floor below, which also excludes points outside the walls.
+    constexpr float kOnFloor_m = Body{}.step_over_m + 0.01f;
     const float low = heights.front();
     const float down = room.distance({at.x, floor_y - low, at.y}, {0, 1, 0});
-    if (!(std::fabs(down - low) < body.step_over_m + 0.01f)) return 0;
+    if (!(std::fabs(down - low) < kOnFloor_m)) return 0;
     float least = body.clear_m;
     for (const float h : heights) {
         // A wider ball would touch the floor.
@@ -78,7 +83,8 @@ void keep_reachable(StandableFloor& floor) {
         for (const FloorCell n : {FloorCell{c.column - 1, c.row}, FloorCell{c.column + 1, c.row},
                                   FloorCell{c.column, c.row - 1}, FloorCell{c.column, c.row + 1}}) {
             if (n.column < 0 || n.row < 0 || n.column >= floor.columns || n.row >= floor.rows || !free[index(n)] ||
-                floor.at(n.column, n.row))
+                floor.at(n.column, n.row) ||
+                std::fabs(floor.level_at(n.column, n.row) - floor.level_at(c.column, c.row)) > kClimb_m)
                 continue;
             floor.standable[index(n)] = 1;
             todo.push_back(n);
@@ -88,7 +94,7 @@ void keep_reachable(StandableFloor& floor) {
 
 }  // namespace
 
-StandableFloor standable_floor(const TracedRoom& room, const Body& body) {
+StandableFloor standable_floor(const TracedRoom& room, const Body& given) {
     const Extent extent = extent_of(room.room());
     StandableFloor floor;
     floor.cell_m = kCell_m;
@@ -99,6 +105,12 @@ StandableFloor standable_floor(const TracedRoom& room, const Body& body) {
     floor.columns = std::max(0, static_cast<int>(std::ceil((extent.high.x - floor.corner_m.x) / kCell_m)));
     floor.rows = std::max(0, static_cast<int>(std::ceil((extent.high.y - floor.corner_m.y) / kCell_m)));
     floor.standable.assign(static_cast<std::size_t>(floor.columns) * static_cast<std::size_t>(floor.rows), 0);
+    const bool raised = has_raised_floor(room.room());
+    Body body = given;
+    if (raised) {
+        floor.level_y.assign(floor.standable.size(), floor.floor_y);
+        body.step_over_m = std::max(body.step_over_m, kClimb_m);
+    }
     const std::vector<float> heights = ball_heights(body, body.pass_m);
     std::vector<float> radii(floor.standable.size());
     parallel_for(floor.rows, 1, [&](std::int64_t begin, std::int64_t end) {
@@ -106,7 +118,10 @@ StandableFloor standable_floor(const TracedRoom& room, const Body& body) {
             for (int column = 0; column < floor.columns; ++column) {
                 const auto cell = static_cast<std::size_t>(row) * static_cast<std::size_t>(floor.columns) +
                                   static_cast<std::size_t>(column);
-                radii[cell] = free_radius(room, body, heights, floor.center(column, row), floor.floor_y);
+                const Vec2f at = floor.center(column, row);
+                const float level = raised ? floor_at(room.room(), at) : floor.floor_y;
+                if (raised) floor.level_y[cell] = level;
+                radii[cell] = free_radius(room, body, heights, at, level);
                 floor.standable[cell] = radii[cell] > 0;
             }
     });

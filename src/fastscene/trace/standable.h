@@ -12,12 +12,12 @@ namespace fastscene {
 struct Body {
     float clear_m = 0.25f;      // free radius where the person stands
     float pass_m = 0.15f;       // … and where it passes
-    float step_over_m = 0.05f;  // rugs and sills: anything lower is ignored
+    float step_over_m = 0.05f;  // rugs and sills: anything lower is ignored; on tiers, steps too
     float height_m = 1.75f;
 };
 // The cells, 0.1 m wide, where that body has its clear radius and that it can walk to from below panorama 0 (the
-// world's origin), through doorways too. Empty if no cell within 1.5 m of the origin is free. Deterministic; needs no
-// light.
+// world's origin), through doorways and up steps (scene/raised_floor.h) too. Empty if no cell within 1.5 m of the
+// origin is free. Deterministic; needs no light.
 StandableFloor standable_floor(const TracedRoom& room, const Body& body = {});
 // Where that body can just fit in: the area that visitors may walk on.
 inline StandableFloor passable_floor(const TracedRoom& room, Body body = {}) {

@@ -70,6 +70,55 @@ TEST(Standable, BedsFromWallToWallLeaveNothing) {
     EXPECT_TRUE(standable_cells(standable_floor(TracedRoom(room))).empty());
 }
 
+// Two tiers of 0.36 m across the room, from z = 0.5 and z = 1.5 on, with steps in the middle that lead up to them.
+Room tiered_room(bool steps) {
+    Room room = plain_room();
+    raise_floor(room, {-2, 0.5f}, {2, 1.5f}, 0.36f);
+    raise_floor(room, {-2, 1.5f}, {2, 2.5f}, 0.72f);
+    if (steps) raise_floor(room, {-0.5f, 0}, {0.5f, 0.5f}, 0.18f, kTierStep);
+    if (steps) raise_floor(room, {-0.5f, 1}, {0.5f, 1.5f}, 0.54f, kTierStep);
+    return room;
+}
+float level_at(const StandableFloor& floor, float x, float z) {
+    const auto cell = [&](float v, float corner) { return static_cast<int>(std::floor((v - corner) / floor.cell_m)); };
+    return floor.level_at(cell(x, floor.corner_m.x), cell(z, floor.corner_m.y));
+}
+
+TEST(Standable, StepsLeadUpAndRisersDoNot) {
+    const TracedRoom room(tiered_room(true));
+    for (const StandableFloor& floor : {standable_floor(room), passable_floor(room)}) {
+        EXPECT_TRUE(stands_at(floor, 1.f, -1.5f) && stands_at(floor, 1.f, 0.9f) && stands_at(floor, 1.f, 2.f));
+        EXPECT_NEAR(level_at(floor, 1.f, -1.5f), 1.5f, 1e-5f);
+        EXPECT_NEAR(level_at(floor, 1.f, 0.9f), 1.14f, 1e-5f);
+        EXPECT_NEAR(level_at(floor, 1.f, 2.f), 0.78f, 1e-5f);
+        EXPECT_EQ(levels_of(floor).size(), 5u);
+        // Up the steps there is no gap; before a riser there is one.
+        for (float z = -2.f; z < 2.f; z += 0.05f) EXPECT_TRUE(stands_at(floor, 0.05f, z)) << z;
+        EXPECT_FALSE(stands_at(floor, 1.f, 0.44f));
+    }
+    const StandableFloor below = standable_floor(TracedRoom(tiered_room(false)));
+    EXPECT_TRUE(stands_at(below, 1.f, -1.5f));
+    EXPECT_FALSE(stands_at(below, 1.f, 0.9f) || stands_at(below, 1.f, 2.f));
+}
+
+TEST(Standable, NobodyStandsInsideOfAHighTier) {
+    Room room = plain_room();
+    raise_floor(room, {-2, 0}, {2, 2.5f}, 2.f);  // as high as a body
+    const StandableFloor floor = standable_floor(TracedRoom(room));
+    EXPECT_TRUE(stands_at(floor, 0, -1.f));
+    EXPECT_FALSE(stands_at(floor, 0, 1.2f));
+}
+
+TEST(Standable, LevelsPartTheFloor) {
+    const StandableFloor floor = passable_floor(TracedRoom(tiered_room(true)));
+    double area = 0;
+    for (const float y : levels_of(floor)) area += standable_area_m2(at_level(floor, y));
+    EXPECT_NEAR(area, standable_area_m2(floor), 1e-6);
+    EXPECT_EQ(levels_of(floor).front(), floor.floor_y);
+    EXPECT_EQ(levels_of(passable_floor(TracedRoom(plain_room()))), std::vector<float>{1.5f});
+    EXPECT_TRUE(passable_floor(TracedRoom(plain_room())).level_y.empty());
+}
+
 TEST(Trace, SeesThroughNothingButAirAndGlass) {
     Room room = plain_room();
     put(room, {-0.5f, -0.5f, 1.f}, {0.5f, 0.5f, 1.1f});

@@ -5,6 +5,8 @@
 #include <memory>
 #include <utility>
 
+#include "fastscene/scene/box.h"
+#include "fastscene/scene/raised_floor.h"
 #include "fastscene/scene/room.h"
 
 namespace fastscene {
@@ -18,6 +20,18 @@ inline Material diffuse(Vec3f albedo, Vec3f emission = {}) {
     m.specular = 0;
     m.roughness = 1;
     return m;
+}
+
+// Raises a part of the floor of a room whose floor is at kHigh.y.
+inline void raise_floor(Room& room, Vec2f low, Vec2f high, float height, const char* kind = kTier) {
+    RoomObject object;
+    object.kind = kind;
+    object.size_m = {high.x - low.x, height, high.y - low.y};
+    object.world_from_object = {rotation_about(Vec3f{1, 0, 0}, kPi),
+                                {(low.x + high.x) / 2, kHigh.y, (low.y + high.y) / 2}};
+    room.objects.push_back(object);
+    room.meshes.push_back(box_mesh({low.x, kHigh.y - height, low.y}, {high.x, kHigh.y, high.y}, 0,
+                                   static_cast<int>(room.objects.size()) - 1));
 }
 
 // A screen that shows a picture of which the left half is white, the right one black, over coordinates from 0 to 1.

@@ -21,7 +21,7 @@ std::vector<Vec3f> viewpoints_over(const StandableFloor& floor, const Run& run) 
     for (int i = 0; i < kEyes && !cells.empty(); ++i) {
         const FloorCell cell = cells[static_cast<std::size_t>(random.index(static_cast<int>(cells.size())))];
         const Vec2f at = floor.center(cell.column, cell.row);
-        viewpoints.push_back({at.x, floor.floor_y - random.uniform(kLowest_m, kTop_m), at.y});
+        viewpoints.push_back({at.x, floor.level_at(cell.column, cell.row) - random.uniform(kLowest_m, kTop_m), at.y});
     }
     return viewpoints;
 }

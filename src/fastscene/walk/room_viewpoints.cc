@@ -51,7 +51,7 @@ std::vector<Sample> seen_by_visitors(const TracedRoom& room, const StandableFloo
             const Vec2f at = floor.center(cell.column, cell.row);
             const float height = random.chance(kCrouchShare) ? random.uniform(kCrouch_m, kEyeLow_m)
                                                              : random.uniform(kEyeLow_m, kEyeHigh_m);
-            const Vec3f viewpoint{at.x, floor.floor_y - height, at.y};
+            const Vec3f viewpoint{at.x, floor.level_at(cell.column, cell.row) - height, at.y};
             if (!has_air(room, viewpoint, kEyeAir_m)) continue;
             for (int k = 0; k < kRaysAVisitor; ++k) {
                 const Vec3f d = uniform_direction(random);
@@ -97,7 +97,7 @@ std::vector<Vec3f> candidates(const TracedRoom& room, const StandableFloor& floo
             if (nearest > lean) continue;
             const Vec2f at = floor.center(column, row), from = floor.center(foot.column, foot.row);
             for (const float height : kHeights_m) {
-                const Vec3f viewpoint{at.x, floor.floor_y - height, at.y};
+                const Vec3f viewpoint{at.x, floor.level_at(foot.column, foot.row) - height, at.y};
                 if (nearest > 0 && (height < kEyeLow_m || !room.sees({from.x, viewpoint.y, from.y}, viewpoint)))
                     continue;
                 if (has_air(room, viewpoint, kEyeAir_m)) found.push_back(viewpoint);

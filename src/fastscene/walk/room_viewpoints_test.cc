@@ -42,6 +42,34 @@ TEST(RoomViewpoints, SeeBothRoomsAndAreWhereOneCanLook) {
     EXPECT_GE(few.unseen_share, chosen.unseen_share);
 }
 
+// The far half is a tier of 0.36 m with a step before it.
+Room room_with_a_tier() {
+    Room room = two_rooms();
+    room.meshes.erase(room.meshes.begin() + 1);
+    raise_floor(room, {-2, 0.8f}, {2, 2.5f}, 0.36f);
+    raise_floor(room, {-0.5f, 0.3f}, {0.5f, 0.8f}, 0.18f, kTierStep);
+    return room;
+}
+
+TEST(RoomViewpoints, OnATierTheyAreAboveItAndWithinTheWalkableArea) {
+    const TracedRoom room(room_with_a_tier());
+    const StandableFloor floor = passable_floor(room);
+    const WalkableArea area = walkable_room(floor);
+    ASSERT_EQ(area.levels.size(), 3u);
+    const RoomViewpoints chosen = choose_room_viewpoints(room, floor, {}, {});
+    int above = 0;
+    for (const Vec3f p : chosen.positions_m) {
+        const float eye = floor_at(area, {p.x, p.z}) - p.y;
+        EXPECT_TRUE(eye > 0.6f && eye < 1.9f) << eye;
+        above += floor_at(area, {p.x, p.z}) < kHigh.y - 0.3f;
+        if (contains(area, Vec2f{p.x, p.z})) {
+            EXPECT_TRUE(contains(area, p));
+        }
+    }
+    EXPECT_GT(above, 1);
+    EXPECT_TRUE(walkable_room(passable_floor(TracedRoom(two_rooms()))).levels.empty());
+}
+
 TEST(RoomViewpoints, NobodyStandsNobodyLooks) {
     Room room = two_rooms();
     room.meshes.push_back(box_mesh({-2.f, 1.f, -2.5f}, {2.f, 1.5f, 2.5f}, 0));

@@ -35,7 +35,10 @@ std::vector<Vec2f> convex_hull(std::vector<Vec2f> points) {
 }  // namespace
 
 WalkableArea walkable_room(const StandableFloor& floor) {
-    return {outlines(floor), floor.floor_y - kTallestEye_m, floor.floor_y - kLowestEye_m, floor.floor_y};
+    WalkableArea area{outlines(floor), floor.floor_y - kTallestEye_m, floor.floor_y - kLowestEye_m, floor.floor_y};
+    if (const std::vector<float> levels = levels_of(floor); levels.size() > 1 || levels[0] != floor.floor_y)
+        for (const float y : levels) area.levels.push_back({outlines(at_level(floor, y)), y});
+    return area;
 }
 
 Invention invention_of(const Panorama& panorama) {

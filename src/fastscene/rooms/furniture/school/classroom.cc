@@ -35,6 +35,40 @@ void build_school_desk(Kit& k) {
     k.piece.clearance_front_m = 0.5f;
 }
 
+// Of lecture theatres: a writing top with a panel before the knees, and two folding seats behind it that stand up by
+// themselves. Side by side they are one long bench.
+void build_lecture_bench(Kit& k) {
+    constexpr float kTop = 0.74f, kThick = 0.028f, kWriting = 0.34f, kLowest = 0.14f;
+    const Vec3f s = k.wanted({1.1f, 0.86f, 0.86f});
+    const int wood = k.main(k.style.wood), cloth = k.material(tinted(k.style.fabric, {0.05f, 0.06f, 0.08f})),
+              steel_frame = color(k, "frame", {0.06f, 0.065f, 0.07f}, 0.4f);
+    const float front = 0.5f * s.z, back = -front;
+    k.board(wood, {0, kTop - kThick, front - 0.5f * kWriting}, {s.x, kThick, kWriting}, 0.004f);
+    k.board(wood, {0, kLowest, front - 0.03f}, {s.x, kTop - kThick - kLowest, 0.02f}, 0.003f);
+    for (const float sx : {-1.f, 1.f}) {
+        const float x = sx * (0.5f * s.x - 0.06f);
+        k.board(steel_frame, {x, 0.012f, front - 0.16f}, {0.04f, kTop - kThick - 0.012f, 0.07f}, 0.004f);
+        k.board(steel_frame, {x, 0, front - 0.2f}, {0.06f, 0.014f, 0.3f}, 0.004f);
+        k.board(steel_frame, {x, 0.012f, back + 0.1f}, {0.04f, 0.44f, 0.07f}, 0.004f);
+        k.board(steel_frame, {x, 0, back + 0.12f}, {0.06f, 0.014f, 0.22f}, 0.004f);
+    }
+    k.board(steel_frame, {0, 0.4f, back + 0.1f}, {s.x - 0.12f, 0.05f, 0.05f}, 0.004f);
+    for (const float sx : {-1.f, 1.f}) {
+        const float x = 0.25f * sx * s.x;
+        Mesh shell = shapes::box({0.48f, 0.4f, 0.02f}, 0.008f),
+             pad = shapes::soft_box({0.44f, 0.34f, 0.03f}, {0.012f, 0.006f, 0.001f, 3, k.seed()}),
+             folded = shapes::box({0.44f, 0.4f, 0.028f}, 0.008f);
+        shapes::turn(shell, {1, 0, 0}, -7);
+        shapes::turn(pad, {1, 0, 0}, -7);
+        shapes::turn(folded, {1, 0, 0}, -4);
+        k.add(std::move(shell), wood, {x, 0.66f, back + 0.045f});
+        k.add(std::move(pad), cloth, {x, 0.67f, back + 0.068f});
+        k.add(std::move(folded), wood, {x, 0.62f, back + 0.135f});
+    }
+    k.top(kTop, 0, front - 0.5f * kWriting, 0.46f * s.x, 0.42f * kWriting);
+    k.piece.clearance_front_m = 0.2f;
+}
+
 void build_lectern(Kit& k) {
     const int wood = k.main(k.style.wood), metal = k.material(k.style.metal);
     k.board(wood, {0, 0, -0.02f}, {0.56f, 0.06f, 0.46f}, 0.01f);
