@@ -100,7 +100,8 @@ float Plan::floor_before(const WallFace& face, float u0, float u1) const {
 
 void add_tiers(const PromptSpec& spec, Plan& plan) {
     const RecipeStep* rows = rising_rows(recipe_of(spec.room));
-    if (!rows || plan.knee > 0) return;
+    const bool cut = std::any_of(plan.blocks.begin(), plan.blocks.end(), cuts_corner);  // tiers are rectangles
+    if (!rows || plan.knee > 0 || cut) return;
     const Seen seen(plan, rows->towards);
     const std::vector<std::pair<float, float>> ways = aisles(*rows, seen.wide());
     if (seen.wide() < rows->aisle_m + 2 * rows->side_m + (rows->aisle_m > 0 ? 2 : 1) * kLeastBlock) return;
