@@ -94,7 +94,14 @@ void place_rows(Placement& p, const RecipeStep& step, int) {
             }
         }
     };
-    fill(along_row(step, extent_of(plan, right), size.x), step.front_m, step.rear_m, step.rows);
+    std::vector<float> usual = along_row(step, extent_of(plan, right), size.x);
+    if (usual.empty() && !tiered) {                               // narrower ways, before most of the rows are left out
+        constexpr float kNarrowAisle = 0.9f, kNarrowSide = 0.2f;  // metres
+        RecipeStep narrow = step;
+        narrow.aisle_m = std::min(step.aisle_m, kNarrowAisle), narrow.side_m = std::min(step.side_m, kNarrowSide);
+        usual = along_row(narrow, extent_of(plan, right), size.x);
+    }
+    fill(usual, step.front_m, step.rear_m, step.rows);
     // In a room too small for them as they usually are, one row stands where there is a place, without an aisle.
     constexpr float kLeastFree = 0.15f, kShift = 0.2f;
     RecipeStep tight = step;

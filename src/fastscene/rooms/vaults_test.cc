@@ -230,6 +230,18 @@ TEST(Vaults, AnyHomeMayBeRoundOrOctagonalOrDomed) {
         }
 }
 
+// Pews of two metres stand in narrow churches too, with narrower ways beside them.
+TEST(Vaults, AChurchHasPewsOnBothSidesOfItsAisle) {
+    for (const char* text : {"a church", "a small church"})
+        for (std::uint64_t seed = 1; seed < 9; ++seed) {
+            PromptSpec spec = understand_prompt(text, true);
+            const FurnishedRoom furnished = furnish_room(spec, {seed, nullptr, {}});
+            const auto pews = std::count_if(furnished.placed.begin(), furnished.placed.end(),
+                                            [](const Placed& p) { return p.piece.kind == "pew"; });
+            EXPECT_GE(pews, 8) << text << ", seed " << seed;
+        }
+}
+
 TEST(Mezzanines, AreFurnishedAboveAndBelowAndReachedByStairs) {
     for (const char* text :
          {"a living room with a mezzanine", "a bedroom with a mezzanine", "a library with a mezzanine",

@@ -177,6 +177,8 @@ class IrradianceCache {
     std::vector<float> share_of_change(const Room& room, const Lights& lights, const RoomChange& change,
                                        std::uint64_t seed) const;
 
+    // By which factor the cells of a large room are larger than asked for.
+    static float coarseness(const Room& room);
     // The steps of gathering, in order.
     void place_cells(const Room& room, const SceneBvh& bvh, const TraceParams& params,
                      const std::vector<Vec3f>& viewpoints, Gatherer* gatherer, const Run& run);

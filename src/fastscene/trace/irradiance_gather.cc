@@ -265,11 +265,19 @@ void IrradianceCache::gather_indirect(const Room& room, const SceneBvh& bvh, con
     despeckle(true, kSpeck);
 }
 
+// Halls have larger cells, so that their light costs about as much as that of a home: one sees them from farther away.
+float IrradianceCache::coarseness(const Room& room) {
+    constexpr float kHome_m2 = 160.f, kMost = 2.f;  // floor, ceiling and walls of a large living room; factor
+    const Vec3f size = room.max_corner - room.min_corner;
+    const float surface = 2.f * (size.x * size.y + size.y * size.z + size.z * size.x);
+    return std::clamp(std::sqrt(surface / kHome_m2), 1.f, kMost);
+}
+
 void IrradianceCache::place_cells(const Room& room, const SceneBvh& bvh, const TraceParams& params,
                                   const std::vector<Vec3f>& viewpoints, Gatherer* gatherer, const Run& run) {
-    cell_m_ = params.cell_m;
+    cell_m_ = params.cell_m * coarseness(room);
     // An odd offset keeps walls off the cell boundaries.
-    origin_ = room.min_corner + Vec3f{0.37f, 0.41f, 0.43f} * params.cell_m;
+    origin_ = room.min_corner + Vec3f{0.37f, 0.41f, 0.43f} * cell_m_;
     know_surfaces(room);
     build(room);
     tell(gatherer, tables(), {Changed::places});
