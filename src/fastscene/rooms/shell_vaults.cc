@@ -118,7 +118,6 @@ void build_cap(const Plan& plan, Vec2f middle, int material, Room& room) {
 
 // A rib along a line of points, at right angles to `side`; `inward` points into the room at each.
 void build_rib(const std::vector<Vec3f>& line, const std::vector<Vec3f>& inward, Vec3f side, int material, Room& room) {
-    constexpr float kBehind = 0.02f;  // metres in the vault
     const auto strip = [&](float u0, float w0, float u1, float w1, const auto& normal) {
         Grid grid(static_cast<int>(line.size()) - 1, 1, material);
         float run = 0;
@@ -130,8 +129,8 @@ void build_rib(const std::vector<Vec3f>& line, const std::vector<Vec3f>& inward,
         room.meshes.push_back(grid.take());
     };
     strip(-kRib, kRibDepth, kRib, kRibDepth, [&](std::size_t i) { return inward[i]; });
-    strip(-kRib, -kBehind, -kRib, kRibDepth, [&](std::size_t) { return -side; });
-    strip(kRib, kRibDepth, kRib, -kBehind, [&](std::size_t) { return side; });
+    strip(-kRib, 0, -kRib, kRibDepth, [&](std::size_t) { return -side; });
+    strip(kRib, kRibDepth, kRib, 0, [&](std::size_t) { return side; });
 }
 
 // Up the creases of the outline, or, where it has none, at eight places around it.
