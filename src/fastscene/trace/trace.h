@@ -49,7 +49,7 @@ struct TraceParams {
 inline constexpr std::array<const char*, 3> kViewTransforms{"photo", "soft", "linear"};
 template <class V>
 void visit_fields(TraceParams& p, V&& v) {
-    v("cell", p.cell_m, Bounds{0.005, 0.5}, "Cell size of the irradiance cache in metres; in halls up to twice that.");
+    v("cell", p.cell_m, Bounds{0.005, 0.5}, "Cell size of the irradiance cache in metres; larger in halls.");
     v("cell-samples", p.cell_samples, Bounds{1, 65536}, "Light paths gathered per cell.");
     v("pixel-samples", p.pixel_samples, Bounds{1, 4096}, "Camera rays per pixel.");
     v("keep-noise", p.keep_noise, "Do not denoise the panorama.");
