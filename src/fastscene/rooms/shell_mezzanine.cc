@@ -67,12 +67,11 @@ class Builder {
     // A board on edge from a to b.
     void string(Vec3f a, Vec3f b, float thick) {
         constexpr float kHigh = 0.2f;
-        const Vec3f along = b - a, up = normalize(cross(along, Vec3f{1, 0, 0})) * (0.5f * kHigh);
+        const Vec3f along = b - a, upright = normalize(cross(along, Vec3f{1, 0, 0}));
         Mesh board = box_mesh({-0.5f, -0.5f, -0.5f}, {0.5f, 0.5f, 0.5f}, metal_, object_);
-        const Vec3f across{thick, 0, 0}, middle = (a + b) * 0.5f, high = up * 2.f;
-        const Vec3f unit_along = normalize(along), unit_up = normalize(up);
+        const Vec3f across{thick, 0, 0}, middle = (a + b) * 0.5f, high = upright * kHigh, forward = normalize(along);
         for (Vec3f& p : board.positions) p = middle + across * p.x + high * p.y + along * p.z;
-        for (Vec3f& n : board.normals) n = Vec3f{1, 0, 0} * n.x + unit_up * n.y + unit_along * n.z;
+        for (Vec3f& n : board.normals) n = Vec3f{1, 0, 0} * n.x + upright * n.y + forward * n.z;
         board.coords = board.positions;
         if (dot(cross(across, high), along) < 0)
             for (std::size_t t = 0; t < board.triangles.size(); t += 3)
@@ -88,15 +87,14 @@ class Builder {
 }  // namespace
 
 void build_mezzanine(const Plan& plan, const Materials& m, Room& room) {
-    Material wood = plan.style.wood;
+    const Material& wood = plan.style.wood;
     const int boards = plan.style.floor.pattern == Pattern::carpet ? add_material(room, wood) : m.floor;
     const int object = part_object(plan, room, "mezzanine",
                                    {plan.width, kMezzanineSlab + kRailing, plan.mezzanine.depth});
     room.objects.back().world_from_object.translation = {0, plan.mezzanine.floor - kMezzanineSlab,
                                                          plan.depth / 2 - plan.mezzanine.depth / 2};
-    Material iron = *material_named("iron");
-    Builder builder(plan, boards, add_material(room, as_asked(plan, "mezzanine", wood)), add_material(room, iron),
-                    object, room);
+    Builder builder(plan, boards, add_material(room, as_asked(plan, "mezzanine", wood)),
+                    add_material(room, *material_named("iron")), object, room);
     builder.slab();
     builder.railing();
     builder.stairs();
