@@ -71,6 +71,15 @@ class Checker {
         if (p.vault != Vault::flat && !(p.spring > 0 && (p.height == 0 || p.spring < p.height)))
             fail(pointer + "/spring_m",
                  fmt::format("expected more than 0 and less than height_m below a vault, found {}", p.spring));
+        if (const Mezzanine& m = p.mezzanine; m.depth > 0) {
+            if (p.depth > 0 && m.depth >= p.depth)
+                fail(pointer + "/mezzanine_m",
+                     fmt::format("expected less than the room's {:.2f} m, found {:.2f}", p.depth, m.depth));
+            if (!(m.floor > kMezzanineSlab && (p.height == 0 || m.floor < p.height)))
+                fail(pointer + "/mezzanine_floor_m",
+                     fmt::format("expected a height between floor and ceiling, found {:.2f}", m.floor));
+            if (m.stairs_wall == 2) fail(pointer + "/mezzanine_stairs", "expected the wall 1 or 3, found 2");
+        }
         if (p.oculus > 0 && p.vault != Vault::dome) fail(pointer + "/oculus_m", "expected a vault that is a dome");
         for (std::size_t i = 0; i < p.blocks.size(); ++i)
             if (cuts_corner(p.blocks[i]) && p.width > 0 && p.depth > 0 && !is_at_corner(p.blocks[i], p))

@@ -168,6 +168,9 @@ TEST(RoomDocument, ErrorsOfVaultsAndCutCorners) {
     };
     EXPECT_NE(error_of(plan("\"vault\": \"dome\"")).find("/plan/spring_m"), std::string::npos);
     EXPECT_NE(error_of(plan("\"vault\": \"dome\", \"spring_m\": 3.5")).find("/plan/spring_m"), std::string::npos);
+    EXPECT_NE(error_of(plan("\"mezzanine_m\": 1.5")).find("/plan/mezzanine_floor_m"), std::string::npos);
+    EXPECT_NE(error_of(plan("\"mezzanine_m\": 4.5, \"mezzanine_floor_m\": 2")).find("/plan/mezzanine_m"),
+              std::string::npos);
     EXPECT_NE(error_of(plan("\"oculus_m\": 0.4")).find("/plan/oculus_m"), std::string::npos);
     EXPECT_NE(
         error_of(plan("\"blocks\": [{\"kind\": \"cut\", \"low\": [0, 0], \"high\": [1, 1]}]")).find("/plan/blocks/0"),

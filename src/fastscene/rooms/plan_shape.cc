@@ -218,7 +218,8 @@ void shape_plan(PromptSpec& spec, Plan& plan, Random& rng) {
         if (asked_bay && asked_alcove && outline == Outline::box)
             report(spec, *wish_for(spec, "alcove"), wish_for(spec, "alcove")->count, "the bay takes its place");
         for (const char* kind : {"bay_window", "alcove"})
-            if (const PromptObject* wish = wish_for(spec, kind)) report(spec, *wish, wish->count - 1, "a room has one");
+            if (const PromptObject* wish = wish_for(spec, kind); wish && outline == Outline::box)
+                report(spec, *wish, wish->count - 1, "a room has one");
         const PromptObject* columns = wish_for(spec, "column");
         if (decide(spec, "column", is_hall(spec) ? 0.65f : 0.f, rng))
             add_columns(plan, columns ? std::clamp(columns->count, 1, 3) : 2, rng);
@@ -243,7 +244,8 @@ void shape_plan(PromptSpec& spec, Plan& plan, Random& rng) {
 void open_plan(PromptSpec& spec, Plan& plan, Random& rng) {
     add_skylights(spec, plan, rng);
     if (plan.mezzanine.depth > 0) {
-        if (const PromptObject* wish = wish_for(spec, "doorway")) report(spec, *wish, wish->count, "not beside a mezzanine");
+        if (const PromptObject* wish = wish_for(spec, "doorway"))
+            report(spec, *wish, wish->count, "not beside a mezzanine");
         if (!spec.next_room.empty()) tell_next_room(spec, "no second room opens beside a mezzanine");
         return open_mezzanine(spec, plan);
     }

@@ -103,6 +103,8 @@ void raise_vault(PromptSpec& spec, Plan& plan) {
         apply_wish(plan.style.ceiling, surface, true);
     }
     if (const PromptObject* beams = wish_for(spec, "beams")) report(spec, *beams, beams->count, "not below a vault");
+    if (const PromptObject* coffers = wish_for(spec, "coffers"); coffers && plan.coffers)
+        report(spec, *coffers, coffers->count, "not below a vault");
     plan.beams = plan.coffers = false;
 }
 
