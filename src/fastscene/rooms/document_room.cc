@@ -185,6 +185,7 @@ class Builder {
         plan.mezzanine = given.mezzanine;
         plan.vault = given.vault, plan.spring = given.spring, plan.oculus = given.oculus;
         plan.glazed = type.windows.glazed;
+        plan.door = type.door;
         plan.panelling = given.panelling;
         plan.accent = given.accent_wall.has_value();
         plan.accent_wall = given.accent_wall.value_or(0);

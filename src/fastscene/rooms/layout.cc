@@ -76,7 +76,7 @@ bool blocks_opening(const Plan& plan, const Footprint& box) {
         const float below = free_before(o, kAboveSill);
         if (!door && height < below) continue;
         // At a chord before a round wall a thing stands farther in, and still before its window.
-        const bool chords = std::any_of(plan.blocks.begin(), plan.blocks.end(), cuts_corner);
+        const bool chords = has_cut_corners(plan);
         const float deep = door ? 0.85f : chords ? 0.8f : 0.35f;
         const Vec3f middle = face.point((o.u0 + o.u1) / 2, 0) + face.inward * (deep / 2);
         // Beside a window hang its curtains.
@@ -84,7 +84,7 @@ bool blocks_opening(const Plan& plan, const Footprint& box) {
                        {(o.u1 - o.u0) / 2 + (door ? kDoorCasing : kCurtainMargin), deep / 2},
                        yaw_of(face.inward),
                        0,
-                       door ? 2.f : o.y1};
+                       o.y1};
         if (!door) zone.y0 = below;
         if (overlap(box, zone)) return true;
     }

@@ -125,6 +125,7 @@ struct Plan {
     bool recessed_lights = false;     // small lamps sunk into the ceiling
     bool coffers = false;             // a grid of beams in the color of the trim
     bool bay = false;                 // the recess of the far wall is all window
+    RoomDoor door;                    // what the room's own is like
     bool glazed = true;               // windows have frames and panes; else they are the open arches of an arcade
     WallRelief relief = WallRelief::flat;
     bool cabin = false;      // of a vehicle or a lift: thin panels, no skirting, panes in rubber
@@ -182,6 +183,10 @@ struct Plan {
     // high; `level`: and before which the floor is y = 0, as doors want it.
     std::pair<float, float> free_span(int wall, float height, bool level = false) const;
 };
+
+inline bool has_cut_corners(const Plan& plan) {
+    return std::any_of(plan.blocks.begin(), plan.blocks.end(), cuts_corner);
+}
 
 // How far up a vault is at a point, 0 where it springs from the walls to 1 at its top; and at a share `out` of the way
 // from the middle to the walls.

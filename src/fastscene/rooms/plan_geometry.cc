@@ -219,7 +219,7 @@ std::vector<WallFace> Plan::faces() const {
         if (b.low.x > -w && z > kShortestFace) out.push_back({{b.low.x, 0, b.high.y}, {0, 0, -1}, {-1, 0, 0}, z});
         if (b.high.x < w && z > kShortestFace) out.push_back({{b.high.x, 0, b.low.y}, {0, 0, 1}, {1, 0, 0}, z});
     }
-    if (std::any_of(blocks.begin(), blocks.end(), cuts_corner))
+    if (has_cut_corners(*this))
         for (int i = 0; i < 4; ++i) add_wall_chords(*this, i, out);
     return out;
 }

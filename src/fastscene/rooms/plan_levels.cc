@@ -1,6 +1,7 @@
 // Floors with levels: the tiers that rows of seats stand on, the steps that lead up to them, and what of the walls
 // beside them is left for windows and doors.
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -100,7 +101,7 @@ float Plan::floor_before(const WallFace& face, float u0, float u1) const {
 
 void add_tiers(const PromptSpec& spec, Plan& plan) {
     const RecipeStep* rows = rising_rows(recipe_of(spec.room));
-    const bool cut = std::any_of(plan.blocks.begin(), plan.blocks.end(), cuts_corner);  // tiers are rectangles
+    const bool cut = has_cut_corners(plan);  // tiers are rectangles
     if (!rows || plan.knee > 0 || cut) return;
     const Seen seen(plan, rows->towards);
     const std::vector<std::pair<float, float>> ways = aisles(*rows, seen.wide());
@@ -146,23 +147,25 @@ void lift_windows(PromptSpec& spec, Plan& plan) {
 void move_door(Plan& plan, Opening& door) {
     if (plan.platforms.empty()) return;
     constexpr float kFromCorner = 0.6f, kBeside = 0.15f, kTry = 0.1f;
-    const float wide = door.u1 - door.u0;
     // Beside who sits on the first rows, at his left or his right, whichever was drawn for the usual wall.
     const bool right = door.u0 > plan.wall(door.wall).length / 2;
-    for (const int wall : {right ? 1 : 3, right ? 3 : 1, 0, 2}) {
-        const auto [low, high] = plan.free_span(wall, door.y1 + kBeside, true);
-        const bool from_low = low < plan.wall(wall).length - high;  // from the corner before the seats
-        for (float off = kFromCorner; off + wide + kBeside <= high - low; off += kTry) {
-            const float u0 = from_low ? low + off : high - off - wide;
-            if (std::any_of(plan.openings.begin(), plan.openings.end(), [&](const Opening& o) {
-                    return o.wall == wall && u0 < o.u1 + kBeside && u0 + wide > o.u0 - kBeside &&
-                           o.y0 < door.y1 + kBeside;
-                }))
-                continue;
-            door.wall = wall, door.u0 = u0, door.u1 = u0 + wide;
-            return;
+    const auto fits = [&](int wall, float u0, float wide) {
+        return std::none_of(plan.openings.begin(), plan.openings.end(), [&](const Opening& o) {
+            return o.wall == wall && u0 < o.u1 + kBeside && u0 + wide > o.u0 - kBeside && o.y0 < door.y1 + kBeside;
+        });
+    };
+    const std::array walls{right ? 1 : 3, right ? 3 : 1, 0, 2};
+    for (const float wide : {door.u1 - door.u0, RoomDoor{}.width_m})  // better a narrow door than none
+        for (const int wall : walls) {
+            const auto [low, high] = plan.free_span(wall, door.y1 + kBeside, true);
+            const bool from_low = low < plan.wall(wall).length - high;  // from the corner before the seats
+            for (float off = kFromCorner; off + wide + kBeside <= high - low; off += kTry) {
+                const float u0 = from_low ? low + off : high - off - wide;
+                if (!fits(wall, u0, wide)) continue;
+                door.wall = wall, door.u0 = u0, door.u1 = u0 + wide;
+                return;
+            }
         }
-    }
     plan.platforms.clear();  // better a level floor than a door below it
 }
 

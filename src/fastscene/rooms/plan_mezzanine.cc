@@ -20,8 +20,7 @@ void add_mezzanine(PromptSpec& spec, Plan& plan, Random& rng) {
     if (!wish) return;
     report(spec, *wish, wish->count - 1, "a room has one");
     const bool low = spec.size_m.y > 0 && plan.height<kFloor + kHeadroom, boxed = plan.knee> 0 ||
-                     plan.vault != Vault::flat || plan.cabin ||
-                     std::any_of(plan.blocks.begin(), plan.blocks.end(), cuts_corner);
+                     plan.vault != Vault::flat || plan.cabin || has_cut_corners(plan);
     if (low || boxed) return report(spec, *wish, 1, low ? "the room is too low for it" : "not in a room of this shape");
     const float stairs = kMezzanineSteps * kMezzanineGoing, least = kLeastDepth + stairs + kBefore;
     if (plan.measured && plan.depth < least) return report(spec, *wish, 1, "the room is too short for its stairs");

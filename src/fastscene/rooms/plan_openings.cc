@@ -17,8 +17,9 @@ constexpr float kThreshold = 0.05f, kLintel = 0.14f;  // below and above a windo
 
 float free_margin(float length, float wanted) { return std::max(0.25f, (length - wanted) / 2); }
 
-// The end of a door that stands at the left of its wall, with its casing and a hand of wall.
-constexpr float kDoorWidth = 0.88f, kDoorMargin = 0.28f, kClearOfDoor = kDoorMargin + kDoorWidth + 0.3f;
+constexpr float kDoorMargin = 0.28f;  // from a door to the corner of the room: its casing and a hand of wall
+// Where a window may begin beside a door that stands at the left of its wall.
+float clear_of_door(const Plan& plan) { return kDoorMargin + plan.door.width_m + 0.3f; }
 
 // What is asked to stand at windows shapes them: low things fit below a sill that is high enough, a picture hangs above
 // a window that ends low enough, and between two windows there must be wall.
@@ -91,7 +92,7 @@ void add_regular_windows(const RoomWindows& like, Plan& plan) {
     for (const int wall : like.walls) {
         const auto [low, high] = plan.free_span(wall, 2.1f);
         if (!plan.cabin) {
-            add(wall, wall == 2 ? low + kClearOfDoor : low + kCorner, high - kCorner);
+            add(wall, wall == 2 ? low + clear_of_door(plan) : low + kCorner, high - kCorner);
             continue;
         }
         // Between what is glazed already, with posts beside it.
@@ -215,7 +216,7 @@ void add_windows(PromptSpec& spec, Plan& plan, Random& rng) {
         if (window.wall == 2) {  // beside the door
             window.u1 = high - 0.3f;
             if (window.shape == Opening::Shape::round) window.shape = Opening::Shape::square;  // what is left is narrow
-            window.u0 = std::max(std::max(low, 0.f) + kClearOfDoor, window.u1 - width);
+            window.u0 = std::max(std::max(low, 0.f) + clear_of_door(plan), window.u1 - width);
             if (!(window.u1 - window.u0 >= 0.5f)) {
                 if (wish) spec.not_placed.push_back(wish->words + ": no free wall for the fourth");
                 continue;
@@ -227,7 +228,8 @@ void add_windows(PromptSpec& spec, Plan& plan, Random& rng) {
 }
 
 void add_door(PromptSpec& spec, Plan& plan, Random& rng) {
-    if (wish_for(spec, "door", true) || !room_type(spec.room).door) return;
+    const RoomDoor& like = plan.door;
+    if (wish_for(spec, "door", true) || like.form == DoorForm::none) return;
     Opening door;
     door.kind = Opening::Kind::door;
     door.wall = 2;
@@ -237,16 +239,20 @@ void add_door(PromptSpec& spec, Plan& plan, Random& rng) {
     for (int i = 1; wish && i < wish->count; ++i) spec.not_placed.push_back(wish->words + ": a room has one");
     const bool shared = std::any_of(plan.openings.begin(), plan.openings.end(),
                                     [](const Opening& o) { return o.wall == 2; });
+    const float wide = like.width_m < high - low - 2 * kDoorMargin ? like.width_m : RoomDoor{}.width_m;
     const float margin = wants_corners(spec) && !shared
-                             ? std::clamp((high - low - kDoorWidth) / 2, kDoorMargin, kCornerMargin)
+                             ? std::clamp((high - low - wide) / 2, kDoorMargin, kCornerMargin)
                              : kDoorMargin;
-    door.u0 = rng.chance(0.5f) || shared ? low + margin : high - margin - kDoorWidth;
-    const bool cut = std::any_of(plan.blocks.begin(), plan.blocks.end(), cuts_corner);
-    if ((room_type(spec.room).middle_door || cut) && !shared) door.u0 = (low + high - kDoorWidth) / 2;
-    door.u1 = door.u0 + kDoorWidth;
-    door.y1 = 2.06f;
-    if (shape_of(wish) != Opening::Shape::square)
-        door.shape = Opening::Shape::arched, door.y1 = std::min(plan.wall_top() - 0.2f, 2.2f);
+    door.u0 = rng.chance(0.5f) || shared ? low + margin : high - margin - wide;
+    const bool cut = has_cut_corners(plan);
+    if ((like.middle || cut) && !shared) door.u0 = (low + high - wide) / 2;
+    door.u1 = door.u0 + wide;
+    constexpr float kWallAbove = 0.2f, kArchedHeight = 2.2f;
+    const bool asked = shape_of(wish) != Opening::Shape::square;
+    door.y1 = like.height_m > RoomDoor{}.height_m ? std::min(plan.wall_top() - kWallAbove, like.height_m)
+                                                  : like.height_m;
+    if (like.arched || asked) door.shape = Opening::Shape::arched;
+    if (asked) door.y1 = std::min(plan.wall_top() - kWallAbove, std::max(kArchedHeight, like.height_m));
     move_door(plan, door);
     plan.openings.push_back(door);
 }

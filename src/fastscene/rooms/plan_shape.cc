@@ -238,6 +238,7 @@ void shape_plan(PromptSpec& spec, Plan& plan, Random& rng) {
     add_mezzanine(spec, plan, rng);
     plan.cove = plan.knee > 0 ? 0.f : type.cove_m;
     plan.glazed = type.windows.glazed;
+    plan.door = type.door;
     plan.panelling = decide(spec, "wainscoting", old && type.panelling ? 0.6f : 0.f, rng);
 }
 

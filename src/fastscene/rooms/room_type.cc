@@ -51,7 +51,7 @@ const std::vector<std::string>& keys_of_types() {
         "main_thing",   "as_thing",       "thing_words", "own_things",  "table",        "table_when_near",
         "cooks",        "upright_chairs", "per_person",  "most_people", "mess",         "meanings",
         "size",         "shape",          "windows",     "touches",     "furnished_as", "recipe",
-        "glazed",       "look_along"};
+        "glazed",       "look_along",     "door"};
     return keys;
 }
 
@@ -82,6 +82,7 @@ class TypeReader {
         read_shape();
         read_surfaces();
         read_windows();
+        read_door();
         read_touches();
         read_words();
         read_things();
@@ -117,27 +118,11 @@ class TypeReader {
         if (size.has("height_m")) std::tie(t_.height_low_m, t_.height_high_m) = range_of(size, "height_m");
         std::tie(t_.width_low_m, t_.width_high_m) = range_of(size, "width_m");
         std::tie(t_.depth_low_m, t_.depth_high_m) = range_of(size, "depth_m");
-        const TomlTable shape = table("shape", {"breast_probability",
-                                                "corner_probability",
-                                                "bay_probability",
-                                                "alcove_probability",
-                                                "doorway_probability",
-                                                "sloped_ceiling",
-                                                "high_ceiling",
-                                                "coffers",
-                                                "panelling",
-                                                "accent_wall",
-                                                "wall_tiles",
-                                                "wall_relief",
-                                                "middle_door",
-                                                "beams",
-                                                "door",
-                                                "cabin",
-                                                "cove_m",
-                                                "outline",
-                                                "vault",
-                                                "rise_m",
-                                                "oculus_m"});
+        const TomlTable shape = table(
+            "shape",
+            {"breast_probability", "corner_probability", "bay_probability", "alcove_probability", "doorway_probability",
+             "sloped_ceiling", "high_ceiling", "coffers", "panelling", "accent_wall", "wall_tiles", "wall_relief",
+             "beams", "cabin", "cove_m", "outline", "vault", "rise_m", "oculus_m"});
         t_.breast_probability = share(shape, "breast_probability");
         t_.corner_probability = share(shape, "corner_probability");
         t_.bay_probability = share(shape, "bay_probability");
@@ -150,8 +135,6 @@ class TypeReader {
         t_.panelling = shape.flag("panelling", t_.panelling);
         t_.accent_wall = shape.flag("accent_wall", t_.accent_wall);
         t_.wall_tiles = shape.flag("wall_tiles", t_.wall_tiles);
-        t_.middle_door = shape.flag("middle_door", t_.middle_door);
-        t_.door = shape.flag("door", t_.door);
         t_.cabin = shape.flag("cabin", t_.cabin);
         constexpr double kWidestCove_m = 1;
         t_.cove_m = static_cast<float>(shape.number("cove_m", t_.cove_m, 0, kWidestCove_m));
@@ -223,6 +206,19 @@ class TypeReader {
         if (!t.has("outlook")) return;
         w.outlook = file_fields::choice<Sky::View>(t, "outlook");
         w.outlook_probability = share(t, "outlook_probability");
+    }
+
+    void read_door() {
+        if (!top_.has("door")) return;
+        constexpr double kNarrowest_m = 0.6, kWidest_m = 4, kLowest_m = 1.5, kHighest_m = 4;
+        const TomlTable t = table("door", {"form", "width_m", "height_m", "arched", "middle", "material"});
+        RoomDoor& door = t_.door;
+        if (t.has("form")) door.form = file_fields::choice<DoorForm>(t, "form");
+        door.width_m = static_cast<float>(t.number("width_m", door.width_m, kNarrowest_m, kWidest_m));
+        door.height_m = static_cast<float>(t.number("height_m", door.height_m, kLowest_m, kHighest_m));
+        door.arched = t.flag("arched", door.arched);
+        door.middle = t.flag("middle", door.middle);
+        if (t.has("material")) door.material = file_fields::material(t, "material");
     }
 
     void read_words() {

@@ -85,6 +85,18 @@ struct LocalMeaning {
     bool near = false;  // the nearest thing that there is, not the very thing
 };
 
+enum class DoorForm : unsigned char { panelled, flush, glazed, planked, steel, none };
+template <>
+inline constexpr std::array<std::string_view, 6> kNamesOf<DoorForm>{"panelled", "flush", "glazed",
+                                                                    "planked",  "steel", "none"};
+struct RoomDoor {
+    DoorForm form = DoorForm::panelled;
+    float width_m = 0.88f, height_m = 2.06f;  // of all leaves; of a house
+    bool arched = false;
+    bool middle = false;               // in the middle of its wall, not at an end
+    std::optional<Material> material;  // nothing: the style's trim or wood, and what its form is usually made of
+};
+
 struct RoomType {
     std::string name, title;              // "living", "living room"
     std::vector<std::string> words;       // of prompts that name it, beside those of the lexicon
@@ -108,10 +120,9 @@ struct RoomType {
     bool coffers = false;                   // its ceiling may be coffered
     bool panelling = true;                  // its walls may be panelled
     bool accent_wall = true;                // one wall may have a paint of its own
-    bool middle_door = false;               // the door is in the middle of its wall, not at an end
-    bool door = true;                       // has a door of houses
-    bool cabin = false;                     // of a vehicle or a lift: thin panels, no skirting, panes in rubber
-    float cove_m = 0;                       // radius of the curve between its side walls and its ceiling
+    RoomDoor door;
+    bool cabin = false;  // of a vehicle or a lift: thin panels, no skirting, panes in rubber
+    float cove_m = 0;    // radius of the curve between its side walls and its ceiling
     Outline outline = Outline::box;
     Vault vault = Vault::flat;
     float rise_m = 0;    // of the vault, from the walls to its top

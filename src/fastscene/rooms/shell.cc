@@ -68,7 +68,7 @@ void build_wall(const Plan& plan, int index, Room& room, int material) {
     // hidden in the room's corners: light that is cached there would show at the edges.
     const float over = index % 2 == 0 ? plan.wall_thickness() : 0.f;
     const auto [first, last] = plan.uncut_span(index);
-    const bool cut = is_cut(plan);
+    const bool cut = has_cut_corners(plan);
     const float low = cut ? -kFloorThickness : 0.f;
     std::vector<Opening> holes;
     for (const Opening& o : plan.openings)
@@ -272,10 +272,10 @@ void build_shell(const Plan& plan, Room& room) {
                 add_material(room, style.floor), add_material(room, style.ceiling)};
     const float w = plan.width / 2 + kWallThickness, d = plan.depth / 2 + kWallThickness,
                 near = plan.joined ? plan.depth / 2 : d;
-    if (is_cut(plan)) build_slab(plan, -kFloorThickness, 0, m.floor, room);
+    if (has_cut_corners(plan)) build_slab(plan, -kFloorThickness, 0, m.floor, room);
     else room.meshes.push_back(box_mesh({-w, -kFloorThickness, -near}, {w, 0, d}, m.floor, -1));
     const float flat_half = plan.knee > 0 ? plan.width / 2 - plan.slope_run + 0.05f : w;
-    if (is_cut(plan) && plan.vault == Vault::flat)
+    if (has_cut_corners(plan) && plan.vault == Vault::flat)
         build_slab(plan, plan.height, plan.height + kCeilingThickness, m.ceiling, room);
     else if (plan.vault == Vault::flat)
         room.meshes.push_back(

@@ -7,14 +7,6 @@
 namespace fastscene::shell {
 namespace {
 
-Material painted(const char* name, Vec3f color, float roughness) {
-    Material m;
-    m.name = name;
-    m.color_a = m.color_b = m.color_c = color;
-    m.roughness = roughness;
-    return m;
-}
-
 constexpr float kPaneOuter = -0.045f, kPaneInner = -0.008f;  // depth of a leaf of a door in its panel
 
 // A leaf from u0 to u1: a frame about a pane with rounded corners, and the seal of that.

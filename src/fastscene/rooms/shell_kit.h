@@ -58,6 +58,13 @@ inline int add_material(Room& room, Material m) {
     return static_cast<int>(room.materials.size()) - 1;
 }
 
+inline Material painted(const char* name, Vec3f color, float roughness) {
+    Material m;
+    m.name = name;
+    m.color_a = m.color_b = m.color_c = color;
+    m.roughness = roughness;
+    return m;
+}
 // The usual material of a part of the shell, in the material, color and pattern that the prompt wants it in.
 Material as_asked(const Plan& plan, std::string_view kind, Material usual);
 
@@ -75,6 +82,12 @@ inline void ring(const WallBuilder& wall, const Opening& o, float inside, float 
                  int material, int object) {
     wall.band(edge_of(o, inside), edge_of(o, outside), w0, w1, material, object);
 }
+// How high an opening reaches at u, and how low.
+std::pair<float, float> extent_at(const Opening& o, float u);
+// A window or a door as an object, to which the next meshes belong.
+int opening_object(const Plan& plan, Room& room, const char* kind, const Opening& o, const WallFace& face, float depth);
+// The room's door with its casing, in the form that its kind has: shell_doors.cc.
+void build_door(const Plan& plan, const Opening& o, Room& room, int trim, Random& rng);
 // Panes in rubber and doors of glass; the curve below the ceiling; the tunnel outside: shell_cabin.cc.
 void build_cabin_opening(const Plan& plan, const Opening& o, const WallBuilder& wall, Room& room, int object);
 void build_cove(const Plan& plan, int material, Room& room);
@@ -85,7 +98,6 @@ int part_object(const Plan& plan, Room& room, const char* kind, Vec3f size);
 void build_mezzanine(const Plan& plan, const Materials& materials, Room& room);
 
 // The walls before corners that are cut off; the inside of a vault with its ribs, and its opening: shell_vaults.cc.
-inline bool is_cut(const Plan& plan) { return std::any_of(plan.blocks.begin(), plan.blocks.end(), cuts_corner); }
 void build_cut_corners(const Plan& plan, int material, Room& room);
 // A floor or a ceiling of the plan's outline.
 void build_slab(const Plan& plan, float y0, float y1, int material, Room& room);

@@ -13,30 +13,8 @@ Rigid on_wall(const WallFace& face, Vec3f base) {
     return {Mat3f::from_columns(-face.along, {0, 1, 0}, face.inward), base};
 }
 
-int add_object(const Plan& plan, Room& room, const char* kind, const Opening& o, const WallFace& face, float depth) {
-    RoomObject object;
-    object.kind = kind;
-    if (const PromptObject* wish = plan.asked(kind)) object.color = wish->color;
-    object.name = object.color.empty() ? kind : object.color + " " + kind;
-    object.world_from_object = on_wall(face, face.point((o.u0 + o.u1) / 2, o.y0));
-    object.size_m = {o.u1 - o.u0, o.y1 - o.y0, depth};
-    object.source = "built-in";
-    object.requested = o.requested;
-    room.objects.push_back(object);
-    return static_cast<int>(room.objects.size()) - 1;
-}
-
 void add_portal(Room& room, Vec3f corner, Vec3f u, Vec3f v, Vec3f inward) {
     room.portals.push_back(dot(cross(u, v), inward) > 0 ? Portal{corner, u, v} : Portal{corner + u, -u, v});
-}
-
-// How high an arched or round opening reaches at u, and how low.
-std::pair<float, float> extent_at(const Opening& o, float u) {
-    if (o.shape == Opening::Shape::square) return {o.y0, o.y1};
-    const bool round = o.shape == Opening::Shape::round;
-    const float rise = round ? (o.y1 - o.y0) / 2 : arch_rise(o), x = (u - (o.u0 + o.u1) / 2) / ((o.u1 - o.u0) / 2),
-                lift = rise * std::sqrt(std::max(0.f, 1.f - x * x));
-    return {round ? o.y1 - rise - lift : o.y0, o.y1 - rise + lift};
 }
 
 // It covers the wall below the window.
@@ -100,7 +78,8 @@ void build_shaped_window(const Plan& plan, const Opening& o, const WallBuilder& 
 void build_window(const Plan& plan, const Opening& o, Room& room, const Materials& m) {
     const WallFace face = plan.wall(o.wall);
     const WallBuilder wall(face, room);
-    const int object = add_object(plan, room, is_doors(o.glazing) ? "door" : "window", o, face, plan.wall_thickness());
+    const int object = opening_object(plan, room, is_doors(o.glazing) ? "door" : "window", o, face,
+                                      plan.wall_thickness());
     const int frame = plan.asked("window") ? add_material(room, as_asked(plan, "window", plan.style.trim)) : m.trim;
     // The light comes in through the outer face of the wall; u x v points into the room.
     if (!plan.tunnel)
@@ -135,48 +114,12 @@ void build_window(const Plan& plan, const Opening& o, Room& room, const Material
     }
 }
 
-void build_door(const Plan& plan, const Opening& o, Room& room, int trim, Random& rng) {
-    const WallFace face = plan.wall(o.wall);
-    const WallBuilder wall(face, room);
-    const int object = add_object(plan, room, "door", o, face, 0.05f);
-    const Material leaf = rng.chance(0.5f) ? plan.style.trim : plan.style.wood;
-    const int door = add_material(room, as_asked(plan, "door", leaf)), metal = add_material(room, plan.style.metal);
-    const float inset = 0.13f, middle = 0.95f;
-    // Two panels stand proud of the leaf.
-    wall.box(o.u0 + inset, o.u1 - inset, 0.2f, middle - 0.06f, 0.02f, 0.04f, door, object);
-    if (o.shape == Opening::Shape::square) {
-        wall.box(o.u0, o.u1, 0.005f, o.y1, -0.01f, 0.02f, door, object);
-        wall.box(o.u0 + inset, o.u1 - inset, middle + 0.08f, o.y1 - inset, 0.02f, 0.04f, door, object);
-        for (const auto& [u0, u1] : {std::pair{o.u0 - kCasing, o.u0}, std::pair{o.u1, o.u1 + kCasing}})
-            wall.box(u0, u1, 0, o.y1 + kCasing, 0, 0.045f, trim, object);
-        wall.box(o.u0, o.u1, o.y1, o.y1 + kCasing, 0, 0.045f, trim, object);
-    } else {
-        const float spring = o.y1 - arch_rise(o);
-        const auto below = [](std::vector<Vec2f> line, float y) {
-            for (Vec2f& p : line) p.y = y;
-            return line;
-        };
-        const std::vector<Vec2f> edge = edge_of(o, 0), panel = edge_of(o, -inset);
-        wall.band(below(edge, 0.005f), edge, -0.01f, 0.02f, door, object);
-        wall.band(below(panel, middle + 0.08f), panel, 0.02f, 0.04f, door, object);
-        for (const auto& [u0, u1] : {std::pair{o.u0 - kCasing, o.u0}, std::pair{o.u1, o.u1 + kCasing}})
-            wall.box(u0, u1, 0, spring, 0, 0.045f, trim, object);
-        ring(wall, o, 0, kCasing, 0, 0.045f, trim, object);
-    }
-    const float handle = o.u0 < face.length / 2 ? o.u1 - 0.07f : o.u0 + 0.07f,
-                reach = o.u0 < face.length / 2 ? -0.12f : 0.12f;
-    wall.box(handle - 0.012f, handle + 0.012f, 0.99f, 1.05f, 0.02f, 0.028f, metal, object);
-    wall.box(handle - 0.008f, handle + 0.008f, 1.012f, 1.03f, 0.028f, 0.065f, metal, object);
-    wall.box(std::min(handle, handle + reach), std::max(handle, handle + reach), 1.012f, 1.03f, 0.052f, 0.066f, metal,
-             object);
-}
-
 // A cased opening through the wall; the floor goes on behind a saddle of wood.
 void build_doorway(const Plan& plan, const Opening& o, Room& room, int trim) {
     if (plan.asked("doorway")) trim = add_material(room, as_asked(plan, "doorway", plan.style.trim));
     const WallFace face = plan.wall(o.wall);
     const WallBuilder wall(face, room);
-    const int object = add_object(plan, room, "doorway", o, face, kWallThickness);
+    const int object = opening_object(plan, room, "doorway", o, face, kWallThickness);
     constexpr float kJamb = 0.02f, kProud = 0.02f;
     const int saddle = add_material(room, plan.style.wood);
     wall.box(o.u0 + kJamb, o.u1 - kJamb, -0.05f, 0.006f, -kWallThickness - 0.01f, 0.01f, saddle, object);
@@ -262,6 +205,28 @@ void build_slope(const Plan& plan, int wall, const Materials& m, Room& room) {
 }
 
 }  // namespace
+
+int opening_object(const Plan& plan, Room& room, const char* kind, const Opening& o, const WallFace& face,
+                   float depth) {
+    RoomObject object;
+    object.kind = kind;
+    if (const PromptObject* wish = plan.asked(kind)) object.color = wish->color;
+    object.name = object.color.empty() ? kind : object.color + " " + kind;
+    object.world_from_object = on_wall(face, face.point((o.u0 + o.u1) / 2, o.y0));
+    object.size_m = {o.u1 - o.u0, o.y1 - o.y0, depth};
+    object.source = "built-in";
+    object.requested = o.requested;
+    room.objects.push_back(object);
+    return static_cast<int>(room.objects.size()) - 1;
+}
+
+std::pair<float, float> extent_at(const Opening& o, float u) {
+    if (o.shape == Opening::Shape::square) return {o.y0, o.y1};
+    const bool round = o.shape == Opening::Shape::round;
+    const float rise = round ? (o.y1 - o.y0) / 2 : arch_rise(o), x = (u - (o.u0 + o.u1) / 2) / ((o.u1 - o.u0) / 2),
+                lift = rise * std::sqrt(std::max(0.f, 1.f - x * x));
+    return {round ? o.y1 - rise - lift : o.y0, o.y1 - rise + lift};
+}
 
 void build_openings(const Plan& plan, const Materials& m, Room& room) {
     Random rng(room.seed, "door");

@@ -89,7 +89,7 @@ void build_beams(const Plan& plan, Room& room) {
                 room.meshes.push_back(box_mesh({-half, y, z - 0.06f}, {half, y + 0.14f, z + 0.06f}, material, object));
             continue;
         }
-        const float half = is_cut(plan) ? half_width_at(plan, std::abs(z) + kBeamWidth / 2) : plan.width / 2;
+        const float half = has_cut_corners(plan) ? half_width_at(plan, std::abs(z) + kBeamWidth / 2) : plan.width / 2;
         Mesh beam = box_mesh({-half, plan.height - kBeamDepth, z - kBeamWidth / 2},
                              {half, plan.height, z + kBeamWidth / 2}, material, object);
         // The grain runs along the beam, and no two are cut from the same place.
