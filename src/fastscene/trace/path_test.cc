@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cmath>
+#include <memory>
 
 #include "fastscene/scene/box.h"
 #include "fastscene/trace/response.h"
@@ -307,7 +308,7 @@ TEST(Path, CachedPicturesAgree) {
 // Relief is shaded by the light that falls on it: what pictures from the cache show of knitted cloth lit from one side
 // is what path tracing shows.
 TEST(Path, CachedPicturesShowReliefInItsLight) {
-    const auto picture = [](float bump_m, bool paths) {
+    const auto lit = [](float bump_m) {
         Room room = box_room(diffuse({0.5f, 0.5f, 0.5f}));
         Material cloth = diffuse({0.5f, 0.5f, 0.5f});
         cloth.pattern = Pattern::knit;
@@ -318,14 +319,18 @@ TEST(Path, CachedPicturesShowReliefInItsLight) {
         room.materials.push_back(cloth);
         room.meshes.push_back(box_mesh({-1.9f, -0.5f, 1.6f}, {-1.7f, 0.5f, 1.8f}, 1, -1, false));
         room.meshes.push_back(box_mesh({-1.5f, -1.2f, 2.4f}, {1.5f, 1.2f, 2.45f}, 2, -1, false));
-        TracedRoom traced(std::move(room));
-        traced.gather_light({.cell_m = 0.06f, .cell_samples = 256, .pixel_samples = 16}, {});
+        auto traced = std::make_unique<TracedRoom>(std::move(room));
+        traced->gather_light({.cell_m = 0.06f, .cell_samples = 256, .pixel_samples = 16}, {});
+        return traced;
+    };
+    const auto picture = [](const TracedRoom& traced, bool paths) {
         ShotParts parts{.color = true, .range = false, .pixel_samples = paths ? 640 : 32};
         parts.paths = paths;
         parts.radiance = true;
         return traced.perspective({}, Pinhole::with_fov(40, 40, 40), parts, {}).color;
     };
-    const ImageColor truth = picture(0.05f, true), cached = picture(0.05f, false), even = picture(0.f, false);
+    const auto knitted = lit(0.05f), smooth = lit(0.f);  // one light for both pictures of the knitted one
+    const ImageColor truth = picture(*knitted, true), cached = picture(*knitted, false), even = picture(*smooth, false);
     // Relative to the even surface; the truth has noise of its own.
     double t = 0, c = 0, tt = 0, tc = 0, cc = 0;
     const auto count = static_cast<double>(truth.size());
