@@ -38,12 +38,19 @@ function(fastscene_module name)
 
   if(tests AND FASTSCENE_TESTS)
     add_executable(${name}_test ${tests})
-    target_link_libraries(${name}_test PRIVATE fastscene_${name} fastscene_test_main fastscene_warnings GTest::gtest)
-    # Half of all sources are tests, and they run once: what is saved in compiling them is worth more than their speed.
-    target_compile_options(${name}_test PRIVATE -O1)
-    target_compile_definitions(${name}_test PRIVATE FASTSCENE_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
-    fastscene_precompile(${name}_test ${kind}_test <gtest/gtest.h> ${MODULE_HEADERS})
+    target_link_libraries(${name}_test PRIVATE fastscene_${name} fastscene_test_main fastscene_warnings)
+    fastscene_compile_as_test(${name}_test ${kind} ${MODULE_HEADERS})
     add_test(NAME ${name} COMMAND ${name}_test)
     set_tests_properties(${name} PROPERTIES TIMEOUT 600)
   endif()
+endfunction()
+
+# fastscene_compile_as_test(target plain|nn [headers…]): a program that only tests run. Half of all sources are such, and they run
+# once: what is saved in compiling them is worth more than their speed. GCC takes headers that are compiled already only where the
+# same things are defined, so programs without GoogleTest link it, too.
+function(fastscene_compile_as_test target kind)
+  target_link_libraries(${target} PRIVATE GTest::gtest)
+  target_compile_options(${target} PRIVATE -O1)
+  target_compile_definitions(${target} PRIVATE FASTSCENE_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
+  fastscene_precompile(${target} ${kind}_test <gtest/gtest.h> ${ARGN})
 endfunction()
