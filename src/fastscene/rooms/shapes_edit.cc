@@ -1,24 +1,23 @@
 // What is done to finished meshes: moved, joined, smoothed, measured.
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <utility>
 
 #include "fastscene/rooms/shapes_parts.h"
 
 namespace fastscene::shapes {
 
 void drop_slivers(Mesh& m) {
-    std::vector<std::uint32_t> kept;
+    std::size_t kept = 0;
     for (std::size_t t = 0; t < m.triangles.size(); t += 3) {
         const Vec3f a = m.positions[m.triangles[t]], b = m.positions[m.triangles[t + 1]],
                     c = m.positions[m.triangles[t + 2]];
         // Relative to the edges: with fused multiply-add the cross product of equal edges is small, not zero.
         const float longest = std::max(dot(b - a, b - a), std::max(dot(c - a, c - a), dot(c - b, c - b)));
         if (length(cross(b - a, c - a)) > 1e-5f * longest)
-            kept.insert(kept.end(), m.triangles.begin() + static_cast<long>(t),
-                        m.triangles.begin() + static_cast<long>(t) + 3);
+            for (std::size_t k = 0; k < 3; ++k) m.triangles[kept++] = m.triangles[t + k];
     }
-    m.triangles = std::move(kept);
+    m.triangles.resize(kept);
 }
 
 Mesh& move(Mesh& mesh, Vec3f by) {
@@ -36,7 +35,9 @@ void append(Mesh& mesh, const Mesh& part) {
     mesh.positions.insert(mesh.positions.end(), part.positions.begin(), part.positions.end());
     mesh.normals.insert(mesh.normals.end(), part.normals.begin(), part.normals.end());
     mesh.coords.insert(mesh.coords.end(), part.coords.begin(), part.coords.end());
-    for (const std::uint32_t i : part.triangles) mesh.triangles.push_back(first + i);
+    const std::size_t before = mesh.triangles.size();
+    mesh.triangles.resize(before + part.triangles.size());
+    for (std::size_t i = 0; i < part.triangles.size(); ++i) mesh.triangles[before + i] = first + part.triangles[i];
 }
 void lay_grain(Mesh& mesh, Vec3f offset) {
     const Box b = bounds(mesh);
@@ -51,20 +52,25 @@ void lay_grain(Mesh& mesh, Vec3f offset) {
 void smooth_normals(Mesh& mesh) {
     // Vertices at the same place (to 10 micrometres) share one normal, so that the rims of grids do not show.
     const std::size_t count = mesh.positions.size();
-    std::vector<std::uint32_t> order(count), group(count);
-    for (std::uint32_t i = 0; i < count; ++i) order[i] = i;
-    const auto key = [&](std::uint32_t i, std::size_t k) {
-        return static_cast<long>(std::lround(mesh.positions[i][k] * 1e5f));
+    struct Vertex {
+        std::array<long, 3> place;
+        std::uint32_t index;
+        bool operator<(const Vertex& other) const {
+            for (std::size_t k = 0; k < 3; ++k)
+                if (place[k] != other.place[k]) return place[k] < other.place[k];
+            return index < other.index;
+        }
     };
-    const auto less = [&](std::uint32_t a, std::uint32_t b) {
-        for (std::size_t k = 0; k < 3; ++k)
-            if (key(a, k) != key(b, k)) return key(a, k) < key(b, k);
-        return false;
-    };
-    std::sort(order.begin(), order.end(),
-              [&](std::uint32_t a, std::uint32_t b) { return less(a, b) || (!less(b, a) && a < b); });
+    std::vector<Vertex> order(count);
+    for (std::uint32_t i = 0; i < count; ++i) {
+        for (std::size_t k = 0; k < 3; ++k) order[i].place[k] = std::lround(mesh.positions[i][k] * 1e5f);
+        order[i].index = i;
+    }
+    std::sort(order.begin(), order.end());
+    std::vector<std::uint32_t> group(count);
     for (std::size_t i = 0; i < count; ++i)
-        group[order[i]] = i > 0 && !less(order[i - 1], order[i]) ? group[order[i - 1]] : order[i];
+        group[order[i].index] = i > 0 && order[i].place == order[i - 1].place ? group[order[i - 1].index]
+                                                                              : order[i].index;
     std::vector<Vec3f> sum(count);
     for (std::size_t t = 0; t < mesh.triangles.size(); t += 3) {
         const std::uint32_t a = mesh.triangles[t], b = mesh.triangles[t + 1], c = mesh.triangles[t + 2];
