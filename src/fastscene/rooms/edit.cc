@@ -27,8 +27,10 @@ std::string in_words(std::string kind) {
 }
 
 Editor::Editor(const RoomDocument& document, std::shared_ptr<const FurniturePack> pack, const Run& run)
-    : pack_(std::move(pack)), run_(run), result_{completed(document, kName, pack_, run), {}} {
-    build();
+    : pack_(std::move(pack)), run_(run), room_(furnish_document(document, kName, pack_, run)) {
+    result_.document = document_of(room_);
+    // What leaves nothing open was built as it stands.
+    if (document_json(result_.document) != document_json(document)) build();
 }
 
 void Editor::build() { room_ = furnish_document(result_.document, kName, pack_, run_); }
