@@ -45,9 +45,9 @@ function(fastscene_module name)
   endif()
 endfunction()
 
-# fastscene_compile_as_test(target plain|nn [headers…]): a program that only tests run. Half of all sources are such, and they run
-# once: what is saved in compiling them is worth more than their speed. GCC takes headers that are compiled already only where the
-# same things are defined, so programs without GoogleTest link it, too.
+# fastscene_compile_as_test(target plain|nn [headers…]): a program that only tests run. Half of all sources are such, and
+# they run once: what is saved in compiling them is worth more than their speed. GCC takes headers that are compiled
+# already only where the same things are defined, so programs without GoogleTest link it, too.
 function(fastscene_compile_as_test target kind)
   target_link_libraries(${target} PRIVATE GTest::gtest)
   target_compile_options(${target} PRIVATE -O1)

@@ -184,6 +184,8 @@ void build_door(const Plan& plan, const Opening& o, Room& room, int trim, Random
         const float middle = (o.u0 + o.u1) / 2;
         door.build({o.u0, middle - kLeafSeam / 2, 1}, true);
         door.build({middle + kLeafSeam / 2, o.u1, -1}, true);
+        constexpr float kRebate = 0.02f;  // behind the seam: the wall does not shine through
+        door.board(middle - kRebate, middle + kRebate, kLeafFoot, kRebate, kLeafBack, 0.005f, leaf);
     } else {
         door.build({o.u0, o.u1, o.u0 < face.length / 2 ? 1.f : -1.f}, false);
     }
