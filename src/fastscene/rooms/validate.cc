@@ -18,8 +18,8 @@ constexpr float kEyeAir = 0.45f;  // free ball about the camera
 
 class Checker {
   public:
-    Checker(const Plan& plan, const std::vector<Placed>& placed, const Passage& passage)
-        : plan_(plan), placed_(placed), passage_(passage) {}
+    Checker(const Plan& plan, const std::vector<Placed>& placed, const Passage& passage, const std::vector<bool>& round)
+        : plan_(plan), placed_(placed), passage_(passage), round_(round) {}
 
     std::vector<Fault> faults(Vec3f camera) {
         for (std::size_t i = 0; i < placed_.size(); ++i) {
@@ -107,8 +107,16 @@ class Checker {
         // What stands under a table stands between its legs.
         if (b.below == static_cast<int>(i) || a.below == static_cast<int>(k)) return;
         if (shelters(placed_, static_cast<int>(i), b) || shelters(placed_, static_cast<int>(k), a)) return;
-        if (overlap(shrunk(footprint_of(a), kTolerance / 2), shrunk(footprint_of(b), kTolerance / 2)))
+        if (overlap(shrunk(footprint_of(a), kTolerance / 2), shrunk(footprint_of(b), kTolerance / 2)) &&
+            !off_round(i, b) && !off_round(k, a))
             add("overlap", name(i) + " and " + name(k) + " stand in each other");
+    }
+
+    // In a corner of its box alone.
+    bool off_round(std::size_t i, const Placed& other) const {
+        if (i >= round_.size() || !round_[i]) return false;
+        const float radius = std::max(placed_[i].piece.size_m.x, placed_[i].piece.size_m.z) / 2;
+        return distance_to(footprint_of(other), flat(placed_[i].position)) > radius - kTolerance;
     }
 
     void openings(std::size_t i) {
@@ -155,6 +163,7 @@ class Checker {
     const Plan& plan_;
     const std::vector<Placed>& placed_;
     const Passage& passage_;
+    const std::vector<bool>& round_;
     std::vector<Fault> faults_;
 };
 
@@ -162,7 +171,12 @@ class Checker {
 
 std::vector<Fault> room_faults(const Plan& plan, const std::vector<Placed>& placed, Vec3f camera,
                                const Passage& passage) {
-    return Checker(plan, placed, passage).faults(camera);
+    return room_faults(plan, placed, camera, passage, {});
+}
+
+std::vector<Fault> room_faults(const Plan& plan, const std::vector<Placed>& placed, Vec3f camera,
+                               const Passage& passage, const std::vector<bool>& round) {
+    return Checker(plan, placed, passage, round).faults(camera);
 }
 
 namespace {

@@ -17,6 +17,9 @@ struct Fault {
 // Boxes may share 1 cm before it counts. `camera` is where panorama 0 stands, in the room frame.
 std::vector<Fault> room_faults(const Plan& plan, const std::vector<Placed>& placed, Vec3f camera,
                                const Passage& passage = {});
+// … where some pieces, by number, are round: what stands at them may reach into the corners of their boxes.
+std::vector<Fault> room_faults(const Plan& plan, const std::vector<Placed>& placed, Vec3f camera,
+                               const Passage& passage, const std::vector<bool>& round);
 
 // One room of a check over many.
 struct CheckedRoom {
