@@ -10,6 +10,7 @@
 #include "fastscene/base/is_one_of.h"
 #include "fastscene/base/suggest.h"
 #include "fastscene/rooms/edit_parts.h"
+#include "fastscene/rooms/lexicon.h"
 #include "fastscene/rooms/plan_parts.h"
 #include "fastscene/rooms/room_type.h"
 
@@ -19,11 +20,19 @@ namespace {
 
 constexpr const char* kName = "room";  // of the document, in messages
 
+bool is_of_camera_inside(std::string_view error) { return error.find("the camera stands inside") != error.npos; }
+
 }  // namespace
 
 std::string in_words(std::string kind) {
+    const std::string name = kind;
     std::replace(kind.begin(), kind.end(), '_', ' ');
-    return kind;
+    // "Bed single" is a single bed.
+    const std::size_t last = kind.rfind(' ');
+    if (last == kind.npos) return kind;
+    const std::string turned = kind.substr(last + 1) + " " + kind.substr(0, last);
+    const auto word = look_up(turned);
+    return word && word->kind == WordKind::object && word->meaning == name ? turned : kind;
 }
 
 Editor::Editor(const RoomDocument& document, std::shared_ptr<const FurniturePack> pack, const Run& run)
@@ -33,7 +42,20 @@ Editor::Editor(const RoomDocument& document, std::shared_ptr<const FurniturePack
     if (document_json(result_.document) != document_json(document)) build();
 }
 
-void Editor::build() { room_ = furnish_document(result_.document, kName, pack_, run_); }
+void Editor::build() {
+    try {
+        room_ = furnish_document(result_.document, kName, pack_, run_);
+    } catch (const Error& e) {
+        if (!result_.document.camera || !is_of_camera_inside(e.what())) throw;
+        RoomDocument without = result_.document;
+        without.camera.reset();
+        const DocumentRoom room = furnish_document(without, kName, pack_, run_);
+        const auto eye = free_viewpoint(room.furnished);
+        if (!eye) throw;
+        result_.document.camera->position = *eye;
+        room_ = furnish_document(result_.document, kName, pack_, run_);
+    }
+}
 
 int Editor::index_of(const std::string& id) const {
     const std::vector<DocumentThing>& things = result_.document.things;
@@ -57,7 +79,12 @@ std::vector<int> Editor::with_riders(const std::vector<int>& roots) const {
     return out;
 }
 
-void Editor::tell(const std::string& id, const std::string& what) { result_.changes.push_back({id, what}); }
+// Once, however many ways lead to it.
+void Editor::tell(const std::string& id, const std::string& what) {
+    const bool told = std::any_of(result_.changes.begin(), result_.changes.end(),
+                                  [&](const EditChange& c) { return c.id == id && c.what == what; });
+    if (!told || what.find("smaller than usual") == what.npos) result_.changes.push_back({id, what});
+}
 
 std::string Editor::new_id(const std::string& kind) const {
     const RoomDocument& document = result_.document;
@@ -220,6 +247,13 @@ void Editor::restyle(const std::string& name) {
 }
 
 void Editor::apply(const EditStep& step) {
+    const Vec3f camera = room_.furnished.camera;
+    const bool blocked = camera_blocked();
+    act(step);
+    settle_camera(camera, blocked);
+}
+
+void Editor::act(const EditStep& step) {
     switch (step.kind) {
         case EditStep::Kind::remove: return take(step.ids);
         case EditStep::Kind::move:

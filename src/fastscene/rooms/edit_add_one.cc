@@ -6,6 +6,7 @@
 #include "fastscene/base/error.h"
 #include "fastscene/base/is_one_of.h"
 #include "fastscene/rooms/catalogue.h"
+#include "fastscene/rooms/document_parts.h"
 #include "fastscene/rooms/edit_parts.h"
 #include "fastscene/rooms/layout_parts.h"
 #include "fastscene/rooms/layout_relations.h"
@@ -64,7 +65,7 @@ bool drawn_up(Talk& talk, EditStep step) {
         // At a bar on the side where the others are.
         std::vector<const char*> relations{"around"};
         if (const std::string side = side_of_seats(talk.editor, p.with); !side.empty())
-            relations = {side == "front" ? "in front of" : "behind", "around"}, step.at = {table.id};
+            relations = {"around", side == "front" ? "in front of" : "behind"}, step.at = {table.id};
         for (const char* relation : relations) try {
                 step.wish.relation = relation;
                 talk.editor.apply(step);
@@ -238,6 +239,114 @@ bool grouped(Talk& talk, const PromptObject& wish, const Place& shared, const st
         talk.last = before;
         return false;
     }
+}
+
+namespace {
+
+constexpr float kSaidSmall = 0.87f;  // of its usual size, where a small one was asked for
+
+std::optional<Piece> usual_piece(const Editor& editor, const PromptObject& wish) {
+    PromptSpec spec = editor.room().spec;
+    Random rng(editor.room().seed, "size");
+    Layout layout(editor.plan(), spec, rng);
+    if (!layout.why_not(wish.kind).empty()) return {};
+    return make_piece(layout.request(wish.kind, &wish));
+}
+
+// Than such things are, though nobody said so.
+bool is_smaller_than_usual(const Placed& p, const Style& style) {
+    constexpr float kSeen = 0.95f, kFloor = 0.9f;  // of an extent; of the floor that it takes
+    if (!p.piece.made_from || !(p.wish.size_m == Vec3f{})) return false;
+    PieceRequest request = *p.piece.made_from;
+    if (!request.style) request.style = &style;
+    const float said = p.wish.size == "small" ? kSaidSmall : 1.f;
+    if (request.size_m == Vec3f{}) return request.size_factor < kSeen * said;
+    if (p.piece.mount != Mount::floor || p.flat || !p.piece.against_wall) return false;
+    request.size_m = {}, request.size_factor = said;
+    const Vec3f usual = make_piece(request).size_m;
+    return p.piece.size_m.x * p.piece.size_m.z < kFloor * usual.x * usual.z;
+}
+
+}  // namespace
+
+Vec3f Editor::usual_size(const PromptObject& wish) const {
+    const auto piece = usual_piece(*this, wish);
+    return piece ? piece->size_m : Vec3f{};
+}
+
+// As large as it is usual; where there is no room for that, smaller; of a number that was not said, as many as fit.
+std::vector<Placed> Editor::with_added(const EditStep& step, bool& smaller) const {
+    const Standing standing = without({});
+    const bool stands = mount_of(*this, step.wish.kind) == Mount::floor && step.wish.relation != "on";
+    const int most = std::max(1, step.wish.count), least = step.wish.counted && !step.each ? most : 1;
+    for (int count = most; count >= least; --count)
+        for (const float scale : {1.f, 0.82f, 0.66f, 0.56f}) {
+            EditStep one = step;
+            one.wish.count = count;
+            if (scale < 1 && full_size_) break;
+            if (scale < 1)
+                if (const auto usual = usual_piece(*this, one.wish)) one.wish.size_m = shrunk_size(*usual, scale);
+            constexpr float kLeastFurniture = 0.8f;
+            if (scale < kLeastSeat && has_role(step.wish.kind, Role::seat)) break;
+            // What stands on the floor stands closer before it is smaller still.
+            if (scale < kLeastFurniture && stands) break;
+            if (scale < 1 && (step.wish.size_m != Vec3f{} || one.wish.size_m == Vec3f{})) break;
+            const std::vector<Placed> all = laid_out(standing, one, nullptr);
+            // Pictures and mirrors shrink to the wall that is free: half as wide as usual, nobody calls them large.
+            PromptObject usual = step.wish;
+            usual.size.clear();
+            if (!all.empty() && step.wish.size == "large" && all.back().piece.size_m.x < 0.5f * usual_size(usual).x)
+                break;
+            smaller = scale < 1;
+            if (!all.empty()) return all;
+        }
+    throw Error("{}: there is no free place for it{}", step.wish.words, place_in_words(step));
+}
+
+// What came to what stood, as things of the document; their ids.
+std::vector<std::string> Editor::admit(const std::vector<Placed>& all, const Standing& standing,
+                                       const std::vector<std::string>& how) {
+    std::vector<std::string> ids, out;
+    for (const int was : standing.was) ids.push_back(thing(was).id);
+    for (std::size_t i = standing.placed.size(); i < all.size(); ++i) {
+        const std::string id = new_id(all[i].wish.kind.empty() ? all[i].piece.kind : all[i].wish.kind);
+        ids.push_back(id), out.push_back(id);
+        DocumentThing t = thing_of(all[i], ids, i);
+        const std::string place = t.on.empty() ? how[std::min(out.size(), how.size()) - 1] : " on " + t.on;
+        tell(t.id, fmt::format("added{} at x {:.2f}, z {:.2f}", place, t.position.x, t.position.z));
+        if (is_smaller_than_usual(all[i], plan().style)) tell(t.id, "smaller than usual: there was no more room");
+        result_.document.things.push_back(std::move(t));
+    }
+    return out;
+}
+
+void Editor::add(const EditStep& step) {
+    if (step.wish.relation == "on both sides of" && step.wish.count == 2) check_no_pair(step);
+    if (add_into_row(step) || seat_more(step) || add_on_top(step)) return;
+    bool smaller = false;
+    std::vector<Placed> all;
+    try {
+        all = with_added(step, smaller);
+        // Not where the camera stands, nor in its way.
+        const std::set<std::string> before = fault_texts(room_.furnished.placed), now = fault_texts(all);
+        if (!std::includes(before.begin(), before.end(), now.begin(), now.end()) && add_squeezed(step)) return;
+    } catch (const Error&) {
+        if (add_squeezed(step)) return;
+        throw Error("{}", why_none_added(step));
+    }
+    std::vector<std::string> fresh;
+    together([&] {
+        fresh = admit(all, without({}), {place_in_words(step)});
+        for (const std::string& id : fresh)
+            if (smaller) tell(id, "smaller than usual: there was no more room");
+        try {
+            build();
+        } catch (const Error&) {  // the camera stands there
+            throw Error("{}", why_none_added(step));
+        }
+    });
+    for (const std::string& id : fresh) tell_aside(id, step), tell_distance(id, step);
+    if (step.each) tell_missing_corners(step, fresh.size());
 }
 
 }  // namespace fastscene::editing

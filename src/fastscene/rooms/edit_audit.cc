@@ -230,11 +230,20 @@ class Audit {
         }
         return false;
     }
+    // "The big round table" is one of those that are there.
+    bool is_of_those(std::size_t at) const {
+        while (at-- > 0 && !is_joint(words_[at])) {
+            if (is_definite(words_[at])) return true;
+            if (is_one_of(words_[at], {"a", "an", "to", "into"}) || !noun_of(words_[at]).empty()) return false;
+            if (const auto known = look_up(words_[at]); known && known->kind == WordKind::object) return false;
+        }
+        return false;
+    }
     // "A round one"
     void check_shapes() {
         for (std::size_t i = 0; i + 1 < words_.size(); ++i) {
             const std::string shape = shape_said({words_[i]});
-            if (shape.empty() || is_definite(words_[i + 1])) continue;
+            if (shape.empty() || is_definite(words_[i + 1]) || is_of_those(i)) continue;
             const auto is_so = [&](const Shown* s) {
                 return shape_of(talk_.editor.placed(s->thing.id).piece) == shape;
             };
@@ -400,7 +409,10 @@ class Audit {
                 const Vec3f is = s->thing.size_m, as = talk_.editor.usual_size(usual);
                 constexpr float kSeen = 0.9f;  // of the extents' sum
                 const float now = is.x + is.y + is.z, then = as.x + as.y + as.z;
-                if (then > 0 && (large ? now < kSeen * then : now > then / kSeen))
+                // A large one that was made smaller has the usual size at best.
+                const float factor = s->thing.size_factor;
+                const bool shrunk_again = large && s->thing.asked_size_m == Vec3f{} && factor < 1;
+                if (then > 0 && (shrunk_again || (large ? now < kSeen * then : now > then / kSeen)))
                     missing_.push_back(
                         fmt::format("{} is not {}: {:.2f} x {:.2f} x {:.2f} m", s->thing.id, size, is.x, is.y, is.z));
             }

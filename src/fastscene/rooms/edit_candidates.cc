@@ -66,6 +66,23 @@ float off_head(Layout& layout, Vec2f at) {
     return least < 1e8f ? 0.5f * least : 0.f;
 }
 
+// Beside a seat is at its arms, else behind it, else off its front.
+float off_arms(Layout& layout, Vec2f at) {
+    const PromptObject& wish = layout.spec().objects[0];
+    if (wish.relation != "next to") return 0;
+    constexpr float kBehind = 0.3f, kAhead = 0.6f;  // metres that it may be further off at an arm
+    float least = 1e9f;
+    for (const Placed& seat : layout.placed()) {
+        if ((seat.piece.kind != wish.relation_to && seat.wish.kind != wish.relation_to) ||
+            !has_role(seat.piece.kind, Role::seat))
+            continue;
+        const float ahead = dot(at - flat(seat.position), flat(front_of(seat.yaw)));
+        const float half = seat.piece.size_m.z / 2;
+        least = std::min(least, ahead > half ? kAhead : ahead < -half ? kBehind : 0.f);
+    }
+    return least < 1e8f ? least : 0.f;
+}
+
 bool looks_at(const std::string& relation) {
     return relation == "facing" || relation == "opposite" || relation == "in front of";
 }
@@ -92,6 +109,39 @@ bool is_beside(const std::vector<Placed>& all, const Placed& piece, const Prompt
     return beside || !known;  // windows have no such sides
 }
 
+Footprint leg_room(const Placed& seat) {
+    constexpr float kLegs_m = 0.45f, kKnees_m = 1.f;
+    constexpr float kArm = 0.06f;  // of its width: before an armrest nobody has legs
+    const float half = seat.piece.size_m.x * (0.5f - kArm);
+    const Vec3f at = seat.position + front_of(seat.yaw) * (seat.piece.size_m.z / 2 + kLegs_m / 2);
+    return {flat(at), {half, kLegs_m / 2}, seat.yaw, seat.position.y, seat.position.y + kKnees_m};
+}
+
+bool is_before_seat(const std::vector<Placed>& all, const PromptObject& wish, const Placed& p) {
+    if (!is_one_of(wish.relation, {"next to", "left of", "right of", "on both sides of"})) return false;
+    if (p.piece.mount != Mount::floor || p.flat || p.on >= 0) return false;
+    // What one sits at, or lays the feet on, stands there.
+    if (has_role(p.piece.kind, Role::centerpiece) || is_rug(p.piece)) return false;
+    return std::any_of(all.begin(), all.end(), [&](const Placed& seat) {
+        return &seat != &p && (seat.piece.kind == wish.relation_to || seat.wish.kind == wish.relation_to) &&
+               has_role(seat.piece.kind, Role::seat) && overlap(footprint_of(p), leg_room(seat));
+    });
+}
+
+bool is_ahead_of_seat(const std::vector<Placed>& all, const PromptObject& wish, const Placed& p) {
+    if (wish.relation != "next to" || p.piece.mount != Mount::floor || p.flat || p.on >= 0) return false;
+    bool ahead = false;
+    for (const Placed& seat : all) {
+        if (&seat == &p || (seat.piece.kind != wish.relation_to && seat.wish.kind != wish.relation_to)) continue;
+        if (!has_role(seat.piece.kind, Role::seat)) return false;
+        const Vec2f front = flat(front_of(seat.yaw));
+        const Footprint box = footprint_of(p);
+        if (dot(box.center - flat(seat.position), front) - extent(box, front) < seat.piece.size_m.z / 2) return false;
+        ahead = true;
+    }
+    return ahead;
+}
+
 bool is_at_foot(const std::vector<Placed>& all, const PromptObject& wish, const Placed& p) {
     constexpr float kNarrow_m = 0.7f, kOfLength = 0.05f;
     if (!p.piece.against_wall || p.piece.size_m.x > kNarrow_m) return false;
@@ -101,6 +151,21 @@ bool is_at_foot(const std::vector<Placed>& all, const PromptObject& wish, const 
                (bed.piece.kind == wish.relation_to || bed.wish.kind == wish.relation_to) &&
                dot(p.position - bed.position, front_of(bed.yaw)) > kOfLength * bed.piece.size_m.z;
     });
+}
+
+bool is_off_wall_of_door(const Plan& plan, const PromptObject& wish, const Placed& p) {
+    if (wish.relation != "next to" || p.piece.mount != Mount::floor || p.flat || p.on >= 0) return false;
+    constexpr float kAtWall_m = 0.2f;
+    const Footprint box = footprint_of(p);
+    bool known = false;
+    for (const Opening& o : plan.openings) {
+        if (o.kind == Opening::Kind::window || !is_opening_of(o, wish.relation_to)) continue;
+        const WallFace face = plan.wall(o.wall);
+        known = true;
+        if (dot(box.center - flat(face.origin), flat(face.inward)) - extent(box, flat(face.inward)) < kAtWall_m)
+            return false;
+    }
+    return known;
 }
 
 namespace {
@@ -200,8 +265,9 @@ std::vector<Candidate> Editor::candidates_for(Layout& layout, const EditStep& st
     const bool of_corner = wish.relation == "in the corner" && step.position.has_value();
     std::vector<Candidate> all;
     const std::vector<Footprint> anchors = anchors_of(plan(), layout.placed(), wish.relation_to);
-    if (piece.against_wall) add_at_walls(plan(), piece.size_m, all);
-    else add_on_floor(plan(), piece.size_m, flat_one ? step.yaw : std::nullopt, all);
+    const bool at_opening = !noun_of(wish.relation_to).empty() && wish.relation == "next to" && !flat_one;
+    if (piece.against_wall || at_opening) add_at_walls(plan(), piece.size_m, all);
+    if (!piece.against_wall) add_on_floor(plan(), piece.size_m, flat_one ? step.yaw : std::nullopt, all);
     if (!flat_one && noun_of(wish.relation_to).empty())
         for (const Footprint& a : anchors) add_at_sides(a, piece.size_m, all);
     const std::vector<Placed> near = further > 0 ? grown(layout.placed(), wish, further) : layout.placed();
@@ -216,7 +282,7 @@ std::vector<Candidate> Editor::candidates_for(Layout& layout, const EditStep& st
         if (!anchors.empty()) {
             if (looks_at(wish.relation)) c.yaw = std::atan2(middle.x - c.at.x, middle.y - c.at.y);
             c.cost = wish.relation == "between" ? off_middle(layout.placed(), wish, c.at)
-                                                : nearest + off_head(layout, c.at);
+                                                : nearest + off_head(layout, c.at) + off_arms(layout, c.at);
         } else if (of_corner && length(c.at - *step.position) > kOfCorner + further) return true;
         else if (wish.relation == "in the middle") c.cost = length(c.at);
         else if (step.position) {
@@ -231,6 +297,11 @@ std::vector<Candidate> Editor::candidates_for(Layout& layout, const EditStep& st
         p.position = {c.at.x, 0, c.at.y}, p.yaw = c.yaw;
         const Footprint box = footprint_of(p);
         if (!plan().holds(box) || is_at_foot(layout.placed(), wish, p)) return true;
+        if (is_before_seat(layout.placed(), wish, p)) return true;
+        if (wish.relation == "between" && !piece.against_wall && std::isfinite(c.cost) &&
+            c.cost > kOffMiddle_m + further)
+            return true;
+        if (further == 0 && is_off_wall_of_door(plan(), wish, p)) return true;
         if (wish.relation == "around" && has_role(wish.kind, Role::seat) && !faces_side(anchors, c, p)) return true;
         if (!is_beside(layout.placed(), p, wish) || !is_drawn_up_before(layout.placed(), wish, p)) return true;
         if (step.wall >= 0 && wall_behind(plan(), p) != step.wall) return true;

@@ -21,6 +21,10 @@ inline constexpr const char* kAtTheEnds = "at the ends of";  // a relation of se
 
 std::string in_words(std::string kind);  // "coffee_table" -> "coffee table"
 
+// ---- edit_camera.cc
+// Whether a fault is that the camera stands in the way, and not that nobody could stand anywhere. edit_poses.cc.
+bool is_of_camera(const std::string& fault);
+
 // ---- edit_candidates.cc
 // A place on the floor.
 struct Candidate {
@@ -32,6 +36,14 @@ struct Candidate {
 bool is_rug(const Piece& piece);
 // Left or right of a thing is beside it, not before it.
 bool is_beside(const std::vector<Placed>& all, const Placed& piece, const PromptObject& wish);
+// The floor before a seat, where whoever sits there has his legs.
+Footprint leg_room(const Placed& seat);
+// Beside a seat, and yet before it, where the legs are.
+bool is_before_seat(const std::vector<Placed>& all, const PromptObject& wish, const Placed& p);
+// Beside it, and yet no part of it at its arm.
+bool is_ahead_of_seat(const std::vector<Placed>& all, const PromptObject& wish, const Placed& p);
+// Beside a door, and yet off its wall.
+bool is_off_wall_of_door(const Plan& plan, const PromptObject& wish, const Placed& p);
 // By a bed, along its foot, where nightstands do not stand.
 bool is_at_foot(const std::vector<Placed>& all, const PromptObject& wish, const Placed& p);
 
@@ -46,6 +58,9 @@ struct Squeeze {
 inline constexpr float kLeastSeat = 0.8f;  // of its usual size: smaller, nobody can sit on it
 inline constexpr Passage kNarrow{.body_radius = 0.225f, .eye_radius = 0.45f};  // a way of 0.45 m
 std::vector<Squeeze> squeezes(bool may_shrink);
+// A request for so much of its usual size; what one walks into keeps its height.
+PieceRequest shrunk_to(PieceRequest request, float scale);
+Vec3f shrunk_size(const Piece& usual, float scale);
 // What stands, what came last, and the room's things that were moved for it.
 struct Squeezed {
     std::vector<Placed> all;
@@ -98,6 +113,7 @@ class Editor {
     };
 
     void build();
+    void act(const EditStep& step);
     void tell(const std::string& id, const std::string& what);
     DocumentThing& thing(int index) { return result_.document.things[static_cast<std::size_t>(index)]; }
     const Placed& placed(int index) const { return room_.furnished.placed[static_cast<std::size_t>(index)]; }
@@ -152,7 +168,7 @@ class Editor {
     void stand_at_found(int index, const Placed& found, const Standing& standing, const EditStep& step,
                         const std::vector<int>& along);
 
-    // ---- edit_layout.cc
+    // ---- edit_add_one.cc
     std::vector<Placed> with_added(const EditStep& step, bool& smaller) const;
     void add(const EditStep& step);
     void tell_aside(const std::string& id, const EditStep& step);
@@ -182,6 +198,10 @@ class Editor {
     std::set<std::string> fault_texts(const std::vector<Placed>& all, const Passage& passage = {}) const;
     bool place_squeezed(int index, const EditStep& step, const std::vector<int>& along);
     bool add_squeezed(const EditStep& step);
+    std::string admit_squeezed(const EditStep& step, const Squeezed& found);
+    // On a top, as large as usual, where small things move aside for it. False: not so, or there is no need.
+    bool add_on_top(const EditStep& step);  // edit_tops.cc
+    bool screen_on_desk(Layout& layout) const;
     void make_way(const Squeezed& found, const std::string& whom);
     void tell_squeeze(const std::string& id, const EditStep& step, const Squeezed& found, const Squeeze& how);
 
@@ -203,6 +223,18 @@ class Editor {
     void space_seats(int table, const std::vector<int>& seats);
     void space_in_row(const std::vector<int>& all);
     void set_poses(const std::vector<int>& things, const std::vector<Pose>& poses, const std::string& already);
+
+    // ---- edit_seats.cc
+    std::vector<int> drawn_up_to(int table) const;
+    std::vector<int> tables_meant(const EditStep& step) const;
+    // More seats at a table, all of them evenly along its sides. False: it is no table, or they are no such seats.
+    bool seat_more(const EditStep& step);
+    bool seat_at(int table, const EditStep& step, int count);
+
+    // ---- edit_camera.cc
+    std::optional<Vec3f> free_viewpoint(const FurnishedRoom& room) const;
+    bool camera_blocked() const;
+    void settle_camera(Vec3f was, bool blocked_before);
 
     // ---- edit_grid.cc
     void in_rows_of(const EditStep& step);
@@ -239,6 +271,7 @@ class Editor {
     EditResult result_;
     DocumentRoom room_;
     std::size_t notes_ = 0;
+    bool full_size_ = false;  // what comes is as large as usual, or it does not come
 };
 
 // " next to bed-1", " at a wall"; empty: it was not said where.

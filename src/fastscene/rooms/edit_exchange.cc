@@ -196,6 +196,14 @@ void Editor::replace(const EditStep& step) {
         if (const auto k = static_cast<std::size_t>(place_of_new[std::min(n, place_of_new.size() - 1)]);
             onto[k].empty())
             onto[k] = fresh[n];
+    for (std::size_t n = 0; n < fresh.size(); ++n) {
+        constexpr float kThere_m = 1;
+        const Placed& p = all[standing.placed.size() + n];
+        const Placed& old = olds[static_cast<std::size_t>(place_of_new[std::min(n, place_of_new.size() - 1)])];
+        const float off = length(footprint_of(p).center - footprint_of(old).center);
+        if (off > kThere_m && p.piece.mount == Mount::floor && p.on < 0)
+            tell(fresh[n], fmt::format("{:.1f} m from where that stood: there was no room for it there", off));
+    }
     for (const std::string& id : step.ids) tell(id, "removed");
     for (const std::string& id : step.ids)
         for (DocumentThing& t : result_.document.things) {
@@ -228,7 +236,7 @@ std::vector<Placed> Editor::in_place_of(const std::vector<Placed>& all, const St
         if (const Thing* thing = find_thing(request.kind);
             (old.on >= 0 || old.sill >= 0) && thing && !request.model && !thing->small_form.empty())
             request.kind = thing->small_form;
-        request.size_factor *= scale;
+        request = shrunk_to(request, scale);
         Placed place = old;
         float wide = std::max(make_piece(request).size_m.x + 0.06f, old.piece.size_m.x / static_cast<float>(here));
         // Several lamps over a table hang along it.
@@ -244,6 +252,24 @@ std::vector<Placed> Editor::in_place_of(const std::vector<Placed>& all, const St
             if (!i && piece.mount == Mount::floor && old.on < 0)
                 i = layout.against_wall(
                     request, {.near = flat(old.position), .center_pull = 0, .at_most_from_near = reach}, wish);
+        // As large as usual elsewhere nearby, before it is smaller there.
+        constexpr float kNearby_m = 3;
+        for (const bool corner : {true, false})
+            if (!i && scale == 1 && piece.mount == Mount::floor && piece.against_wall && old.on < 0)
+                i = layout.against_wall(
+                    request,
+                    {.near = flat(old.position), .center_pull = 0, .corner = corner, .at_most_from_near = kNearby_m},
+                    wish);
+        if (!i && scale == 1 && piece.mount == Mount::floor && old.on < 0 && !old.flat) {
+            EditStep there = step;
+            there.wish = wish, there.position = flat(old.position);
+            Standing among = standing;
+            among.placed = all;
+            among.was.resize(all.size(), 0);
+            if (const auto found = squeezed_in(among, there, nullptr, {.narrow = true},
+                                               [](const Squeezed&) { return true; }))
+                return found->all;
+        }
         if (!i && wish.size_m != Vec3f{} && scale < 1) break;
         if (!i) continue;
         if (old.with >= 0 && now(old.with) >= 0) layout.join(*i, now(old.with));
@@ -284,6 +310,77 @@ std::optional<Vec3f> nearest_on_top(const Placed& carrier, const Placed& thing) 
 
 namespace {
 
+struct StoodOn {
+    std::vector<std::pair<std::string, Vec3f>> there;  // what stands on it, and where
+    std::vector<std::string> left;                     // what has no room
+};
+
+// Places of a thing on a top, the nearest to where it is first; or the farthest from the top's middle.
+std::vector<Vec3f> places_on_top(const Placed& carrier, const Placed& thing, bool at_edge) {
+    const auto near = nearest_on_top(carrier, thing);
+    if (!near) return {};
+    std::vector<Vec3f> out{*near};
+    const Surface& top = carrier.piece.surfaces.front();
+    const Vec3f right = right_of(carrier.yaw), front = front_of(carrier.yaw);
+    const Footprint box = footprint_of(thing);
+    const float wide = std::max(0.f, top.half.x - extent(box, flat(right)));
+    const float deep = std::max(0.f, top.half.y - extent(box, flat(front)));
+    constexpr int kSteps = 6;
+    const Vec3f middle = carrier.position + right * top.center.x + front * top.center.z;
+    // A round top is free up to its edge, not only within a square.
+    if (shape_of(carrier.piece) == "round") {
+        constexpr int kWays = 24;
+        const float reach = carrier.piece.size_m.x / 2 - std::max(box.half.x, box.half.y) - 0.01f;
+        for (int ring = 1; ring <= kSteps && reach > 0; ++ring)
+            for (int k = 0; k < kWays; ++k) {
+                const float way = 2 * kPi * static_cast<float>(k) / kWays;
+                Vec3f at = carrier.position + (right * std::sin(way) + front * std::cos(way)) *
+                                                  (reach * static_cast<float>(ring) / kSteps);
+                at.y = near->y;
+                out.push_back(at);
+            }
+    }
+    for (int i = -kSteps; i <= kSteps; ++i)
+        for (int k = -kSteps; k <= kSteps; ++k) {
+            Vec3f at = middle + right * (wide * static_cast<float>(i) / kSteps) +
+                       front * (deep * static_cast<float>(k) / kSteps);
+            at.y = near->y;
+            out.push_back(at);
+        }
+    std::stable_sort(out.begin(), out.end(), [&](Vec3f a, Vec3f b) {
+        return at_edge ? length(flat(a - middle)) > length(flat(b - middle)) : length(a - *near) < length(b - *near);
+    });
+    return out;
+}
+
+StoodOn stood_on(const Placed& carrier, std::vector<Placed> things) {
+    std::stable_sort(things.begin(), things.end(), [](const Placed& a, const Placed& b) {
+        return a.piece.size_m.x * a.piece.size_m.z > b.piece.size_m.x * b.piece.size_m.z;
+    });
+    std::optional<StoodOn> best;
+    for (const bool first_at_edge : {false, true}) {
+        StoodOn out;
+        std::vector<Footprint> taken;
+        for (const Placed& p : things) {
+            Placed there = p;
+            bool done = false;
+            for (const Vec3f at : places_on_top(carrier, p, first_at_edge && taken.empty())) {
+                there.position = at;
+                const Footprint box = footprint_of(there);
+                if (std::any_of(taken.begin(), taken.end(), [&](const Footprint& f) { return overlap(f, box); }))
+                    continue;
+                taken.push_back(box), out.there.emplace_back(p.id, at);
+                done = true;
+                break;
+            }
+            if (!done) out.left.push_back(p.id);
+        }
+        if (!best || out.left.size() < best->left.size()) best = out;
+        if (best->left.empty()) break;
+    }
+    return *best;
+}
+
 // A bench, a stool: others stand on it as well.
 bool is_low_seat(const Placed& p) {
     constexpr float kNoBack_m = 0.55f;
@@ -292,32 +389,38 @@ bool is_low_seat(const Placed& p) {
 
 }  // namespace
 
-// What stood on what was replaced stands on what came, where that has room for it.
+// What stood on what was replaced stands on what came, where that has room for it: each as near to its place as may be;
+// where not all of them have room so, the largest at the edge.
 void Editor::set_down(const std::vector<std::pair<std::string, int>>& riders, const std::vector<std::string>& onto) {
     for (const auto& [id, place] : riders) thing(index_of(id)).on = onto[static_cast<std::size_t>(place)];
     build();
+    std::map<std::string, std::vector<Placed>> by_top;
     std::vector<std::string> gone;
-    std::vector<Footprint> taken;
     for (const auto& [id, place] : riders) {
         const std::string& top = onto[static_cast<std::size_t>(place)];
         const int i = index_of(id);
-        const auto to = top.empty() ? std::nullopt : nearest_on_top(placed(top), placed(i));
-        Placed there = placed(i);
-        if (to) there.position = *to;
-        const Footprint box = footprint_of(there);
         // Nothing is set down on what one sits on.
         const bool seat = !top.empty() && has_role(placed(top).piece.kind, Role::seat) &&
                           !furnishing::lies_on_seats(placed(i).piece.kind) &&
                           !has_role(placed(top).piece.kind, Role::no_top) && !is_low_seat(placed(top));
-        if (!to || seat ||
-            std::any_of(taken.begin(), taken.end(), [&](const Footprint& f) { return overlap(f, box); })) {
-            gone.push_back(id);
-            if (!top.empty()) tell(id, "there is no room for it on " + top);
+        if (!top.empty() && !seat) {
+            by_top[top].push_back(placed(i));
             continue;
         }
-        taken.push_back(box);
-        const Vec3f by = *to - placed(i).position;
-        for (const int k : with_riders({i})) thing(k).position += by;
+        gone.push_back(id);
+        if (!top.empty()) tell(id, "there is no room for it on " + top);
+    }
+    for (const auto& [top, things] : by_top) {
+        const StoodOn best = stood_on(placed(top), things);
+        for (const auto& [id, to] : best.there) {
+            const int i = index_of(id);
+            const Vec3f by = to - placed(i).position;
+            for (const int k : with_riders({i})) thing(k).position += by;
+        }
+        for (const std::string& id : best.left) {
+            gone.push_back(id);
+            tell(id, "there is no room for it on " + top);
+        }
     }
     if (!gone.empty()) take(gone);
     else build();

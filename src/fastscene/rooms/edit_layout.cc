@@ -56,7 +56,13 @@ bool is_where_asked(const Plan& plan, const std::vector<Placed>& all, const Plac
     if (wish.relation == "around" && has_role(piece.piece.kind, Role::seat) &&
         !is_drawn_up(all, piece, wish.relation_to))
         return false;
-    if (!is_beside(all, piece, wish) || is_at_foot(all, wish, piece)) return false;
+    if (!is_beside(all, piece, wish) || is_at_foot(all, wish, piece) || is_before_seat(all, wish, piece)) return false;
+    if (is_off_wall_of_door(plan, wish, piece)) return false;
+    // Between two chairs is not at the side of both.
+    if (wish.relation == "between" && piece.piece.mount == Mount::floor && !piece.flat && !piece.piece.against_wall)
+        if (const float off = off_middle(all, wish, footprint_of(piece).center, &piece);
+            std::isfinite(off) && off > kOffMiddle_m)
+            return false;
     // A cabinet stands on no counter.
     constexpr float kLow = 0.7f;  // metres
     if (piece.on >= 0 && piece.piece.made_mount == Mount::floor && piece.piece.size_m.y > kLow) return false;
@@ -127,13 +133,13 @@ bool set_down_on(Layout& layout, int top, const PieceRequest& request, const Pro
 }
 
 // On a top that is almost full: smaller ones of its kind, and smaller than usual at last.
-void fill_gap(Layout& layout, const PromptObject& wish, bool moving) {
+void fill_gap(Layout& layout, const PromptObject& wish, bool moving, bool full_size) {
     if (wish.relation != "on" || !layout.why_not(wish.kind).empty()) return;
     constexpr int kDraws = 6;
     const bool fixed = moving || wish.size_m != Vec3f{};
     for (const float scale : {1.f, 0.8f, 0.65f, 0.5f})
         for (int draw = 0; draw < (fixed ? 1 : kDraws); ++draw) {
-            if (fixed && scale < 1) return;
+            if ((fixed || full_size) && scale < 1) return;
             PieceRequest request = layout.request(wish.kind, &wish);
             if (const Thing* thing = find_thing(request.kind); thing && !request.model && !thing->small_form.empty())
                 request.kind = thing->small_form;
@@ -291,11 +297,11 @@ std::vector<Placed> Editor::laid_out(const Standing& standing, const EditStep& s
         if (!done)
             done = hang_above(layout, wish) || hang_in_row(layout) || seats_in_row(layout) || on_flat(layout) ||
                    on_top_beside(layout) || at_the_ends(layout) || in_the_middle(layout, step, moving) ||
-                   on_the_floor(layout, step);
+                   on_the_floor(layout, step) || screen_on_desk(layout);
         if (!done && wish.relation != kAtTheEnds && !step.on_floor) place_asked(layout);
         if (layout.mark() == before || !is_where_asked(plan(), layout.placed(), layout.placed().back(), wish)) {
             layout.undo(before);
-            fill_gap(layout, wish, moving != nullptr);
+            fill_gap(layout, wish, moving != nullptr, full_size_);
         }
         done = layout.mark() >= before + static_cast<std::size_t>(std::max(1, wish.count)) &&
                std::all_of(layout.placed().begin() + static_cast<std::ptrdiff_t>(before), layout.placed().end(),
@@ -324,85 +330,6 @@ std::vector<Placed> Editor::laid_out(const Standing& standing, const EditStep& s
         own.count = 1;
     }
     return out;
-}
-
-Vec3f Editor::usual_size(const PromptObject& wish) const {
-    PromptSpec spec = room_.spec;
-    Random rng(room_.seed, "size");
-    Layout layout(plan(), spec, rng);
-    return layout.why_not(wish.kind).empty() ? make_piece(layout.request(wish.kind, &wish)).size_m : Vec3f{};
-}
-
-// As large as it is usual; where there is no room for that, smaller; of a number that was not said, as many as fit.
-std::vector<Placed> Editor::with_added(const EditStep& step, bool& smaller) const {
-    const Standing standing = without({});
-    const bool stands = mount_of(*this, step.wish.kind) == Mount::floor && step.wish.relation != "on";
-    const int most = std::max(1, step.wish.count), least = step.wish.counted && !step.each ? most : 1;
-    for (int count = most; count >= least; --count)
-        for (const float scale : {1.f, 0.82f, 0.66f, 0.56f}) {
-            EditStep one = step;
-            one.wish.count = count;
-            if (scale < 1) one.wish.size_m = usual_size(one.wish) * scale;
-            constexpr float kLeastFurniture = 0.8f;
-            if (scale < kLeastSeat && has_role(step.wish.kind, Role::seat)) break;
-            // What stands on the floor stands closer before it is smaller still.
-            if (scale < kLeastFurniture && stands) break;
-            if (scale < 1 && (step.wish.size_m != Vec3f{} || one.wish.size_m == Vec3f{})) break;
-            const std::vector<Placed> all = laid_out(standing, one, nullptr);
-            // Pictures and mirrors shrink to the wall that is free: half as wide as usual, nobody calls them large.
-            PromptObject usual = step.wish;
-            usual.size.clear();
-            if (!all.empty() && step.wish.size == "large" && all.back().piece.size_m.x < 0.5f * usual_size(usual).x)
-                break;
-            smaller = scale < 1;
-            if (!all.empty()) return all;
-        }
-    throw Error("{}: there is no free place for it{}", step.wish.words, place_in_words(step));
-}
-
-// What came to what stood, as things of the document; their ids.
-std::vector<std::string> Editor::admit(const std::vector<Placed>& all, const Standing& standing,
-                                       const std::vector<std::string>& how) {
-    std::vector<std::string> ids, out;
-    for (const int was : standing.was) ids.push_back(thing(was).id);
-    for (std::size_t i = standing.placed.size(); i < all.size(); ++i) {
-        const std::string id = new_id(all[i].wish.kind.empty() ? all[i].piece.kind : all[i].wish.kind);
-        ids.push_back(id), out.push_back(id);
-        DocumentThing t = thing_of(all[i], ids, i);
-        const std::string place = t.on.empty() ? how[std::min(out.size(), how.size()) - 1] : " on " + t.on;
-        tell(t.id, fmt::format("added{} at x {:.2f}, z {:.2f}", place, t.position.x, t.position.z));
-        result_.document.things.push_back(std::move(t));
-    }
-    return out;
-}
-
-void Editor::add(const EditStep& step) {
-    if (step.wish.relation == "on both sides of" && step.wish.count == 2) check_no_pair(step);
-    if (add_into_row(step)) return;
-    bool smaller = false;
-    std::vector<Placed> all;
-    try {
-        all = with_added(step, smaller);
-        // Not where the camera stands, nor in its way.
-        const std::set<std::string> before = fault_texts(room_.furnished.placed), now = fault_texts(all);
-        if (!std::includes(before.begin(), before.end(), now.begin(), now.end()) && add_squeezed(step)) return;
-    } catch (const Error&) {
-        if (add_squeezed(step)) return;
-        throw Error("{}", why_none_added(step));
-    }
-    std::vector<std::string> fresh;
-    together([&] {
-        fresh = admit(all, without({}), {place_in_words(step)});
-        for (const std::string& id : fresh)
-            if (smaller) tell(id, "smaller than usual: there was no more room");
-        try {
-            build();
-        } catch (const Error&) {  // the camera stands there
-            throw Error("{}", why_none_added(step));
-        }
-    });
-    for (const std::string& id : fresh) tell_aside(id, step), tell_distance(id, step);
-    if (step.each) tell_missing_corners(step, fresh.size());
 }
 
 }  // namespace fastscene::editing

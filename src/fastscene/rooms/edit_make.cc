@@ -123,7 +123,12 @@ std::vector<std::string> make_one(Talk& talk, const Words& subject, const Value&
         const std::string& kind = talk.editor.placed(id).piece.kind;
         return has_role(kind, Role::laid) || has_role(kind, Role::work_place);
     });
-    if (tables && step.factor.x == step.factor.y && step.factor.y == step.factor.z) step.factor.y = 1;
+    // Nor is a larger rug thicker.
+    const bool rugs = !step.ids.empty() && std::all_of(step.ids.begin(), step.ids.end(), [&](const std::string& id) {
+        const Placed& p = talk.editor.placed(id);
+        return p.flat || is_rug(p.piece);
+    });
+    if ((tables || rugs) && step.factor.x == step.factor.y && step.factor.y == step.factor.z) step.factor.y = 1;
     const bool lamps = !step.ids.empty() && std::all_of(step.ids.begin(), step.ids.end(), [&](const std::string& id) {
         return has_role(talk.editor.placed(id).piece.kind, Role::light);
     });
@@ -334,6 +339,30 @@ bool given(Talk& talk, const Words& words) {
 }
 
 }  // namespace
+
+bool resurfaced(Talk& talk, const Words& old, const Words& by) {
+    if (old.empty() || by.empty()) return false;
+    const std::string& last = old.back();
+    std::string surface = noun_of(last);
+    if (is_one_of(last, {"flooring", "floorboards", "parquet"})) surface = "floor";
+    if (is_one_of(last, {"wallpaper", "wallpapers", "paneling"})) surface = "wall";
+    if (is_one_of(last, {"tiles", "carpet"}) && !all_named(talk.editor, last).empty()) return false;
+    if (last == "tiles" && old.size() > 1)
+        surface = is_one_of(old[old.size() - 2], {"wall", "floor"}) ? old[old.size() - 2] : "";
+    if (!is_one_of(surface, {"floor", "wall", "ceiling"})) return false;
+    // Its own look says which one it is, and nothing of what comes: "the wooden floor".
+    for (std::size_t i = 0; i + 1 < old.size(); ++i)
+        if (!is_definite(old[i]) && !is_one_of(old[i], {"all", "whole", "entire", "current", "old", "wall", "floor"}) &&
+            !looks_of(old[i]))
+            return false;
+    Words all{"the", surface == "wall" ? "walls" : surface};
+    for (std::size_t i = is_one_of(by.front(), {"a", "an", "some", "new"}) ? 1 : 0; i < by.size(); ++i)
+        all.push_back(by[i]);
+    while (all.size() > 3 && is_one_of(all.back(), {"wallpaper", "floor", "flooring", "ceiling", "wall", "walls"}))
+        all.pop_back();
+    make(talk, all);
+    return true;
+}
 
 void recolor(Talk& talk, const std::string& surface, const Value& value) {
     EditStep step;

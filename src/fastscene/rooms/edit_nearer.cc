@@ -284,10 +284,13 @@ bool Editor::bring_nearer(Layout& layout, const EditStep& step, std::size_t befo
         return off_place(layout.placed(), footprint_of(layout.placed().back()), &layout.placed().back(), wish);
     };
     const float now = off();
-    if (std::isinf(now) || now < kClose) return true;
+    // Off a seat's front is less beside it than at an arm.
+    const bool ahead = is_ahead_of_seat(layout.placed(), wish, layout.placed().back());
+    if (std::isinf(now) || (now < kClose && !ahead)) return true;
     layout.undo(before);
     if (search_finely(layout, step)) {
         if (off() < now - kGain) return true;
+        if (ahead && !is_ahead_of_seat(layout.placed(), wish, layout.placed().back())) return true;
         layout.undo(before);
     }
     const auto again = layout.stand_at(found.piece, flat(found.position), found.yaw, wish, {});

@@ -138,6 +138,8 @@ Words as_made(Words words);             // "the sofa a green cover" -> "the sofa
 // "the sofa green", "it night", "the walls sage", "the rug larger", "the style to japandi"
 void make(Talk& talk, const Words& words);
 bool each_on_or_off(const Words& words);
+// "The floor" by "checkered tiles": how it is to look; false: the words are about no surface.
+bool resurfaced(Talk& talk, const Words& old, const Words& by);
 void recolor(Talk& talk, const std::string& surface, const Value& value);  // wall, floor, ceiling, trim
 bool swap_colors(Talk& talk, const Words& words);  // "the colors of the sofa and the rug"; false: no such words
 // ---- edit_want.cc: "I want a plant", "the sofa should be green", "it is too dark"

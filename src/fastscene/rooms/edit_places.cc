@@ -159,6 +159,8 @@ class Reader {
         const bool at_it = is_one_of(relation, {"to", "at", "in", "on", "from", "against", "along"});
         Place out = place(at_it ? "next to" : relation, kind);
         out.step.position = which_opening(editor_, part, kind);
+        if (kind == "window" && is_one_of(relation, {"to", "at"}) && moving_ && !out.step.position)
+            out.step.position = before_opening(editor_, kind, mover_);
         if (relation == "on both sides of") out.count = 2;
         return out;
     }

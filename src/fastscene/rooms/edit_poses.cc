@@ -18,7 +18,7 @@ namespace {
 std::set<std::string> faults_of(const RoomDocument& document, const FurnishedRoom& room, const std::vector<Placed>& all,
                                 const Passage& passage = {}) {
     std::set<std::string> out;
-    for (const Fault& fault : room_faults(room.plan, all, room.camera, passage)) {
+    for (const Fault& fault : room_faults(room.plan, all, room.camera, passage, round_ones(all))) {
         std::string text = fault.text;
         for (std::size_t i = all.size(); i-- > 0;) {
             const std::string name = all[i].piece.kind + " #" + std::to_string(i);
@@ -39,11 +39,23 @@ Vec3f carried(Vec3f at, Vec3f from, Vec3f to, float turn) {
 
 // "room: /things/3: sofa-1 reaches into a wall": of a sentence, only what is wrong.
 std::string without_place(const std::string& text) {
+    if (text.starts_with("no way leads from the door")) return "it would block the way from the door";
     if (!text.starts_with("room: /things/")) return text;
     return text.substr(text.find(": ", text.find(": ") + 1) + 2);
 }
 
+// What was not wrong before; nothing of the camera, which moves.
+std::string first_new(const std::set<std::string>& before, const std::set<std::string>& now) {
+    for (const std::string& fault : now)
+        if (!before.contains(fault) && !is_of_camera(fault)) return fault;
+    return {};
+}
+
 }  // namespace
+
+bool is_of_camera(const std::string& fault) {
+    return fault.ends_with("the camera") && fault.find("a place for") == std::string::npos;
+}
 
 // Moves a thing with what stands on it, and with others `along`.
 void Editor::set_pose(int index, Pose pose, const std::vector<int>& along) {
@@ -63,9 +75,12 @@ void Editor::tell_pose(int index, Vec3f from) {
     const DocumentThing& t = thing(index);
     constexpr float kSeen = 5e-3f;  // metres
     const float far = length(t.position - from);
-    tell(t.id, far < kSeen ? fmt::format("turned to {:.0f} degrees", t.yaw * 180 / kPi)
-                           : fmt::format("moved {:.2f} m to x {:.2f}, z {:.2f}, turned to {:.0f} degrees", far,
-                                         t.position.x, t.position.z, t.yaw * 180 / kPi));
+    constexpr float kTurned = 1 * kPi / 180;
+    const bool turned = std::abs(std::remainder(t.yaw - placed(index).yaw, 2 * kPi)) > kTurned;
+    const std::string how = fmt::format("turned to {:.0f} degrees", t.yaw * 180 / kPi);
+    tell(t.id, far < kSeen ? how
+                           : fmt::format("moved {:.2f} m to x {:.2f}, z {:.2f}{}", far, t.position.x, t.position.z,
+                                         turned ? ", " + how : ""));
 }
 
 // The room with a thing at another pose.
@@ -85,9 +100,7 @@ std::vector<Placed> Editor::with_pose(int index, Pose pose, const std::vector<in
 // What is wrong with it that was not before; empty: nothing.
 std::string Editor::new_fault(const std::vector<Placed>& all) const {
     const std::set<std::string> before = faults_of(result_.document, room_.furnished, room_.furnished.placed);
-    for (const std::string& fault : faults_of(result_.document, room_.furnished, all))
-        if (!before.contains(fault)) return fault;
-    return {};
+    return first_new(before, faults_of(result_.document, room_.furnished, all));
 }
 
 void Editor::together(const std::function<void()>& change) {
@@ -110,8 +123,7 @@ void Editor::checked(const std::function<void()>& change, const Passage& passage
         together([&] {
             change();
             build();
-            for (const std::string& fault : faults())
-                if (!before.contains(fault)) throw Error("{}", fault);
+            if (const std::string fault = first_new(before, faults()); !fault.empty()) throw Error("{}", fault);
         });
     } catch (const UsageError&) {
         throw;

@@ -236,6 +236,8 @@ bool has_opening(const Plan& plan, const std::string& kind);
 std::string opening_there(const Plan& plan, const std::string& kind);
 // "The left window", "the far door", of several: a point before it.
 std::optional<Vec2f> which_opening(const Editor& editor, const Part& part, const std::string& kind);
+// Before the middle of the only such opening, a step off its wall, for what stands on the floor without a back.
+std::optional<Vec2f> before_opening(const Editor& editor, const std::string& kind, const std::string& mover);
 // Of the two corners that lie that way, the one with more free floor before it.
 Vec2f freer_corner(const Editor& editor, Vec2f way, const std::string& mover);
 // Where it would be on the other side of the nearest such opening.
@@ -294,6 +296,7 @@ bool is_where_asked(const Plan& plan, const std::vector<Placed>& all, const Plac
 // ---- edit_search.cc
 // The wall that is at a thing's back; -1: none.
 int wall_behind(const Plan& plan, const Placed& p);
+inline constexpr float kOffMiddle_m = 0.7f;  // further off the middle between two, it stands beside both of them
 // How far a point is from the middle between two things that a place is said by, other than `own`; +inf: there are
 // none.
 float off_middle(const std::vector<Placed>& all, const PromptObject& wish, Vec2f at, const Placed* own = nullptr);
@@ -310,5 +313,7 @@ std::optional<int> take_place(Layout& layout, const PieceRequest& request, const
 // ---- edit_shapes.cc
 // round, oval, square or rectangular; empty: none of those.
 std::string shape_of(const Piece& piece);
+// Which of them are round tables.
+std::vector<bool> round_ones(const std::vector<Placed>& all);
 
 }  // namespace fastscene::editing

@@ -50,7 +50,7 @@ bool replaced_by_its_like(Talk& talk, const Words& old, const Words& by) {
 }  // namespace
 
 void replace(Talk& talk, const Words& old, const Words& by) {
-    if (replaced_by_its_like(talk, old, by)) return;
+    if (resurfaced(talk, old, by) || replaced_by_its_like(talk, old, by)) return;
     EditStep step;
     step.kind = EditStep::Kind::replace;
     step.ids = talk.things_of_parts(old);

@@ -21,6 +21,10 @@ Vec3f after_resize(const Placed& p, Vec3f size) {
     return at;
 }
 
+bool is_among_those(int i, const std::vector<int>& those) {
+    return std::find(those.begin(), those.end(), i) != those.end();
+}
+
 }  // namespace
 
 // What stands on a thing of another size keeps its place on the top.
@@ -45,14 +49,28 @@ void Editor::keep_seats(int index, const Placed& before) {
     const Placed& after = placed(index);
     const Vec3f right = right_of(before.yaw), front = front_of(before.yaw);
     const Vec3f old = before.piece.size_m * 0.5f, more = after.piece.size_m * 0.5f - old;
-    for (const int i : seats_at(index)) {
+    std::vector<int> around = seats_at(index);
+    // What stands beside a bed stands beside it still.
+    for (int i = 0; i < static_cast<int>(room_.furnished.placed.size()); ++i) {
+        const Placed& p = placed(i);
+        if (!has_role(before.piece.kind, Role::bed)) break;
+        if (p.with == index && p.piece.mount == Mount::floor && !p.flat && p.on < 0 && !is_among_those(i, around))
+            around.push_back(i);
+    }
+    for (const int i : around) {
         const Vec3f d = placed(i).position - before.position;
         const float x = dot(d, right), z = dot(d, front);
         const auto moved = [](float at, float half, float by) {
             return std::abs(at) > half ? std::copysign(by, at) : at * by / half;
         };
-        thing(i).position += after.position - before.position + right * moved(x, old.x, more.x) +
-                             front * moved(z, old.z, more.z);
+        Vec3f by = after.position - before.position + right * moved(x, old.x, more.x) + front * moved(z, old.z, more.z);
+        // What stands at the same wall stays at it.
+        if (before.piece.against_wall && std::abs(x) > old.x && placed(i).piece.against_wall)
+            by = by - front * dot(by, front);
+        for (const int k : with_riders({i})) thing(k).position += Vec3f{by.x, 0, by.z};
+        constexpr float kSeen_m = 0.02f;
+        if (length(flat(by)) > kSeen_m && has_role(before.piece.kind, Role::bed))
+            tell(thing(i).id, "moved with " + thing(index).id);
     }
 }
 

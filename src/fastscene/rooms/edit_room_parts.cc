@@ -57,6 +57,21 @@ std::optional<Vec2f> which_opening(const Editor& editor, const Part& part, const
                              [&](Vec2f a, Vec2f b) { return dot(a, flat(*direction)) < dot(b, flat(*direction)); });
 }
 
+std::optional<Vec2f> before_opening(const Editor& editor, const std::string& kind, const std::string& mover) {
+    const Placed& p = editor.placed(mover);
+    if (p.piece.mount != Mount::floor || p.piece.against_wall || p.flat || p.on >= 0) return {};
+    constexpr float kOffWall_m = 0.15f;
+    std::optional<Vec2f> out;
+    for (const Opening& o : editor.plan().openings) {
+        if (!is_opening_of(o, kind)) continue;
+        if (out) return {};
+        const WallFace face = editor.plan().wall(o.wall);
+        const float deep = extent(footprint_of(p), flat(face.inward));
+        out = flat(face.point((o.u0 + o.u1) / 2, 0) + face.inward * (deep + kOffWall_m));
+    }
+    return out;
+}
+
 std::optional<Vec2f> beyond_opening(const Editor& editor, const std::string& kind, const std::string& mover) {
     const Vec2f here = footprint_of(editor.placed(mover)).center;
     std::optional<Vec2f> out;

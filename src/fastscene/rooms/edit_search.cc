@@ -48,10 +48,21 @@ bool hang_above(Layout& layout, const PromptObject& wish) {
         const Placed below = layout.placed()[static_cast<std::size_t>(i)];
         if (below.piece.kind != wish.relation_to && below.wish.kind != wish.relation_to) continue;
         const Vec3f half = below.piece.size_m * 0.5f;
-        const bool turned = half.z > half.x;
-        const Vec3f along = turned ? front_of(below.yaw) * half.z : right_of(below.yaw) * half.x;
-        for (const float part : {0.f, 0.3f, -0.3f, 0.5f, -0.5f, 0.7f, -0.7f})
-            if (const auto k = layout.hanging(request, flat(below.position + along * part), wish))
+        // The nearest to its middle that is free.
+        constexpr float kOfHalf = 0.7f;
+        constexpr int kSteps = 10;
+        std::vector<Vec3f> offs;
+        for (int x = -kSteps; x <= kSteps; ++x)
+            for (int z = -kSteps; z <= kSteps; ++z)
+                offs.push_back(right_of(below.yaw) * (kOfHalf * half.x * static_cast<float>(x) / kSteps) +
+                               front_of(below.yaw) * (kOfHalf * half.z * static_cast<float>(z) / kSteps));
+        // Along it rather than across.
+        const Vec3f across = half.z > half.x ? right_of(below.yaw) : front_of(below.yaw);
+        const auto off_middle_of = [&](Vec3f off) { return length(off) + std::abs(dot(off, across)); };
+        std::stable_sort(offs.begin(), offs.end(),
+                         [&](Vec3f a, Vec3f b) { return off_middle_of(a) < off_middle_of(b); });
+        for (const Vec3f off : offs)
+            if (const auto k = layout.hanging(request, flat(below.position + off), wish))
                 return layout.join(*k, i), true;
     }
     return false;

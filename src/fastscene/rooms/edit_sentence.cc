@@ -310,6 +310,11 @@ void Talk::act(const Clause& whole) {
             if (clause.said == "switch" && !says_value(words) && !each_on_or_off(words) &&
                 (parts_of(words).size() == 2 || find_word(words, {"with"}, 1) < words.size()))
                 return swap(*this, words);
+            // "Change the pendant lamp for a chandelier"
+            if (const std::size_t by = find_word(words, {"for"}, 1); is_one_of(clause.said, {"change", "switch"}) &&
+                                                                     by + 1 < words.size() &&
+                                                                     begins_anew(part_of(words, by + 1)))
+                return replace(*this, part_of(words, 0, by), part_of(words, by + 1));
             return make(*this, words);
         case Verb::color: return make(*this, covered(clause));
         case Verb::larger:

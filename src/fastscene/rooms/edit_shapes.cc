@@ -54,6 +54,13 @@ std::string shape_of(const Piece& piece) {
     return {};
 }
 
+std::vector<bool> round_ones(const std::vector<Placed>& all) {
+    std::vector<bool> out(all.size());
+    for (std::size_t i = 0; i < all.size(); ++i)
+        out[i] = all[i].piece.mount == Mount::floor && is_table(all[i].piece.kind) && shape_of(all[i].piece) == "round";
+    return out;
+}
+
 namespace {
 
 bool is_curved(const std::string& shape) { return shape == "round" || shape == "oval"; }

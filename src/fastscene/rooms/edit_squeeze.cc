@@ -53,6 +53,12 @@ std::vector<int> loose_ones(const std::vector<Placed>& all) {
     return out;
 }
 
+// Whether nothing else is wrong that was not before.
+bool only_the_camera(const std::set<std::string>& before, const std::set<std::string>& now) {
+    return std::all_of(now.begin(), now.end(),
+                       [&](const std::string& fault) { return before.contains(fault) || is_of_camera(fault); });
+}
+
 // Where what stands in the way goes, with what stands on it: as near as may be.
 bool push_aside(const Plan& plan, std::vector<Placed>& all, int index) {
     constexpr int kRings = 14, kWays = 16;
@@ -98,9 +104,29 @@ std::vector<Squeeze> squeezes(bool may_shrink) {
     return out;
 }
 
+Vec3f shrunk_size(const Piece& usual, float scale) {
+    constexpr float kTall_m = 2.f;  // what one walks into, or hangs clothes in
+    Vec3f out = usual.size_m * scale;
+    if (usual.mount == Mount::floor && usual.against_wall && usual.size_m.y > kTall_m) out.y = usual.size_m.y;
+    return out;
+}
+
+PieceRequest shrunk_to(PieceRequest request, float scale) {
+    if (scale >= 1) return request;
+    const Piece usual = make_piece(request);
+    if (const Vec3f size = shrunk_size(usual, scale); size.y == usual.size_m.y) {
+        request.size_m = size, request.size_factor = 1;
+        return request;
+    }
+    request.size_factor *= scale;
+    request.size_m = request.size_m * scale;
+    return request;
+}
+
 std::set<std::string> Editor::fault_texts(const std::vector<Placed>& all, const Passage& passage) const {
     std::set<std::string> out;
-    for (const Fault& f : room_faults(plan(), all, room_.furnished.camera, passage)) out.insert(f.text);
+    for (const Fault& f : room_faults(plan(), all, room_.furnished.camera, passage, round_ones(all)))
+        out.insert(f.text);
     return out;
 }
 
@@ -122,11 +148,8 @@ std::optional<Squeezed> Editor::squeezed_in(const Standing& standing, const Edit
     if (is_one_of(wish.relation, {"on", "above"}) || under_thing || mount_of(*this, wish.kind) == Mount::wall)
         return squeezed_on_wall(layout, step, moving, how, accepts);
     if (how.scale < kLeastSeat && (has_role(wish.kind, Role::seat) || has_role(wish.kind, Role::bed))) return {};
-    PieceRequest request = layout.request(wish.kind, &wish);
-    request.size_factor *= how.scale;
-    request.size_m = request.size_m * how.scale;
     Placed p;
-    p.piece = make_piece(request);
+    p.piece = make_piece(shrunk_to(layout.request(wish.kind, &wish), how.scale));
     if (p.piece.mount != Mount::floor || is_rug(p.piece)) return {};
     p.wish = wish;
     const std::vector<Placed>& all = layout.placed();
@@ -147,6 +170,7 @@ std::optional<Squeezed> Editor::squeezed_in(const Standing& standing, const Edit
     const Passage passage = how.narrow ? kNarrow : Passage{};
     const std::set<std::string> before = fault_texts(all, passage);
     int looks = 0;
+    std::optional<Squeezed> at_camera;  // the first place at which only the camera is in the way
     for (const Candidate& c : places) {
         p.position = {c.at.x, 0, c.at.y}, p.yaw = c.yaw;
         const auto blocked = in_the_way(plan(), all, p, loose);
@@ -156,14 +180,20 @@ std::optional<Squeezed> Editor::squeezed_in(const Standing& standing, const Edit
         out.all.push_back(p);
         if (!std::all_of(blocked->begin(), blocked->end(), [&](int i) { return push_aside(plan(), out.all, i); }))
             continue;
-        if (++looks > kMostLooks) break;
+        // Before a door there is hardly ever a place: those that lie there count less.
+        constexpr int kWhole = 4;
+        looks += blocks_opening(plan(), footprint_of(p)) ? 1 : kWhole;
+        if (looks > kWhole * kMostLooks) break;
         const auto now = fault_texts(out.all, passage);
-        if (!std::includes(before.begin(), before.end(), now.begin(), now.end())) continue;
+        const bool fine = std::includes(before.begin(), before.end(), now.begin(), now.end());
+        if (!fine && (at_camera || !only_the_camera(before, now))) continue;
         for (const int i : *blocked) out.pushed.push_back(standing.was[static_cast<std::size_t>(i)]);
         out.off = c.off;
-        if (accepts(out)) return out;
+        if (!fine) at_camera = out;
+        else if (accepts(out)) return out;
     }
-    return {};
+    // The camera is no furniture: it moves.
+    return at_camera && accepts(*at_camera) ? at_camera : std::nullopt;
 }
 
 namespace {
@@ -311,6 +341,19 @@ bool Editor::place_squeezed(int index, const EditStep& step, const std::vector<i
     return false;
 }
 
+// What came last there, and room for it; its id.
+std::string Editor::admit_squeezed(const EditStep& step, const Squeezed& found) {
+    const Standing standing = without({});
+    std::vector<Placed> all = standing.placed;
+    all.push_back(found.all.back());
+    all.back().wish.relation = step.wish.relation, all.back().wish.relation_to = step.wish.relation_to;
+    all.back().wish.relation_and = step.wish.relation_and;
+    const std::string id = admit(all, standing, {place_in_words(step)}).front();
+    make_way(found, id);
+    build();
+    return id;
+}
+
 // One by one; false: none of them has a place.
 bool Editor::add_squeezed(const EditStep& step) {
     const int count = std::max(1, step.wish.count);
@@ -335,15 +378,7 @@ bool Editor::add_squeezed(const EditStep& step) {
             if (found) break;
             auto squeezed = squeezed_in(without({}), one, nullptr, how, [](const Squeezed&) { return true; });
             if (!squeezed) continue;
-            const Standing standing = without({});
-            std::vector<Placed> all = standing.placed;
-            all.push_back(squeezed->all.back());
-            all.back().wish.relation = step.wish.relation, all.back().wish.relation_to = step.wish.relation_to;
-            all.back().wish.relation_and = step.wish.relation_and;
-            const std::string id = admit(all, standing, {place_in_words(step)}).front();
-            make_way(*squeezed, id);
-            build();
-            tell_squeeze(id, step, *squeezed, how);
+            tell_squeeze(admit_squeezed(step, *squeezed), step, *squeezed, how);
             found = true;
         }
         done += found ? 1 : 0;

@@ -1,7 +1,10 @@
 // Tops that are full: what stands on them moves a little, and what comes is small.
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
+#include "fastscene/base/error.h"
 #include "fastscene/rooms/catalogue.h"
 #include "fastscene/rooms/edit_parts.h"
 #include "fastscene/rooms/layout_relations.h"
@@ -38,6 +41,30 @@ float height_above(const Placed& top, const Surface& s) {
     return out;
 }
 
+// Where a screen stands on a desk: at the back, before its middle, towards whoever sits there.
+struct ScreenPlace {
+    Vec2f at;
+    float yaw = 0;
+};
+bool has_screen(const Piece& piece) {
+    return std::any_of(piece.materials.begin(), piece.materials.end(),
+                       [](const Material& m) { return m.pattern == Pattern::screen; });
+}
+std::optional<ScreenPlace> screen_place(const std::vector<Placed>& all, int desk, const Surface& s,
+                                        const Piece& screen) {
+    const Placed& top = all[static_cast<std::size_t>(desk)];
+    if (!has_role(top.piece.kind, Role::work_place) || !has_screen(screen)) return {};
+    const Vec3f front = front_of(top.yaw);
+    float side = 1;
+    for (const Placed& seat : all)
+        if (seat.with == desk && has_role(seat.piece.kind, Role::seat))
+            side = dot(seat.position - top.position, front) < 0 ? -1.f : 1.f;
+    constexpr float kFromBack_m = 0.03f;
+    const float back = std::max(0.f, s.half.y - screen.size_m.z / 2 - kFromBack_m);
+    const Vec3f at = top.position + right_of(top.yaw) * s.center.x + front * (s.center.z - side * back);
+    return ScreenPlace{flat(at), yaw_of(front * side)};
+}
+
 class Top {
   public:
     Top(const std::vector<Placed>& all, int top, const Surface& s) : all_(all), top_(top), s_(s) {
@@ -52,7 +79,7 @@ class Top {
     }
 
     // With `p` on it, and what is in its way moved by as little as may be; nothing: it has no room.
-    std::optional<Squeezed> with(Placed p) const {
+    std::optional<Squeezed> with(Placed p, const std::optional<ScreenPlace>& rather = {}) const {
         constexpr std::size_t kMostMoved = 3;
         p.on = top_;
         p.position.y = at().position.y + s_.center.y;
@@ -60,7 +87,15 @@ class Top {
         float least = 1e9f;
         constexpr int kMostTries = 200;
         int tries = 0;
-        for (const Vec2f spot : spots_on(at(), s_, footprint_of(p), 0.04f)) {
+        std::vector<Vec2f> spots = spots_on(at(), s_, footprint_of(p), 0.04f);
+        constexpr float kBeside_m = 0.3f;  // further off it is not before whoever sits there
+        if (rather) {
+            spots.insert(spots.begin(), rather->at);
+            const auto off = [&](Vec2f spot) { return length(spot - rather->at); };
+            std::erase_if(spots, [&](Vec2f spot) { return off(spot) > kBeside_m; });
+            std::stable_sort(spots.begin(), spots.end(), [&](Vec2f a, Vec2f b) { return off(a) < off(b); });
+        }
+        for (const Vec2f spot : spots) {
             p.position.x = spot.x, p.position.z = spot.y;
             const Footprint box = footprint_of(p);
             if (reaches_into(others_, box)) continue;
@@ -79,7 +114,7 @@ class Top {
                 if (by) moved += *by;
             }
             if (fine && moved < least) least = moved, best = out;
-            if (least == 0) break;
+            if (least == 0 || (rather && best)) break;
         }
         return best;
     }
@@ -123,6 +158,18 @@ class Top {
     std::vector<int> riders_, others_;
 };
 
+// A screen on a desk at which one sits, and yet turned away or at its end.
+bool is_screen_astray(const std::vector<Placed>& all) {
+    const Placed& p = all.back();
+    if (p.on < 0 || !has_screen(p.piece)) return false;
+    const Placed& desk = all[static_cast<std::size_t>(p.on)];
+    if (desk.piece.surfaces.empty()) return false;
+    const auto place = screen_place(all, p.on, desk.piece.surfaces.front(), p.piece);
+    constexpr float kAside_m = 0.35f, kTurned = 0.2f;  // radians
+    return place && (length(flat(p.position) - place->at) > kAside_m ||
+                     std::abs(std::remainder(p.yaw - place->yaw, 2 * kPi)) > kTurned);
+}
+
 }  // namespace
 
 std::optional<Squeezed> Editor::squeezed_on_top(Layout& layout, const Placed* moving) const {
@@ -130,7 +177,7 @@ std::optional<Squeezed> Editor::squeezed_on_top(Layout& layout, const Placed* mo
     const bool fixed = moving || wish.size_m != Vec3f{};
     const std::set<std::string> before = fault_texts(layout.placed());
     for (const float scale : {1.f, 0.8f, 0.65f}) {
-        if (fixed && scale < 1) break;
+        if ((fixed || full_size_) && scale < 1) break;
         PieceRequest request = layout.request(wish.kind, &wish);
         if (const Thing* known = find_thing(request.kind); known && !request.model && !known->small_form.empty())
             request.kind = known->small_form;
@@ -144,9 +191,11 @@ std::optional<Squeezed> Editor::squeezed_on_top(Layout& layout, const Placed* mo
             if (top.piece.kind != wish.relation_to && top.wish.kind != wish.relation_to) continue;
             for (const Surface& s : top.piece.surfaces) {
                 if (p.piece.size_m.y > height_above(top, s)) continue;
+                const auto rather = screen_place(layout.placed(), i, s, p.piece);
                 for (const float turn : {0.f, kPi / 2}) {
-                    p.yaw = top.yaw + turn;
-                    auto found = Top(layout.placed(), i, s).with(p);
+                    if (rather && turn > 0) break;
+                    p.yaw = rather ? rather->yaw : top.yaw + turn;
+                    auto found = Top(layout.placed(), i, s).with(p, rather);
                     if (!found) continue;
                     const auto now = fault_texts(found->all);
                     if (std::includes(before.begin(), before.end(), now.begin(), now.end())) return found;
@@ -155,6 +204,78 @@ std::optional<Squeezed> Editor::squeezed_on_top(Layout& layout, const Placed* mo
         }
     }
     return {};
+}
+
+bool Editor::add_on_top(const EditStep& step) {
+    // A desk that was made for no screens has a form for as many: with a free back.
+    for (int i = 0; i < static_cast<int>(room_.furnished.placed.size()) && step.wish.relation == "on"; ++i) {
+        const Placed& desk = placed(i);
+        const bool meant = step.at.empty()
+                               ? asked_kind(desk) == step.wish.relation_to || desk.piece.kind == step.wish.relation_to
+                               : is_among(desk.id, step.at);
+        if (!meant || !has_role(desk.piece.kind, Role::work_place) || !desk.piece.made_from ||
+            desk.piece.made_from->screens > 0 || desk.piece.surfaces.empty())
+            continue;
+        PromptSpec spec = room_.spec;
+        Random rng(room_.seed, "screen");
+        Layout layout(plan(), spec, rng);
+        if (!layout.why_not(step.wish.kind).empty()) break;
+        const Piece screen = make_piece(layout.request(step.wish.kind, &step.wish));
+        if (screen.mount != Mount::surface || !has_screen(screen)) break;
+        PieceRequest request = *desk.piece.made_from;
+        if (!request.style) request.style = &plan().style;
+        request.screens = std::clamp(step.wish.count, 1, kMostScreens);
+        request.size_m = {desk.piece.size_m.x, 0, desk.piece.size_m.z}, request.size_factor = 1;
+        const Piece made = make_piece(request);
+        constexpr float kSame_m = 0.01f;
+        if (made.surfaces.empty() ||
+            std::abs(made.surfaces.front().half.x - desk.piece.surfaces.front().half.x) < kSame_m ||
+            std::abs(made.surfaces.front().center.y - desk.piece.surfaces.front().center.y) > kSame_m)
+            continue;  // its builder knows no screens
+        const std::string id = desk.id;
+        DocumentThing& t = thing(i);
+        t.screens = request.screens, t.asked_size_m = request.size_m, t.size_m = made.size_m, t.size_factor = 1;
+        build();
+        tell(id, fmt::format("what lay in the middle of its top makes room for the {}", step.wish.words));
+        break;
+    }
+    if (step.wish.relation != "on" || step.wish.count > 1 || step.on_floor || !noun_of(step.wish.relation_to).empty())
+        return false;
+    full_size_ = true;
+    std::optional<Squeezed> found;
+    try {
+        bool smaller = false;
+        const std::vector<Placed> all = with_added(step, smaller);
+        if (is_screen_astray(all)) throw Error("it is not before whoever sits there");
+    } catch (const Error&) {
+        EditStep one = step;
+        one.wish.count = 1;
+        found = squeezed_in(without({}), one, nullptr, {.narrow = true, .pushes = true},
+                            [](const Squeezed&) { return true; });
+    }
+    full_size_ = false;
+    if (!found) return false;
+    admit_squeezed(step, *found);
+    return true;
+}
+
+bool Editor::screen_on_desk(Layout& layout) const {
+    const PromptObject& wish = layout.spec().objects[0];
+    if (wish.relation != "on" || wish.count > 1 || !layout.why_not(wish.kind).empty()) return false;
+    const PieceRequest request = layout.request(wish.kind, &wish);
+    const Piece piece = make_piece(request);
+    if (piece.mount != Mount::surface) return false;
+    for (int i = 0; i < static_cast<int>(layout.placed().size()); ++i) {
+        const Placed desk = layout.placed()[static_cast<std::size_t>(i)];
+        if ((desk.piece.kind != wish.relation_to && desk.wish.kind != wish.relation_to) || desk.piece.surfaces.empty())
+            continue;
+        const auto place = screen_place(layout.placed(), i, desk.piece.surfaces.front(), piece);
+        if (!place) continue;
+        const Vec2f along = flat(right_of(desk.yaw));
+        for (const float aside : {0.f, 0.05f, -0.05f, 0.1f, -0.1f, 0.15f, -0.15f, 0.2f, -0.2f, 0.3f, -0.3f})
+            if (layout.on_top_at(i, request, place->at + along * aside, place->yaw, wish)) return true;
+    }
+    return false;
 }
 
 }  // namespace fastscene::editing

@@ -313,7 +313,8 @@ void as_those_at(const Editor& editor, Addition& addition) {
 Addition read_addition(const Talk& talk, const Words& said, const std::vector<std::string>& spoken) {
     const Editor& editor = talk.editor;
     const Words words = hung_up(talk, counted_anew(without_whom(editor, said)));
-    const std::string shape = shape_asked(words);
+    // "Chairs around the big round table": the table is round.
+    const std::string shape = shape_asked(part_of(words, 0, next_place(words)));
     for (std::size_t end = next_place(words); end < words.size(); end = next_place(words, end + 1)) {
         const Words there = part_of(words, end);
         // "a table in oak"
