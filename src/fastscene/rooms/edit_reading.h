@@ -306,7 +306,7 @@ std::vector<Footprint> anchors_of(const Plan& plan, const std::vector<Placed>& p
 std::vector<Placed> grown(std::vector<Placed> all, const PromptObject& wish, float by);
 // From the ceiling above a thing: its middle, else along it.
 bool hang_above(Layout& layout, const PromptObject& wish);
-// ---- edit_exchange.cc
+// ---- edit_swap.cc
 // Where another stood; `on`: what carried that, in the layout. `aside`: metres along it.
 std::optional<int> take_place(Layout& layout, const PieceRequest& request, const PromptObject& wish,
                               const Placed& place, int on, float aside);

@@ -4,16 +4,13 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <functional>
 #include <numeric>
 
 #include "fastscene/base/error.h"
-#include "fastscene/base/is_one_of.h"
 #include "fastscene/rooms/catalogue.h"
 #include "fastscene/rooms/edit_parts.h"
 
 namespace fastscene::editing {
-
 namespace {
 
 constexpr float kTableTop_m = 0.6f;  // nobody sits at what is lower

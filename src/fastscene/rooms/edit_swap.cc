@@ -1,7 +1,8 @@
-// Things that change places: on the floor, on walls, on tops.
+// Things that take the places of others, and change places: on the floor, on walls, on tops.
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "fastscene/base/error.h"
 #include "fastscene/rooms/catalogue.h"
@@ -28,6 +29,86 @@ bool of_floor_and_wall(const Placed& a, const Placed& b) {
 }
 
 }  // namespace
+
+namespace {
+
+// Where a piece stands in the place of another on the floor: its back where the other's was, or their middles; the
+// others further along and further out from there.
+std::vector<Vec2f> spots(const Plan& plan, const Piece& piece, const Placed& place, float aside) {
+    std::vector<Vec2f> out;
+    const Vec2f front = flat(front_of(place.yaw)), right = flat(right_of(place.yaw));
+    // A bench that stands at a wall has its back there as well.
+    const bool backs = piece.against_wall && (place.piece.against_wall || wall_behind(plan, place) >= 0);
+    const float back = backs ? (piece.size_m.z - place.piece.size_m.z) / 2 : 0.f;
+    for (const float along : {0.f, 0.12f, -0.12f, 0.25f, -0.25f, 0.4f, -0.4f, 0.6f, -0.6f})
+        for (const float out_by : {0.f, 0.05f, 0.12f, 0.22f, 0.35f}) {
+            constexpr float kOffWall = 0.12f;  // metres: further off, its back is at no wall
+            if (backs && out_by > kOffWall) continue;
+            const Vec2f at = flat(place.position) + right * (aside + along);
+            out.push_back(at + front * (back + out_by));
+            if (!place.piece.against_wall && !backs) out.push_back(at - front * out_by);
+        }
+    return out;
+}
+
+std::optional<int> stand_in_place(Layout& layout, const PieceRequest& request, const PromptObject& wish,
+                                  const Placed& place, float aside) {
+    const Piece piece = make_piece(request);
+    // What has a back and comes for what has none stands with it at the wall.
+    Placed there = place, turned = place;
+    turned.yaw = std::remainder(place.yaw + kPi, 2 * kPi);
+    if (piece.against_wall && !place.piece.against_wall && wall_behind(layout.plan(), place) < 0 &&
+        wall_behind(layout.plan(), turned) >= 0)
+        there = turned;
+    for (const Vec2f at : spots(layout.plan(), piece, there, aside))
+        if (const auto i = layout.stand_at(piece, at, there.yaw, wish, {})) return i;
+    return {};
+}
+
+std::optional<int> hang_in_place(Layout& layout, const PieceRequest& request, const PromptObject& wish,
+                                 const Placed& place, float aside) {
+    Piece piece = make_piece(request);
+    piece.hang_height_m = std::max(0.05f, place.position.y + (place.piece.size_m.y - piece.size_m.y) / 2);
+    for (int w = 0; w < 4; ++w) {
+        const WallFace face = layout.plan().wall(w);
+        const float off = dot(place.position - face.origin, face.inward);
+        constexpr float kAtWall = 0.08f;  // metres
+        if (dot(face.inward, front_of(place.yaw)) < 0.99f || std::abs(off) > kAtWall) continue;
+        for (const float further : {0.f, 0.1f, -0.1f, 0.2f, -0.2f})
+            if (const auto i = layout.hang_at(piece, w, dot(place.position - face.origin, face.along) + aside + further,
+                                              wish))
+                return i;
+    }
+    return {};
+}
+
+}  // namespace
+
+std::optional<int> take_place(Layout& layout, const PieceRequest& request, const PromptObject& wish,
+                              const Placed& place, int on, float aside) {
+    const Piece piece = make_piece(request);
+    if (on >= 0) {
+        if (piece.mount != Mount::surface) return {};
+        const Vec2f at = flat(place.position + right_of(place.yaw) * aside);
+        if (const auto i = layout.on_top_at(on, request, at, place.yaw, wish)) return i;
+        return layout.on_top(on, request, wish);
+    }
+    if (place.sill >= 0) return layout.on_sill(request, place.sill, wish);
+    // A cactus for a large plant stands on the floor as that did.
+    if (piece.mount == Mount::surface && place.piece.mount == Mount::floor)
+        return layout.on_floor_near(flat(place.position), request, wish);
+    if (piece.mount != place.piece.mount) return {};
+    switch (piece.mount) {
+        case Mount::floor:
+            if (place.flat)
+                return layout.lay(flat(place.position + right_of(place.yaw) * aside), place.yaw, request, wish);
+            return stand_in_place(layout, request, wish, place, aside);
+        case Mount::wall: return hang_in_place(layout, request, wish, place, aside);
+        case Mount::ceiling: return layout.hanging(request, flat(place.position + right_of(place.yaw) * aside), wish);
+        case Mount::surface: break;
+    }
+    return {};
+}
 
 // Backs that stood at walls stand at walls. Chairs go with their table, if there is room for them.
 void Editor::swap(const EditStep& step) {
