@@ -74,7 +74,7 @@ void Editor::settle_camera(Vec3f was, bool blocked_before) {
             build();
         }
     const Vec3f now = result_.document.camera->position;
-    if (length(now - was) > kSame_m) note("camera", fmt::format("moved to x {:.2f}, z {:.2f}", now.x, now.z));
+    if (length(now - was) > kSame_m) note("room", fmt::format("the camera moved to x {:.2f}, z {:.2f}", now.x, now.z));
 }
 
 }  // namespace fastscene::editing

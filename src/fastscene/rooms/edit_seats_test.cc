@@ -157,7 +157,7 @@ TEST(EditSeats, TheCameraGivesWay) {
             step.position = flat(room.camera->position);
             try {
                 const EditResult result = edit_document(room, {step}, nullptr, kSeatsRun);
-                EXPECT_TRUE(told(result, "camera: moved to")) << name << " " << t.id;
+                EXPECT_TRUE(told(result, "the camera moved to")) << name << " " << t.id;
                 for (const DocumentThing& now : result.document.things)
                     if (now.id == t.id)
                         EXPECT_GT(distance_to(box_of(now), flat(result.document.camera->position)), 0.f) << t.id;
