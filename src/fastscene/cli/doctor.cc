@@ -155,7 +155,7 @@ Finding furniture() {
     if (!complaints.empty())
         return {"furniture pack",
                 pack ? "damaged: " + complaints.front()
-                     : "missing (optional: pianos, dogs, barrels and other pieces beyond the built-in ones; 120 MB)",
+                     : "missing (optional: dogs, electric guitars and other pieces beyond the built-in ones; 120 MB)",
                 "apt-get install --no-install-recommends sweethome3d-furniture"};
     return {"furniture pack", fmt::format("{} models in {}", pack->size(), folder.string()), ""};
 }
