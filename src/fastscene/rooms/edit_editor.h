@@ -58,6 +58,8 @@ struct Squeeze {
 inline constexpr float kLeastSeat = 0.8f;  // of its usual size: smaller, nobody can sit on it
 inline constexpr Passage kNarrow{.body_radius = 0.225f, .eye_radius = 0.45f};  // a way of 0.45 m
 std::vector<Squeeze> squeezes(bool may_shrink);
+// The one small thing that is wished on another; nothing: the wish is a different one. edit_nearer.cc.
+std::optional<PieceRequest> small_wished_on(Layout& layout);
 // A request for so much of its usual size; what one walks into keeps its height.
 PieceRequest shrunk_to(PieceRequest request, float scale);
 Vec3f shrunk_size(const Piece& usual, float scale);

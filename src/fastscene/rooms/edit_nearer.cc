@@ -82,20 +82,27 @@ bool Editor::hang_in_row(Layout& layout) const {
     return false;
 }
 
+// The one small thing that is wished on another; nothing: the wish is a different one.
+std::optional<PieceRequest> small_wished_on(Layout& layout) {
+    const PromptObject& wish = layout.spec().objects[0];
+    if (wish.relation != "on" || wish.count > 1 || !layout.why_not(wish.kind).empty()) return {};
+    const PieceRequest request = layout.request(wish.kind, &wish);
+    if (make_piece(request).mount != Mount::surface) return {};
+    return request;
+}
+
 // On a rug: what is set on tops, and what stands.
 bool Editor::on_flat(Layout& layout) const {
     const PromptObject& wish = layout.spec().objects[0];
-    if (wish.relation != "on" || wish.count > 1 || !layout.why_not(wish.kind).empty()) return false;
-    const PieceRequest request = layout.request(wish.kind, &wish);
-    const Piece piece = make_piece(request);
-    if (piece.mount != Mount::surface) return false;
+    const auto request = small_wished_on(layout);
+    if (!request) return false;
     for (int i = 0; i < static_cast<int>(layout.placed().size()); ++i) {
         const Placed rug = layout.placed()[static_cast<std::size_t>(i)];
         if (!rug.flat || (rug.piece.kind != wish.relation_to && rug.wish.kind != wish.relation_to)) continue;
         constexpr int kTries = 6;
         for (int k = 0; k < kTries; ++k) {
             const std::size_t before = layout.mark();
-            if (!layout.on_floor_near(flat(rug.position), request, wish)) continue;
+            if (!layout.on_floor_near(flat(rug.position), *request, wish)) continue;
             if (stands_as_asked(plan(), layout.placed(), layout.placed().back(), wish).value_or(false)) return true;
             layout.undo(before);
         }

@@ -241,19 +241,28 @@ bool Editor::add_on_top(const EditStep& step) {
     }
     if (step.wish.relation != "on" || step.wish.count > 1 || step.on_floor || !noun_of(step.wish.relation_to).empty())
         return false;
-    full_size_ = true;
+    const auto fits_as_it_is = [&] {
+        try {
+            bool smaller = false;
+            return !is_screen_astray(with_added(step, smaller));
+        } catch (const Error&) {
+            return false;
+        }
+    };
+    struct FullSize {  // until the search is over, however it ends
+        bool& on;
+        explicit FullSize(bool& flag) : on(flag) { on = true; }
+        ~FullSize() { on = false; }
+    };
     std::optional<Squeezed> found;
-    try {
-        bool smaller = false;
-        const std::vector<Placed> all = with_added(step, smaller);
-        if (is_screen_astray(all)) throw Error("it is not before whoever sits there");
-    } catch (const Error&) {
+    {
+        const FullSize only(full_size_);
+        if (fits_as_it_is()) return false;
         EditStep one = step;
         one.wish.count = 1;
         found = squeezed_in(without({}), one, nullptr, {.narrow = true, .pushes = true},
                             [](const Squeezed&) { return true; });
     }
-    full_size_ = false;
     if (!found) return false;
     admit_squeezed(step, *found);
     return true;
@@ -261,10 +270,9 @@ bool Editor::add_on_top(const EditStep& step) {
 
 bool Editor::screen_on_desk(Layout& layout) const {
     const PromptObject& wish = layout.spec().objects[0];
-    if (wish.relation != "on" || wish.count > 1 || !layout.why_not(wish.kind).empty()) return false;
-    const PieceRequest request = layout.request(wish.kind, &wish);
-    const Piece piece = make_piece(request);
-    if (piece.mount != Mount::surface) return false;
+    const auto request = small_wished_on(layout);
+    if (!request) return false;
+    const Piece piece = make_piece(*request);
     for (int i = 0; i < static_cast<int>(layout.placed().size()); ++i) {
         const Placed desk = layout.placed()[static_cast<std::size_t>(i)];
         if ((desk.piece.kind != wish.relation_to && desk.wish.kind != wish.relation_to) || desk.piece.surfaces.empty())
@@ -273,7 +281,7 @@ bool Editor::screen_on_desk(Layout& layout) const {
         if (!place) continue;
         const Vec2f along = flat(right_of(desk.yaw));
         for (const float aside : {0.f, 0.05f, -0.05f, 0.1f, -0.1f, 0.15f, -0.15f, 0.2f, -0.2f, 0.3f, -0.3f})
-            if (layout.on_top_at(i, request, place->at + along * aside, place->yaw, wish)) return true;
+            if (layout.on_top_at(i, *request, place->at + along * aside, place->yaw, wish)) return true;
     }
     return false;
 }
