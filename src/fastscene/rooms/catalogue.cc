@@ -79,7 +79,8 @@ int label_named(const TomlTable& table) { return static_cast<int>(table.needed_c
 
 Thing read_thing(const std::string& kind, const toml::table& found, const std::string& file) {
     static const std::vector<std::string> kKeys{"builder", "roles",  "nyu40",      "floor_m2", "style",    "room",
-                                                "models",  "on_top", "small_form", "stand_in", "for_child"};
+                                                "models",  "on_top", "small_form", "stand_in", "for_child",
+                                                "called"};
     const TomlTable table(found, file, "[" + kind + "]", kKeys);
     Thing t;
     t.kind = kind;
@@ -91,6 +92,7 @@ Thing read_thing(const std::string& kind, const toml::table& found, const std::s
     t.floor_m2 = static_cast<float>(table.number("floor_m2", 0, 0, kLargestPiece));
     t.style = table.text("style");
     t.room = table.text("room");
+    t.called = table.texts("called");
     t.small_form = table.text("small_form");
     t.for_child = table.text("for_child");
     t.models = table.texts("models");

@@ -88,6 +88,7 @@ struct Thing {
     float floor_m2 = 0.f;             // floor that a wish for one adds to the room
     std::string style;                // who names no style, but this, means that style
     std::string room;                 // who names no room, but this, means that room
+    std::vector<std::string> called;  // in a room whose recipe has one: "counter" in a shop means its checkout
     std::string small_form;           // what stands in its place on a table or a shelf
     std::string for_child;            // what stands in its place in a child's room
     std::vector<std::string> models;  // of the furniture pack that serve for it, best first

@@ -67,7 +67,7 @@ void place_rows(Placement& p, const RecipeStep& step, int) {
     const std::string thing = thing_of(step, p);
     const Plan& plan = p.layout().plan();
     const bool tiered = step.rise_m > 0 && !plan.platforms.empty();
-    Pattern row(p, thing, step.alike, tiered), seats(p, step.seat, true);
+    Pattern row(p, thing, step.alike, true), seats(p, step.seat, true);
     if (!row.open() || !is_due(p, step, thing)) return;
     const float yaw = yaw_towards(step.towards);
     // One looks at the front of a desk from behind it: with a seat the piece is turned to that.
@@ -127,7 +127,8 @@ bool is_in_a_way(const Layout& layout, Vec2f at, float half) {
 
 void place_tables(Placement& p, const RecipeStep& step, int) {
     const std::string thing = thing_of(step, p);
-    Pattern tables(p, thing, step.alike);
+    Pattern tables(p, thing, step.alike, true);
+    const PromptObject* like = nullptr;  // of whose kind all seats are
     if (!tables.open() || !is_due(p, step, thing)) return;
     const Plan& plan = p.layout().plan();
     constexpr float kDeepest = 0.8f;  // of a table whose length is said
@@ -156,7 +157,7 @@ void place_tables(Placement& p, const RecipeStep& step, int) {
             });
             if (!index) continue;
             ++placed;
-            if (!step.seat.empty() && p.is_furnished()) p.seats_around(*index, step.seat, step.seats, 1);
+            if (!step.seat.empty() && p.is_furnished()) like = p.seats_of_pattern(*index, step.seat, step.seats, like);
             follow_steps(step.then, p, *index);
         }
 }

@@ -150,6 +150,25 @@ int Placement::wall_opposite(int anchor) const {
     return best;
 }
 
+const PromptObject* Placement::seats_of_pattern(int table, const std::string& kind, int usual,
+                                                const PromptObject* like) {
+    if (wishes_.forbids(kind)) return nullptr;
+    const PromptObject* wish = wishes_.count(kind) > 0 ? wishes_.next(kind) : nullptr;
+    if (wish) wishes_.give_back(wish);
+    if (!wish && !like && wishes_.asked(kind)) return nullptr;  // all that were asked for stand
+    if (wish && wish->counted) {
+        seats_around(table, kind, usual, 1);
+        return nullptr;
+    }
+    if (!wish) {
+        if (usual > 0) l_.around(table, l_.request(kind, like), usual);
+        return like;
+    }
+    const int placed = l_.around(table, l_.request(kind, wish), std::max(usual, wishes_.count(kind)), *wish);
+    for (int i = 0; i < placed && wishes_.count(kind) > 0; ++i) wishes_.next(kind);
+    return placed > 0 ? wish : like;
+}
+
 void Placement::seats_around(int table, const std::string& kind, int usual, float probability) {
     const int wished = wishes_.count(kind);
     if (const PromptObject* wish = wished > 0 ? wishes_.next(kind) : nullptr) {

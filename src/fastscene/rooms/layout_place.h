@@ -50,6 +50,9 @@ class Placement {
     void rug(int anchor, float probability, float width, float depth, float shift);
     // Seats around a table or along a worktop: as many as were asked for; else, with this probability, `usual`.
     void seats_around(int table, const std::string& kind, int usual, float probability);
+    // Seats at one of many tables, by the number that was asked for; without a number all seats are like the wish.
+    // Returns that wish, for the next table: `like`.
+    const PromptObject* seats_of_pattern(int table, const std::string& kind, int usual, const PromptObject* like);
     std::optional<int> at_wall(const PieceRequest& request, Layout::WallWish wish, const PromptObject& from);
     std::optional<int> laid_under(int anchor, PieceRequest request, Vec2f size, float shift, const PromptObject& from);
 

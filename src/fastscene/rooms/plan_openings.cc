@@ -130,17 +130,45 @@ void add_glazed_parts(const RoomWindows& like, Plan& plan) {
     }
 }
 
+// Regular windows in the form that was asked for.
+RoomWindows as_asked(RoomWindows like, const PromptObject& wish, const Plan& plan) {
+    constexpr float kLarger = 1.3f, kSmaller = 0.7f, kLeastWall = 0.5f;  // metres of wall between two of them
+    const Opening::Shape shape = shape_of(&wish);
+    if (shape != Opening::Shape::square) like.arched = like.round = false;
+    if (shape == Opening::Shape::arched) like.arched = true;
+    if (shape == Opening::Shape::round) like.round = true;
+    if (wish.size == "large") like.width_m *= kLarger, like.head_m += 0.3f, like.sill_m *= kSmaller;
+    if (wish.size == "small") like.width_m *= kSmaller;
+    if (wish.pattern == kFullHeight) like.sill_m = kThreshold, like.head_m = plan.wall_top() - kLintel;
+    like.width_m = std::min(like.width_m, like.every_m - kLeastWall);
+    return like;
+}
+
+// So many of the windows at most, from the middle of the row outwards.
+void keep_windows(Plan& plan, int count) {
+    auto& all = plan.openings;
+    const auto is_window = [](const Opening& o) { return o.kind == Opening::Kind::window; };
+    while (std::count_if(all.begin(), all.end(), is_window) > count) {
+        const auto last = std::find_if(all.rbegin(), all.rend(), is_window);
+        all.erase(std::next(last).base());
+    }
+}
+
 }  // namespace
 
 void add_windows(PromptSpec& spec, Plan& plan, Random& rng) {
     const PromptObject* wish = wish_for(spec, "window");
     if (wish_for(spec, "window", true)) return;
-    if (const RoomWindows& like = room_type(spec.room).windows;
-        like.regular && (!wish || plan.cabin) && !(plan.knee > 0)) {
-        add_glazed_parts(like, plan);
-        add_regular_windows(like, plan);
-        for (Opening& o : plan.openings) o.requested = wish != nullptr;
-        return;
+    const bool anywhere = !wish || plan.cabin || wish->relation.empty();  // no wall was said
+    if (RoomWindows like = room_type(spec.room).windows; like.regular && anywhere && !(plan.knee > 0)) {
+        if (wish && !plan.cabin) like = as_asked(like, *wish, plan);
+        if (!like.walls.empty() || !wish) {
+            add_glazed_parts(like, plan);
+            add_regular_windows(like, plan);
+            if (wish && wish->counted && !plan.cabin) keep_windows(plan, wish->count);
+            for (Opening& o : plan.openings) o.requested = wish != nullptr;
+            return;
+        }
     }
     const AtWindows asked = at_windows(spec);
     const bool paired = asked.between && (!wish || wish->count <= 2) && !(plan.knee > 0);

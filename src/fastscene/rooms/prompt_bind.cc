@@ -92,6 +92,26 @@ bool can_be_counted(const Match& noun) {
     return noun.is(WordKind::object) || has_role(noun.word->meaning, Role::countable);
 }
 
+// "rows of", "many": no number that a pattern of the room would have to keep.
+bool is_vague(const std::string& words) {
+    constexpr std::array<std::string_view, 24> kVague{
+        "row",   "rows",   "line",   "few",     "several",  "some",      "many",      "lots",
+        "lot",   "bunch",  "number", "dozens",  "hundreds", "thousands", "countless", "endless",
+        "loads", "plenty", "tons",   "various", "multiple", "numerous",  "abundant",  "abundance"};
+    const std::string said = " " + words + " ";
+    return std::any_of(kVague.begin(), kVague.end(), [&](std::string_view word) {
+        return said.find(" " + std::string(word) + " ") != std::string::npos;
+    });
+}
+
+// Whether the room that the prompt names has a pattern of this kind: seats in rows, tables on a grid.
+bool has_pattern_of(const Reading& r, const std::string& kind) {
+    const auto room = std::find_if(r.m.begin(), r.m.end(), [](const Match& x) {
+        return x.is(WordKind::room) && !x.negated && !x.word->meaning.empty();
+    });
+    return room != r.m.end() && sets_many(recipe_of(room->word->meaning), kind);
+}
+
 // "a stack of books", "a row of boots": where one piece is many such things.
 bool is_heap(const std::string& words) {
     const auto ends = [&](std::string_view tail) { return words.ends_with(tail); };
@@ -234,6 +254,8 @@ void bind_adjective(Reading& r, std::size_t at, std::size_t noun) {
         } else if (is_heap(a.words) && has_role(object.kind, Role::heap)) {
             if (!object.counted) object.count = 1, object.counted = true;
             r.tell(at, object.kind + " is one", object.id);
+        } else if (is_vague(a.words) && has_pattern_of(r, object.kind)) {
+            r.tell(at, "as many " + object.words + " as such a room has", object.id);
         } else if (can_be_counted(n)) {
             object.count = std::stoi(a.word->meaning);
             object.counted = true;

@@ -63,7 +63,8 @@ void name_tables(Matches& m) {
         for (std::size_t k = i + 1; k < m.size() && k < i + 7; ++k)
             chairs = chairs ||
                      (m[k].is(WordKind::object) && (m[k].word->meaning == "chair" || m[k].word->meaning == "bench"));
-        const std::string here = round ? "dining_table_round" : chairs ? "dining_table" : meaning;
+        const bool sat_at = has_role(meaning, Role::work_place);
+        const std::string here = round ? "dining_table_round" : chairs && !sat_at ? "dining_table" : meaning;
         if (here.empty()) continue;
         m[i].word = Word{WordKind::object, here};
         m[i].plural = m[i].words == "tables";  // the plural is of another table
@@ -98,13 +99,53 @@ void name_bars(Matches& m) {
             x.plural = x.words == "stools", x.word = Word{WordKind::object, "bar_stool"};
 }
 
+// The first thing of a recipe that is called one of these; null: none.
+const Thing* called_in(const std::vector<RecipeStep>& recipe, const std::vector<std::string>& names) {
+    const auto called = [&](const std::string& kind) -> const Thing* {
+        const Thing* thing = kind.empty() ? nullptr : find_thing(kind);
+        const auto is_named = [&](const std::string& name) {
+            return std::find(names.begin(), names.end(), name) != names.end();
+        };
+        return thing && std::any_of(thing->called.begin(), thing->called.end(), is_named) ? thing : nullptr;
+    };
+    for (const RecipeStep& step : recipe) {
+        for (const std::string* kind : {&step.thing, &step.seat, &step.back, &step.other})
+            if (const Thing* thing = called(*kind)) return thing;
+        if (const Thing* thing = called_in(step.then, names)) return thing;
+    }
+    return nullptr;
+}
+
+// Whether a word of this kind may be the name of a thing in some room: "seats" is a verb elsewhere.
+bool may_name_a_thing(WordKind kind) {
+    switch (kind) {
+        case WordKind::object:
+        case WordKind::structure:
+        case WordKind::detail:
+        case WordKind::nuance:
+        case WordKind::function:
+        case WordKind::other: return true;
+        default: return false;
+    }
+}
+
 // Some words mean another thing in another room.
 void heed_the_room(Matches& m) {
     const auto room = first_room(m);
     const RoomType* type = room == m.end() ? nullptr : find_room_type(room->word->meaning);
     for (std::size_t i = 0; i < m.size(); ++i) {
-        if (!m[i].word) continue;
         const std::string& w = m[i].words;
+        const bool noun = !m[i].word || may_name_a_thing(m[i].word->kind);
+        if (type && noun) {
+            std::vector<std::string> names = base_forms(w);
+            const bool many = called_in(recipe_of(type->name), names) != nullptr;
+            names.push_back(w);
+            if (const Thing* thing = called_in(recipe_of(type->name), names)) {
+                if (!m[i].is(WordKind::object)) m[i].plural = many;
+                m[i].word = Word{WordKind::object, thing->kind};
+            }
+        }
+        if (!m[i].word) continue;
         if (type)
             for (const LocalMeaning& local : type->meanings)
                 if (std::find(local.words.begin(), local.words.end(), w) != local.words.end())

@@ -7,6 +7,7 @@
 
 #include "fastscene/base/is_one_of.h"
 #include "fastscene/rooms/catalogue.h"
+#include "fastscene/rooms/layout_patterns.h"
 #include "fastscene/rooms/layout_recipe.h"
 
 namespace fastscene {
@@ -173,6 +174,16 @@ std::vector<RecipeStep> read_steps(const TomlTable& table, std::string_view key,
 
 std::vector<RecipeStep> read_recipe(const TomlTable& table, std::string_view key) {
     return read_steps(table, key, false);
+}
+
+bool sets_many(const std::vector<RecipeStep>& recipe, std::string_view kind) {
+    const auto patterns = furnishing::pattern_kinds();
+    return std::any_of(recipe.begin(), recipe.end(), [&](const RecipeStep& step) {
+        const bool pattern = std::any_of(patterns.begin(), patterns.end(),
+                                         [&](const furnishing::StepKind& k) { return k.name == step.kind->name; });
+        return (pattern && step.most != 1 && (step.thing == kind || step.other == kind)) || step.seat == kind ||
+               sets_many(step.then, kind);
+    });
 }
 
 }  // namespace fastscene

@@ -69,6 +69,9 @@ struct RecipeStep {
     std::vector<RecipeStep> then;         // at the piece that was placed
 };
 
+// Whether a pattern of the recipe sets as many of this kind as there is room for: seats in rows, chairs at tables.
+bool sets_many(const std::vector<RecipeStep>& recipe, std::string_view kind);
+
 // The steps of a list of tables. Throws Error naming file, line and key for what is unknown, missing or out of range.
 std::vector<RecipeStep> read_recipe(const TomlTable& table, std::string_view key);
 
