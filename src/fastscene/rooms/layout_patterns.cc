@@ -12,7 +12,7 @@
 namespace fastscene::furnishing {
 namespace {
 
-constexpr float kSeatDeep = 0.62f;     // floor that a seat at a table takes
+constexpr float kSeatDeep = 0.5f;      // floor that a seat at a table takes, drawn up to it
 constexpr float kLeastClear = 0.9f;    // a piece that wants so much floor before it is gone to: tables keep off
 constexpr float kDrawnUp = 0.02f;      // between a desk and its chair
 constexpr float kLeastCounter = 1.1f;  // metres
