@@ -111,6 +111,8 @@ const Thing* called_in(const std::vector<RecipeStep>& recipe, const std::vector<
     for (const RecipeStep& step : recipe) {
         for (const std::string* kind : {&step.thing, &step.seat, &step.back, &step.other})
             if (const Thing* thing = called(*kind)) return thing;
+        for (const std::string& kind : step.first_asked)
+            if (const Thing* thing = called(kind)) return thing;
         if (const Thing* thing = called_in(step.then, names)) return thing;
     }
     return nullptr;

@@ -188,24 +188,66 @@ bool lacks_a_bed(const FurnishedRoom& room, const PromptSpec& spec) {
     });
 }
 
+// What the first view is of: the thing that such a room is known by. Null: none.
+const Placed* main_thing(const FurnishedRoom& room, const std::string& type) {
+    const auto first = [&](std::string_view kind) {
+        const auto at = std::find_if(room.placed.begin(), room.placed.end(), [&](const Placed& p) {
+            return p.piece.kind == kind &&
+                   std::hypot(p.position.x - room.camera.x, p.position.z - room.camera.z) > 0.4f;
+        });
+        return at == room.placed.end() ? nullptr : &*at;
+    };
+    if (const Placed* thing = first(room_type(type).look_at)) return thing;
+    for (const char* kind : {"bed", "bed_single", "canopy_bed", "four_poster_bed", "floor_bed", "bunk_bed", "loft_bed",
+                             "cabin_bed", "crib", "sofa", "loveseat", "dining_table", "kitchen_counter", "bathtub",
+                             "desk", "sideboard", "washing_machine"})
+        if (const Placed* thing = first(kind)) return thing;
+    return nullptr;
+}
+
+// The share of the first view, to both sides of its middle, that a wall close by or something tall fills which nobody
+// asked to see.
+float share_blocked(const FurnishedRoom& room, Vec3f look, const Placed* shown) {
+    constexpr float kClose = 1.5f, kHalfView = 36.f * kPi / 180;  // metres, radians
+    constexpr int kRays = 13;
+    const auto may_block = [&](const Placed& p) {
+        return &p != shown && !p.flat && (p.wish.kind.empty() || p.wish.count > 1);
+    };
+    int blocked = 0;
+    for (int i = 0; i < kRays; ++i) {
+        const float turn = kHalfView * (2.f * static_cast<float>(i) / (kRays - 1) - 1), c = std::cos(turn),
+                    s = std::sin(turn);
+        const Vec3f to = room.camera + Vec3f{c * look.x + s * look.z, 0, c * look.z - s * look.x} * kClose;
+        blocked += std::abs(to.x) > room.plan.width / 2 || std::abs(to.z) > room.plan.depth / 2 ||
+                   std::any_of(room.placed.begin(), room.placed.end(), [&](const Placed& p) {
+                       return may_block(p) && passes(footprint_of(p), room.camera, to);
+                   });
+    }
+    return static_cast<float>(blocked) / kRays;
+}
+
 }  // namespace
 
 Vec3f usual_look(const FurnishedRoom& room, const std::string& type) {
     if (room_type(type).look_along || room.plan.mezzanine.depth > 0) return {0, 0, 1};
-    for (const Placed& p : room.placed) {
-        const Vec3f to = p.position - room.camera;
-        if (p.piece.kind == room_type(type).look_at && std::hypot(to.x, to.z) > 0.4f)
-            return normalize(Vec3f{to.x, 0, to.z});
+    const Placed* shown = main_thing(room, type);
+    const Vec3f wanted = shown
+                             ? normalize(Vec3f{shown->position.x - room.camera.x, 0, shown->position.z - room.camera.z})
+                         : room.plan.depth >= room.plan.width ? Vec3f{0, 0, 1}
+                                                              : Vec3f{1, 0, 0};
+    // A shelf or a rack close by hides what the view is of: it turns aside, no farther than it must.
+    constexpr float kMostBlocked = 0.3f, kPerHalfTurn = 0.5f;  // what half a turn costs, as a share blocked
+    constexpr int kDirections = 24;
+    Vec3f best = wanted;
+    float least = share_blocked(room, wanted, shown);
+    if (least <= kMostBlocked) return wanted;
+    for (int i = 1; i < kDirections; ++i) {
+        const float turn = 2 * kPi * static_cast<float>(i) / kDirections, c = std::cos(turn), s = std::sin(turn);
+        const Vec3f look{c * wanted.x + s * wanted.z, 0, c * wanted.z - s * wanted.x};
+        const float cost = share_blocked(room, look, shown) + kPerHalfTurn * std::acos(std::clamp(c, -1.f, 1.f)) / kPi;
+        if (cost < least) least = cost, best = look;
     }
-    for (const char* kind : {"bed", "bed_single", "canopy_bed", "four_poster_bed", "floor_bed", "bunk_bed", "loft_bed",
-                             "cabin_bed", "crib", "sofa", "loveseat", "dining_table", "kitchen_counter", "bathtub",
-                             "desk", "sideboard", "washing_machine"})
-        for (const Placed& p : room.placed) {
-            if (p.piece.kind != kind) continue;
-            const Vec3f to = p.position - room.camera;
-            if (std::hypot(to.x, to.z) > 0.4f) return normalize(Vec3f{to.x, 0, to.z});
-        }
-    return room.plan.depth >= room.plan.width ? Vec3f{0, 0, 1} : Vec3f{1, 0, 0};
+    return best;
 }
 
 void furnish_next(PromptSpec& spec, const Run& run, const AnnealParams& annealing, FurnishedRoom& room) {
