@@ -305,6 +305,7 @@ std::vector<Candidate> Editor::candidates_for(Layout& layout, const EditStep& st
         if (wish.relation == "around" && has_role(wish.kind, Role::seat) && !faces_side(anchors, c, p)) return true;
         if (!is_beside(layout.placed(), p, wish) || !is_drawn_up_before(layout.placed(), wish, p)) return true;
         if (step.wall >= 0 && wall_behind(plan(), p) != step.wall) return true;
+        if (!is_below_its_window(plan(), layout.placed(), p, wish)) return true;
         for (const Footprint& a : anchors) c.off = std::min(c.off, off_box(a, box));
         if (wish.relation == "in the corner")
             c.off = off_corner(plan(), box, step.position), c.cost += further > 0 ? c.off : 0.f;

@@ -160,6 +160,9 @@ class Editor {
     std::string what_is_missing(const EditStep& step, const Placed* moving, const std::vector<int>& gone) const;
     std::vector<std::string> fewest_in_the_way(const EditStep& step, const Placed* moving,
                                                const std::vector<int>& gone) const;
+    // What would be wrong at a place where nothing stands in its way: "it would block the way from the door"; empty:
+    // nothing would, or there is no such place.
+    std::string fault_at_best(const EditStep& step, const Placed* moving, const std::vector<int>& gone) const;
 
     // ---- edit_place.cc
     void place(const EditStep& step);
@@ -186,7 +189,6 @@ class Editor {
     bool seats_in_row(Layout& layout) const;
     bool in_the_middle(Layout& layout, const EditStep& step, const Placed* moving) const;
     bool on_the_floor(Layout& layout, const EditStep& step) const;
-    bool hang_behind(Layout& layout) const;
     bool stands_clear(int index, const Footprint& box, const std::vector<int>& along) const;
 
     // ---- edit_squeeze.cc
@@ -207,15 +209,21 @@ class Editor {
     void make_way(const Squeezed& found, const std::string& whom);
     void tell_squeeze(const std::string& id, const EditStep& step, const Squeezed& found, const Squeeze& how);
 
-    // ---- edit_nearer.cc
+    // ---- edit_hang.cc
     bool hang_in_row(Layout& layout) const;
+    bool hang_behind(Layout& layout) const;
+    bool add_into_row(const EditStep& step);
+
+    // ---- edit_pairs.cc
+    bool pair_before(Layout& layout) const;
+
+    // ---- edit_nearer.cc
     bool on_flat(Layout& layout) const;
     bool on_top_beside(Layout& layout) const;
     bool on_top_at_wall(Layout& layout, int wall) const;
     bool stand_near(Layout& layout, const EditStep& step) const;
     bool bring_nearer(Layout& layout, const EditStep& step, std::size_t before) const;
     void line_up(const EditStep& step);
-    bool add_into_row(const EditStep& step);
     void tell_missing_corners(const EditStep& step, std::size_t added);
     void check_no_pair(const EditStep& step) const;
 

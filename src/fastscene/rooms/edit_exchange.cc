@@ -96,8 +96,12 @@ void Editor::replace(const EditStep& step) {
     for (int n = 0; n < count; ++n) {
         const int k = n % places, here = (count - k + places - 1) / places, nth = n / places;
         const auto more = in_place_of(all, standing, step, olds[static_cast<std::size_t>(k)], nth, here);
-        if (more.size() == all.size() && count == 1)
-            throw Error("{}: there is no place for it where {} stood", step.wish.words, olds.front().id);
+        if (more.size() == all.size() && count == 1) {
+            EditStep there = step;
+            there.position = flat(olds.front().position);
+            std::string why = olds.front().on < 0 ? what_is_missing(there, nullptr, with_riders(roots)) : "";
+            throw Error("{}: there is no place for it where {} stood{}", step.wish.words, olds.front().id, why);
+        }
         if (more.size() == all.size())
             throw Error("{}: there is a place for {} of {} where {} stood", step.wish.words, n, count,
                         olds[static_cast<std::size_t>(k)].id);
@@ -150,6 +154,8 @@ std::vector<Placed> Editor::in_place_of(const std::vector<Placed>& all, const St
     for (const float scale : {1.f, 0.85f, 0.7f}) {
         if (scale < kLeastBed && (has_role(wish.kind, Role::bed) || has_role(wish.kind, Role::seat))) break;
         Layout layout = begin_layout(spec, rng, all, nullptr);
+        // Twins are alike.
+        if (all.size() > standing.placed.size()) layout.make_as(all.back().piece.made_from);
         if (const std::string why = layout.why_not(wish.kind); !why.empty()) throw Error("{}: {}", wish.words, why);
         PieceRequest request = layout.request(wish.kind, &wish);
         // On a table or a sill a plant is a small one.

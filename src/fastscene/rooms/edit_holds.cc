@@ -57,7 +57,7 @@ bool holds_at(const Shown& shown, const std::string& relation, const Landmark& a
         return far < kTouching && shown.thing.on.empty() && (at.flat || at.box.y1 < 0.1f);
     }
     if (relation == "under") {
-        if (at.opening >= 0) return far < 0.7f;
+        if (at.opening >= 0) return shown.mount != Mount::floor ? far < 0.7f : is_below(shown.box, at.box);
         // Its middle, or that of what is above it.
         constexpr float kAside = 0.25f;  // metres
         const bool below = distance_to(at.box, shown.box.center) < kAside ||

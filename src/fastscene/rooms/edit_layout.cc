@@ -52,6 +52,23 @@ bool is_drawn_up(const std::vector<Placed>& all, const Placed& piece, const std:
 
 }  // namespace
 
+bool is_below(const Footprint& box, const Footprint& window) {
+    constexpr float kAtWall = 0.5f, kShare = 0.5f;  // metres; of what is narrower
+    const auto axes = axes_of(window);
+    const Vec2f to = box.center - window.center;
+    const float off = dot(to, axes[1]) - extent(box, axes[1]), wide = extent(box, axes[0]);
+    const float along = std::min(dot(to, axes[0]) + wide, window.half.x) - std::max(dot(to, axes[0]) - wide, -window.half.x);
+    return off < kAtWall && along > kShare * 2 * std::min(wide, window.half.x);
+}
+
+bool is_below_its_window(const Plan& plan, const std::vector<Placed>& all, const Placed& piece,
+                         const PromptObject& wish) {
+    if (wish.relation != "under" || noun_of(wish.relation_to).empty() || piece.piece.mount != Mount::floor) return true;
+    const std::vector<Footprint> windows = anchors_of(plan, all, wish.relation_to);
+    const Footprint box = footprint_of(piece);
+    return std::any_of(windows.begin(), windows.end(), [&](const Footprint& window) { return is_below(box, window); });
+}
+
 bool is_where_asked(const Plan& plan, const std::vector<Placed>& all, const Placed& piece, const PromptObject& wish) {
     if (wish.relation == "around" && has_role(piece.piece.kind, Role::seat) &&
         !is_drawn_up(all, piece, wish.relation_to))
@@ -80,18 +97,7 @@ bool is_where_asked(const Plan& plan, const std::vector<Placed>& all, const Plac
     if (piece.on >= 0 && piece.position.y > kHigh &&
         is_one_of(wish.relation, {"next to", "around", "in front of", "between"}))
         return false;
-    // Under a window is at its wall, and not a step before that.
-    if (wish.relation == "under" && !noun_of(wish.relation_to).empty() && piece.piece.mount == Mount::floor) {
-        constexpr float kAtWindow = 0.5f;  // metres
-        const std::vector<Footprint> windows = anchors_of(plan, all, wish.relation_to);
-        const Footprint box = footprint_of(piece);
-        const auto is_at = [&](const Footprint& window) {
-            const Vec2f to = window.center - box.center;
-            const Vec2f way = to * (1 / std::max(0.01f, length(to)));
-            return distance_to(window, box.center) - extent(box, way) < kAtWindow;
-        };
-        if (std::none_of(windows.begin(), windows.end(), is_at)) return false;
-    }
+    if (!is_below_its_window(plan, all, piece, wish)) return false;
     return stands_as_asked(plan, all, piece, wish).value_or(wish.relation.empty());
 }
 
@@ -295,7 +301,7 @@ std::vector<Placed> Editor::laid_out(const Standing& standing, const EditStep& s
     else {
         if (step.position) done = stand_near(layout, step) || near_a_point(layout, step);
         if (!done)
-            done = hang_above(layout, wish) || hang_in_row(layout) || seats_in_row(layout) || on_flat(layout) ||
+            done = hang_above(layout, wish) || hang_in_row(layout) || pair_before(layout) || seats_in_row(layout) || on_flat(layout) ||
                    on_top_beside(layout) || at_the_ends(layout) || in_the_middle(layout, step, moving) ||
                    on_the_floor(layout, step) || screen_on_desk(layout);
         if (!done && wish.relation != kAtTheEnds && !step.on_floor) place_asked(layout);

@@ -102,8 +102,9 @@ bool shifted(Talk& talk, const std::vector<std::string>& ids, const Words& place
     return true;
 }
 
-bool put_at(Talk& talk, const std::vector<std::string>& ids, const Words& words,
+bool put_at(Talk& talk, const std::vector<std::string>& ids, const Words& said,
             const std::vector<std::string>& spoken) {
+    const Words words = talk.with_others(said);
     // "together in the middle": the first there, the others at it
     if (ids.size() > 1 && words.size() > 1 && words.front() == "together") {
         talk.editor.together([&] {
@@ -175,6 +176,7 @@ bool put_at(Talk& talk, const std::vector<std::string>& ids, const Words& words,
         put_all();
     }
     talk.last_place = place->step;
+    talk.mention_place(place->step, ids);
     return true;
 }
 
@@ -186,6 +188,24 @@ bool push_in(Talk& talk, const std::vector<std::string>& ids) {
         put_at(talk, {id}, {"to", talk.editor.document().things[static_cast<std::size_t>(at)].id}, {});
     }
     return true;
+}
+
+// Of several lamps, the one that stands on tops, where that is where it is to go; nothing: there are more of them.
+std::optional<std::string> the_one_for_tops(const Editor& editor, const Split& split) {
+    const auto relation = relation_at(split.place, 0);
+    if (!relation || !is_one_of(relation->name, {"to", "on"}) || split.thing.back().ends_with("s")) return {};
+    const Words there = part_of(split.place, relation->next);
+    if (there.empty() || room_part(there, 0) || is_one_of(there.front(), {"it", "them"})) return {};
+    for (const int i : all_named(editor, text_of(there)))
+        if (const Placed& p = editor.room().furnished.placed[static_cast<std::size_t>(i)];
+            !carries(p) || has_role(p.piece.kind, Role::seat) || has_role(p.piece.kind, Role::bed))
+            return {};
+    std::vector<std::string> small;
+    for (const int i : all_named(editor, text_of(split.thing)))
+        if (const Placed& p = editor.room().furnished.placed[static_cast<std::size_t>(i)];
+            p.piece.made_mount == Mount::surface)
+            small.push_back(p.id);
+    return small.size() == 1 ? std::optional(small.front()) : std::nullopt;
 }
 
 void move_one(Talk& talk, const std::vector<Words>& before, const Words& words) {
@@ -208,7 +228,9 @@ void move_one(Talk& talk, const std::vector<Words>& before, const Words& words) 
             add_new(ids, talk.things(split.thing));
         } catch (const UsageError& e) {  // "the lamp" of several; "the lamp on the desk" may be one
             if (wrong.empty()) wrong = e.what();
-            continue;
+            const auto one = the_one_for_tops(talk.editor, split);
+            if (!one) continue;
+            ids = {*one};
         }
         talk.last = ids;
         if (split.place == Words{"in"} && push_in(talk, ids)) return;

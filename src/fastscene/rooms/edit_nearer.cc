@@ -37,51 +37,6 @@ float off_place(const std::vector<Placed>& all, const Footprint& box, const Plac
 
 }  // namespace
 
-// From the ceiling above a thing, side by side along it.
-bool Editor::hang_in_row(Layout& layout) const {
-    const PromptObject& wish = layout.spec().objects[0];
-    if (wish.relation != "above" || wish.count < 2 || !layout.why_not(wish.kind).empty()) return false;
-    const PieceRequest request = layout.request(wish.kind, &wish);
-    const Piece piece = make_piece(request);
-    if (piece.mount != Mount::ceiling) return false;
-    const std::size_t before = layout.mark();
-    for (int i = 0; i < static_cast<int>(before); ++i) {
-        const Placed below = layout.placed()[static_cast<std::size_t>(i)];
-        if (below.piece.kind != wish.relation_to && below.wish.kind != wish.relation_to) continue;
-        const Vec3f size = below.piece.size_m;
-        const Vec3f along = size.z > size.x ? front_of(below.yaw) : right_of(below.yaw);
-        const float reach = std::max(size.x, size.z), wide = std::max(piece.size_m.x, piece.size_m.z);
-        const auto count = static_cast<float>(wish.count);
-        for (const float part : {0.7f, 0.85f, 1.f}) {
-            const float step = std::max(reach * part / count, wide + 0.05f);
-            if (step * (count - 1) + wide > reach + 0.4f) continue;
-            for (const float aside : {0.f, 0.1f, -0.1f, 0.2f, -0.2f}) {
-                int done = 0;
-                for (; done < wish.count; ++done) {
-                    const float at = (static_cast<float>(done) - 0.5f * (count - 1)) * step + aside;
-                    const auto k = layout.hanging(request, flat(below.position + along * at), wish);
-                    if (!k) break;
-                    layout.join(*k, i);
-                }
-                if (done == wish.count) return true;
-                layout.undo(before);
-            }
-        }
-        // Around what hangs there already.
-        int done = 0;
-        for (float at = -reach / 2 - 0.1f, last = -1e9f; at <= reach / 2 + 0.1f && done < wish.count; at += 0.05f) {
-            if (at - last < wide + 0.08f) continue;
-            const auto k = layout.hanging(request, flat(below.position + along * at), wish);
-            if (!k) continue;
-            layout.join(*k, i);
-            last = at, ++done;
-        }
-        if (done == wish.count) return true;
-        layout.undo(before);
-    }
-    return false;
-}
-
 // The one small thing that is wished on another; nothing: the wish is a different one.
 std::optional<PieceRequest> small_wished_on(Layout& layout) {
     const PromptObject& wish = layout.spec().objects[0];
@@ -158,43 +113,6 @@ void Editor::tell_missing_corners(const EditStep& step, std::size_t added) {
     if (added < kCorners)
         note(kNotDone, fmt::format("{} of {} corners have no room for a {}", kCorners - added, kCorners,
                                    in_words(step.wish.kind)));
-}
-
-// Lamps above a table where some hang: all of them in one row, for which those move a little. False: there is no room
-// for that, or none hangs there.
-bool Editor::add_into_row(const EditStep& step) {
-    if (step.wish.relation != "above" || step.wish.count < 2) return false;
-    std::vector<int> hanging;
-    PromptObject above;
-    above.id = -2;  // none of those that stand there
-    above.relation = "above", above.relation_to = step.wish.relation_to;
-    for (int i = 0; i < static_cast<int>(room_.furnished.placed.size()); ++i)
-        if (placed(i).piece.mount == Mount::ceiling && asked_kind(placed(i)) == step.wish.kind &&
-            stands_as_asked(plan(), room_.furnished.placed, placed(i), above).value_or(false))
-            hanging.push_back(i);
-    if (hanging.empty()) return false;
-    const Standing standing = without(hanging);
-    EditStep row = step;
-    row.wish.count += static_cast<int>(hanging.size());
-    std::vector<Placed> all = laid_out(standing, row, nullptr);
-    if (all.size() != standing.placed.size() + static_cast<std::size_t>(row.wish.count)) return false;
-    // Each of those that hang has the place nearest to it.
-    for (const int i : hanging) {
-        const auto first = all.begin() + static_cast<std::ptrdiff_t>(standing.placed.size());
-        const auto nearest = std::min_element(first, all.end(), [&](const Placed& a, const Placed& b) {
-            return length(a.position - placed(i).position) < length(b.position - placed(i).position);
-        });
-        const float by = length(flat(nearest->position) - flat(placed(i).position));
-        thing(i).position.x = nearest->position.x, thing(i).position.z = nearest->position.z;
-        if (by > 0.01f) tell(thing(i).id, fmt::format("moved {:.2f} m into the row", by));
-        all.erase(nearest);
-    }
-    const Standing rest = without({});
-    std::vector<Placed> now = rest.placed;
-    now.insert(now.end(), all.begin() + static_cast<std::ptrdiff_t>(standing.placed.size()), all.end());
-    admit(now, rest, {place_in_words(step)});
-    build();
-    return true;
 }
 
 // Seats before a table, a counter, an island: side by side, drawn up to it.

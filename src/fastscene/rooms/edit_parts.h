@@ -24,19 +24,35 @@ struct Talk {
     std::optional<Vec2f> last_gone{};            // where what was removed last stood: "there"
     std::string last_gone_from{};                // … and what carried it; "clear the table and put a bowl there"
     std::vector<std::string> kept{};             // "leave the rug as it is"
+    std::vector<std::string> mentioned{};        // all that was named so far, as a thing or as a place: no "other"
     std::string unclear{};                       // why nobody knows what was last spoken of
 
     std::vector<std::string> things(const Words& words);
+    // "On the other desk", where one of two was named before: on that one, by its id.
+    Words with_others(const Words& words) const;
+    void mention(const std::vector<std::string>& ids);
+    // The things of a place, or what a thing came to stand at there.
+    void mention_place(const EditStep& place, const std::vector<std::string>& fresh = {});
     std::vector<std::string> things_of_parts(const Words& words);
     std::vector<std::string> all_but(const Words& words, Words others);
     std::optional<std::vector<std::string>> the_rest(const Words& words) const;
     void act(const Clause& clause);
+
+  private:
+    std::vector<std::string> meant(const Words& words);
 };
 std::string asked_kind(const Placed& p);  // as it was asked for
 std::size_t find_word(const Words& words, std::initializer_list<std::string_view> any, std::size_t from = 0);
 bool has_word(const Words& words, std::initializer_list<std::string_view> any);
 void add_new(std::vector<std::string>& to, const std::vector<std::string>& more);
 bool is_among(const std::string& id, const std::vector<std::string>& ids);
+// ---- edit_guests.cc
+// "Set the table for six": as many places as are missing; false: no such words.
+bool set_for_guests(Talk& talk, const Words& words);
+// "So that eight people can sit", "seating for eight": how many; 0: no such words.
+int guests_said(const Words& words);
+// As many chairs at the table that the words name, or the room's, as are missing.
+void seat_guests(Talk& talk, const Words& words, int guests);
 // ---- edit_remove.cc
 void remove(Talk& talk, Words words);
 void remove_all(Talk& talk, const std::vector<std::string>& ids);
@@ -70,6 +86,8 @@ void put(Talk& talk, const Words& words);
 bool put_where(Talk& talk, const Clause& clause);  // "a plant where the pouf is"; false: no such words
 bool says_so_that(const Words& words);             // "the desk so that it faces the window"
 Words instead_of(const Words& old, const Words& by);
+// Of what goes for something new, that which stands where the new one comes: "a vase on the desk instead of the books".
+std::vector<std::string> those_instead(Talk& talk, const Words& old, const Words& by);
 // ---- edit_wishes.cc
 // What words ask for that is new.
 struct Addition {
@@ -97,6 +115,11 @@ Addition addition_of(const Talk& talk, const Words& said, const std::vector<std:
 // ---- edit_add.cc
 void add(Talk& talk, const Words& words);
 void add_there(Talk& talk, const Words& words);
+// ---- edit_add_parts.cc
+// "A lamp here and the bench under the window": the bench is there, and moves.
+bool stands_already(const Talk& talk, const Words& words);
+// Each part of the words at its own place, at that of the next one, or at what came before it.
+void add_parts(Talk& talk, const std::vector<Words>& parts, const Words& words);
 // ---- edit_add_one.cc
 // What is wished for comes to the place; without one, with its like or where such things stand.
 void add_wish(Talk& talk, const PromptObject& wish, const std::optional<Place>& place);

@@ -13,7 +13,7 @@ struct Phrase {
     std::string_view said, means;
 };
 // Longer ones before those that they begin with.
-constexpr std::array<Phrase, 98> kPhrases{{
+constexpr std::array<Phrase, 107> kPhrases{{
     {"with the fire burning", ", light the fire"},
     {"with the fire lit", ", light the fire"},
     {"with the fire on", ", light the fire"},
@@ -34,6 +34,15 @@ constexpr std::array<Phrase, 98> kPhrases{{
     {"that have no", "without"},
     {"who have none", "without one"},
     {"with none", "without one"},
+    {"so they face each other", "facing each other"},
+    {"so that they face each other", "facing each other"},
+    {"so they are facing each other", "facing each other"},
+    {"so that they are facing each other", "facing each other"},
+    {"to face each other", "facing each other"},
+    {"face to face", "facing each other"},
+    {"twin beds", "two single beds"},
+    {"two twin", "two single"},
+    {"two two", "two"},
     {"a lower", "a low"},
     {"a higher", "a tall"},
     {"angled towards", "facing"},

@@ -102,7 +102,7 @@ std::optional<Part> room_part(const Words& words, std::size_t at) {
             !is_one_of(w, {"a",    "an",    "each", "every", "all",       "four",  "other",    "another",
                            "left", "right", "far",  "near",  "back",      "front", "opposite", "one",
                            "any",  "two",   "free", "empty", "different", "same",  "side",     "bare",
-                           "big",  "large", "hand", "of",    "some",      "both",  "either",   "opposite"}) &&
+                           "big",  "large", "hand", "of",  "bay",    "some",      "both",  "either",   "opposite"}) &&
             !(i + 1 < words.size() && words[i + 1] == "wall" && looks_of(w)))
             return {};
         out.modifiers.push_back(w);

@@ -11,21 +11,6 @@
 namespace fastscene::editing {
 namespace {
 
-// "Set the table for six": as many places as are missing; false: no such words.
-bool set_for_guests(Talk& talk, const Words& words) {
-    const std::size_t at = find_word(words, {"for"}, 1);
-    if (talk.said != "set" || at + 1 >= words.size() || !is_definite(words.front())) return false;
-    const auto guests = number_said(words[at + 1]);
-    if (!guests || *guests < 1) return false;
-    const std::string table = talk.things(part_of(words, 0, at)).front();
-    int missing = static_cast<int>(*guests);
-    for (const DocumentThing& t : talk.editor.document().things)
-        if (t.on == table && in_words(t.kind) == "place setting") --missing;
-    if (missing < 1) throw Error("{}: it is set for as many already", table);
-    add(talk, {std::to_string(missing), "place", missing > 1 ? "settings" : "setting", "on", table});
-    return true;
-}
-
 // "the armchair by the window and a side table beside it": one stands there, the other comes new. False: all of them
 // stand there, or all come new.
 bool put_one_by_one(Talk& talk, const Words& words) {
@@ -84,6 +69,22 @@ Words instead_of(const Words& old, const Words& by) {
         if (!number_said(by[i]) && !is_definite(by[i])) out.push_back(by[i]);
     if (old.back() != "ones" && out.back().size() > 2 && out.back().ends_with("s")) out.back().pop_back();
     return out;
+}
+
+std::vector<std::string> those_instead(Talk& talk, const Words& old, const Words& by) {
+    const std::size_t place = next_place(by);
+    if (next_place(old) < old.size() || is_one_of(old.front(), {"it", "them"})) return talk.things_of_parts(old);
+    std::vector<std::string> at, there;
+    try {
+        if (const auto where = addition_of(talk, by, talk.last).place) at = things_at(talk.editor, where->step);
+    } catch (const Error&) {  // that is told when it is added
+    }
+    if (place < by.size())
+        for (const int i : all_named(talk.editor, text_of(old)))
+            if (const DocumentThing& t = talk.editor.document().things[static_cast<std::size_t>(i)];
+                is_among(t.on, at))
+                there.push_back(t.id);
+    return there.empty() ? talk.things_of_parts(old) : talk.last = there;
 }
 
 namespace {

@@ -293,6 +293,11 @@ std::optional<PromptObject> looks_of(const std::string& words);
 // ---- edit_layout.cc
 // Whether a thing is where its wish says, as people mean it.
 bool is_where_asked(const Plan& plan, const std::vector<Placed>& all, const Placed& piece, const PromptObject& wish);
+// At the wall below a window, and not beside that or a step before it: half of what is narrower is before the other.
+bool is_below(const Footprint& box, const Footprint& window);
+// What is wished for under a window stands below one; true for any other wish.
+bool is_below_its_window(const Plan& plan, const std::vector<Placed>& all, const Placed& piece,
+                         const PromptObject& wish);
 // ---- edit_search.cc
 // The wall that is at a thing's back; -1: none.
 int wall_behind(const Plan& plan, const Placed& p);
@@ -304,6 +309,7 @@ float off_middle(const std::vector<Placed>& all, const PromptObject& wish, Vec2f
 std::vector<Footprint> anchors_of(const Plan& plan, const std::vector<Placed>& placed, const std::string& kind);
 // Things that are larger all around, so that what is further off is at them still.
 std::vector<Placed> grown(std::vector<Placed> all, const PromptObject& wish, float by);
+// ---- edit_hang.cc
 // From the ceiling above a thing: its middle, else along it.
 bool hang_above(Layout& layout, const PromptObject& wish);
 // ---- edit_swap.cc

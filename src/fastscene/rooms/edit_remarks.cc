@@ -69,8 +69,18 @@ bool keep_only(Talk& talk, const Words& words) {
         all.push_back("except");
         return remove(talk, joined_words(all, part_of(some, 0, place))), true;
     }
-    if (!number || *number < 1 || some.size() < 2 || is_one_of(some.front(), {"a", "an"})) return false;
+    if (!number || *number < 1 || is_one_of(some.front(), {"a", "an"})) return false;
     Words noun = part_of(some, 1);
+    // "Only two", "just two of them": of those that were spoken of.
+    if (noun.empty() || is_one_of(text_of(noun), {"of them", "of those", "of these"})) {
+        std::vector<std::string> all = talk.things({"them"});
+        const auto left = static_cast<std::size_t>(*number);
+        if (left >= all.size()) throw AlreadySo(fmt::format("there are only {} of them", all.size()));
+        remove_all(talk, part_of(all, left));
+        return true;
+    }
+    if (noun.front() == "of" && noun.size() > 1) noun.erase(noun.begin());
+    if (noun.size() > 1 && is_definite(noun.front())) noun.erase(noun.begin());
     if (!noun.back().ends_with("s") && place == some.size()) noun.back() += "s";
     remove(talk, joined_words(joined_words({"all"}, noun), {"except", some.front()}));
     return true;

@@ -49,6 +49,15 @@ bool replaced_by_its_like(Talk& talk, const Words& old, const Words& by) {
 
 }  // namespace
 
+namespace {
+
+Words without_article(Words words) {
+    if (words.size() > 1 && is_definite(words.front())) words.erase(words.begin());
+    return words;
+}
+
+}  // namespace
+
 void replace(Talk& talk, const Words& old, const Words& by) {
     if (resurfaced(talk, old, by) || replaced_by_its_like(talk, old, by)) return;
     EditStep step;
@@ -119,6 +128,14 @@ void replace(Talk& talk, const Words& old, const Words& by) {
     const bool each = is_one_of(old.front(), {"every", "each"});  // "every chair with a stool"
     const bool one = is_one_of(parts.front().front(), {"a", "an", "another", "one"}) && !each;
     if ((!step.wish.counted || each) && !one) step.wish.count = static_cast<int>(step.ids.size());
+    // "The books" of several tops by one plant: on which of them?
+    std::set<std::string> tops;
+    std::vector<int> those;
+    for (const std::string& id : step.ids)
+        those.push_back(talk.editor.index_of(id)), tops.insert(talk.editor.document().things[static_cast<std::size_t>(
+                                                       those.back())].on);
+    if (step.wish.counted && step.wish.count < static_cast<int>(tops.size()) && !tops.contains(""))
+        refuse_many(text_of(without_article(old)), talk.editor, those);
     const std::size_t told = talk.editor.result().changes.size();
     talk.editor.apply(step);
     talk.last = {};

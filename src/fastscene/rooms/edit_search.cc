@@ -40,34 +40,6 @@ int wall_behind(const Plan& plan, const Placed& p) {
     return -1;
 }
 
-bool hang_above(Layout& layout, const PromptObject& wish) {
-    if (wish.relation != "above" || wish.count > 1 || !layout.why_not(wish.kind).empty()) return false;
-    const PieceRequest request = layout.request(wish.kind, &wish);
-    if (make_piece(request).mount != Mount::ceiling) return false;
-    for (int i = 0; i < static_cast<int>(layout.placed().size()); ++i) {
-        const Placed below = layout.placed()[static_cast<std::size_t>(i)];
-        if (below.piece.kind != wish.relation_to && below.wish.kind != wish.relation_to) continue;
-        const Vec3f half = below.piece.size_m * 0.5f;
-        // The nearest to its middle that is free.
-        constexpr float kOfHalf = 0.7f;
-        constexpr int kSteps = 10;
-        std::vector<Vec3f> offs;
-        for (int x = -kSteps; x <= kSteps; ++x)
-            for (int z = -kSteps; z <= kSteps; ++z)
-                offs.push_back(right_of(below.yaw) * (kOfHalf * half.x * static_cast<float>(x) / kSteps) +
-                               front_of(below.yaw) * (kOfHalf * half.z * static_cast<float>(z) / kSteps));
-        // Along it rather than across.
-        const Vec3f across = half.z > half.x ? right_of(below.yaw) : front_of(below.yaw);
-        const auto off_middle_of = [&](Vec3f off) { return length(off) + std::abs(dot(off, across)); };
-        std::stable_sort(offs.begin(), offs.end(),
-                         [&](Vec3f a, Vec3f b) { return off_middle_of(a) < off_middle_of(b); });
-        for (const Vec3f off : offs)
-            if (const auto k = layout.hanging(request, flat(below.position + off), wish))
-                return layout.join(*k, i), true;
-    }
-    return false;
-}
-
 // For one thing that stands on the floor; the nearest place first.
 bool Editor::search_finely(Layout& layout, const EditStep& step) const {
     const PromptObject& wish = layout.spec().objects[0];
@@ -192,38 +164,6 @@ bool Editor::on_the_floor(Layout& layout, const EditStep& step) const {
             if (stands_as_asked(plan(), layout.placed(), layout.placed().back(), wish).value_or(false)) return true;
             layout.undo(before);
         }
-    return false;
-}
-
-// Above what stands a way off its wall, as a bar does: on the wall behind it, in sight above it.
-bool Editor::hang_behind(Layout& layout) const {
-    const PromptObject& wish = layout.spec().objects[0];
-    if (wish.relation != "above" || wish.count > 1 || !layout.why_not(wish.kind).empty()) return false;
-    PieceRequest request = layout.request(wish.kind, &wish);
-    if (make_piece(request).mount != Mount::wall) return false;
-    constexpr float kFarthest = 2.5f, kAbove = 0.3f;  // metres
-    for (int i = 0; i < static_cast<int>(layout.placed().size()); ++i) {
-        const Placed below = layout.placed()[static_cast<std::size_t>(i)];
-        if (below.piece.kind != wish.relation_to && below.wish.kind != wish.relation_to) continue;
-        for (int w = 0; w < 4; ++w) {
-            const WallFace face = plan().wall(w);
-            const Vec3f to = below.position - face.origin;
-            if (dot(face.inward, front_of(below.yaw)) < 0.9f || dot(to, face.inward) > kFarthest) continue;
-            for (const float scale : {1.f, 0.8f, 0.6f})
-                for (const float further : {0.f, 0.2f, -0.2f, 0.4f, -0.4f, 0.7f, -0.7f}) {
-                    PieceRequest r = request;
-                    r.size_factor *= scale;
-                    Piece piece = make_piece(r);
-                    if (std::abs(further) > below.piece.size_m.x / 2) continue;
-                    // Higher than what stands at that wall.
-                    const float least = std::max(piece.hang_height_m, footprint_of(below).y1 + kAbove);
-                    for (const float up : {0.f, 0.15f, 0.3f, 0.45f, 0.6f}) {
-                        piece.hang_height_m = least + up;
-                        if (layout.hang_at(piece, w, dot(to, face.along) + further, wish)) return true;
-                    }
-                }
-        }
-    }
     return false;
 }
 

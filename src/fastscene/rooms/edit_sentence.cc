@@ -208,6 +208,18 @@ void Talk::act(const Clause& whole) {
     if (at_what_comes(*this, whole)) return;
     Clause clause = whole;
     if (const std::size_t why = purpose_at(whole); why < whole.words.size()) {
+        if (const int guests = guests_said(part_of(whole.words, why)); guests > 0) {
+            const Words so = part_of(whole.words, why), rest = part_of(whole.words, 0, why);
+            return do_each(
+                editor, 2,
+                [&](std::size_t k) {
+                    Clause first = clause;
+                    first.words = rest;
+                    if (k == 0) act(first);
+                    else seat_guests(*this, joined_words(rest, so), guests);
+                },
+                [&](std::size_t k) { return text_of(k == 0 ? rest : so); });
+        }
         editor.note("room", fmt::format("\"{}\" is taken as a reason: it changes nothing", text_of(whole.words, why)));
         clause.words.resize(why);
     }
@@ -217,6 +229,12 @@ void Talk::act(const Clause& whole) {
                                                    is_one_of(clause.words.back(), {"corner", "spot", "place", "space"}))
         clause.words.resize(n - 3), clause.there = true;
     const Words& words = clause.words;
+    // "I want eight people to sit at the table", "make room for eight at the table"
+    if (const int guests = guests_said(words);
+        guests > 0 && (clause.verb == Verb::want || clause.verb == Verb::make || clause.verb == Verb::add) &&
+        find_word(words, {"chairs", "stools", "armchairs", "benches", "table"}) >= find_word(words, {"people", "guests",
+                                                                                                    "seating", "room"}))
+        return seat_guests(*this, words, guests);
     // "Rearrange the chairs in a circle" says how.
     if (clause.said == "rearrange" && (says_so_that(words) || next_place(words) < words.size()))
         clause.verb = Verb::put, clause.said = "arrange";
@@ -246,7 +264,7 @@ void Talk::act(const Clause& whole) {
         const Words old = instead_of(rest, words), by = part_of(words, 0, instead);
         if (next_place(by) == by.size()) return replace(*this, old, by);
         return editor.together([&] {
-            remove(*this, old);
+            remove_all(*this, those_instead(*this, old, by));
             add(*this, by);
         });
     }

@@ -28,7 +28,13 @@ void add_new(std::vector<std::string>& to, const std::vector<std::string>& more)
         if (std::find(to.begin(), to.end(), id) == to.end()) to.push_back(id);
 }
 
-std::vector<std::string> Talk::things(const Words& said_words) {
+std::vector<std::string> Talk::things(const Words& words) {
+    std::vector<std::string> out = meant(words);
+    mention(out);
+    return out;
+}
+
+std::vector<std::string> Talk::meant(const Words& said_words) {
     Words words = said_words;
     // "them all", "both of them", "all of those"
     if (words.size() > 1 && words.size() < 4 && find_word(words, {"them", "it", "those", "these"}) < words.size() &&
@@ -89,18 +95,69 @@ std::vector<std::string> Talk::things(const Words& said_words) {
             if (has_role(p.piece.kind, Role::light) && can_shine(p) && !is_among(p.id, last)) ids.push_back(p.id);
         if (!ids.empty()) return last = ids;
     }
-    // "the other armchair": not that one which was spoken of.
-    if (const std::size_t other = find_word(words, {"other"}); other < words.size() && !last.empty()) {
-        std::vector<std::string> ids;
-        for (const int i : all_named(editor, text_of(words)))
-            ids.push_back(editor.document().things[static_cast<std::size_t>(i)].id);
-        std::erase_if(ids,
-                      [&](const std::string& id) { return std::find(last.begin(), last.end(), id) != last.end(); });
-        if (ids.size() == 1 || (!ids.empty() && words.back().ends_with("s"))) return last = ids;
-    }
+    // "the other armchair": not that one which was spoken of, or no one that was.
+    if (const std::size_t other = find_word(words, {"other"}); other < words.size())
+        for (const std::vector<std::string>* those : {&last, &mentioned}) {
+            std::vector<std::string> ids;
+            for (const int i : all_named(editor, text_of(words)))
+                ids.push_back(editor.document().things[static_cast<std::size_t>(i)].id);
+            const std::size_t all = ids.size();
+            std::erase_if(ids, [&](const std::string& id) { return is_among(id, *those); });
+            if (ids.size() == all) continue;
+            if (ids.size() == 1 || (!ids.empty() && words.back().ends_with("s"))) return last = ids;
+        }
     last = named(editor, text_of(words));
     noun = in_words(asked_kind(editor.placed(last.front())));
     return last;
+}
+
+void Talk::mention(const std::vector<std::string>& ids) {
+    for (const std::string& id : ids) std::erase(mentioned, id);
+    add_new(mentioned, ids);
+    std::erase_if(mentioned, [&](const std::string& id) {  // what is gone
+        const auto& all = editor.document().things;
+        return std::none_of(all.begin(), all.end(), [&](const DocumentThing& t) { return t.id == id; });
+    });
+}
+
+void Talk::mention_place(const EditStep& place, const std::vector<std::string>& fresh) {
+    const std::vector<std::string> at = place.wish.relation_to.empty() ? std::vector<std::string>{}
+                                                                       : things_at(editor, place);
+    if (fresh.empty() || at.size() < 2) return mention(at);
+    for (const std::string& id : fresh) {
+        const Placed& p = editor.placed(id);
+        const auto off = [&](const std::string& a) { return distance_to(footprint_of(editor.placed(a)), flat(p.position)); };
+        mention({*std::min_element(at.begin(), at.end(),
+                                   [&](const std::string& a, const std::string& b) { return off(a) < off(b); })});
+    }
+}
+
+Words Talk::with_others(const Words& words) const {
+    for (std::size_t i = 0; i + 1 < words.size(); ++i) {
+        if (words[i] != "the" || words[i + 1] != "other") continue;
+        std::size_t end = i + 2;
+        while (end < words.size() && !is_joint(words[end]) && words[end] != "with" && next_place(words, end) != end)
+            ++end;
+        if (end > i + 2 && !noun_of(words[end - 1]).empty()) continue;
+        // "The other", "the other one": of the kind that was named last.
+        const bool bare = end == i + 2 || is_one_of(words[end - 1], {"one", "ones"});
+        for (auto named = mentioned.rbegin(); named != mentioned.rend(); ++named) {
+            const auto& all = editor.document().things;
+            if (std::none_of(all.begin(), all.end(), [&](const DocumentThing& t) { return t.id == *named; })) continue;
+            const Words called = bare ? tokens_of(in_words(asked_kind(editor.placed(*named))))
+                                      : part_of(words, i + 2, end);
+            std::vector<std::string> ids;
+            for (const int k : all_named(editor, text_of(called)))
+                ids.push_back(editor.document().things[static_cast<std::size_t>(k)].id);
+            if (!is_among(*named, ids)) continue;
+            std::erase_if(ids, [&](const std::string& id) { return is_among(id, mentioned); });
+            if (ids.size() != 1) break;
+            Words out = part_of(words, 0, i);
+            out.push_back(ids.front());
+            return with_others(joined_words(out, part_of(words, end)));
+        }
+    }
+    return words;
 }
 
 // "The rest", "the other ones", "the remaining chairs": of what was last spoken of by name, those that were not meant.

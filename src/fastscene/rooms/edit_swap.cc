@@ -125,10 +125,12 @@ void Editor::swap(const EditStep& step) {
     for (const bool nearby : {false, true}) {
         if (seated) try {
                 return swap_two(a, b, seats_a, seats_b, nearby);
-            } catch (const Error&) {  // there is no room for the chairs: they stay
+            } catch (const Error&) {  // there is no room for the chairs as they stand: they follow one by one
             }
         try {
-            return swap_two(a, b, {}, {}, nearby);
+            swap_two(a, b, {}, {}, nearby);
+            bring_seats(a, seats_a), bring_seats(b, seats_b);
+            return;
         } catch (const UsageError&) {
             throw;
         } catch (const Error&) {

@@ -31,8 +31,8 @@ std::optional<float> angle_said(const Words& words, std::size_t& end) {
                  is_one_of(words[i + 1], {"degrees", "degree", "deg"}))
             degrees = *number;
         else if (is_one_of(w, {"by", "to", "a"}) && i + 1 < words.size()) {
-            // "by 45 degrees", "to the left", "a bit"
-            if (!(w == "by" || is_one_of(words.back(), {"left", "right", "bit", "little", "turn"}))) continue;
+            // "by 45 degrees", "to the left", "a bit"; "by the window" is a place
+            if (!((w == "by" && !is_definite(words[i + 1])) || is_one_of(words.back(), {"left", "right", "bit", "little", "turn"}))) continue;
         } else continue;
         end = std::min(end, i);
         if (!degrees && (side || w.ends_with("clockwise"))) degrees = 90.f;

@@ -79,6 +79,50 @@ std::vector<std::string> Editor::fewest_in_the_way(const EditStep& step, const P
     return fewest.size() > kMostNamed ? std::vector<std::string>{} : out;
 }
 
+std::string Editor::fault_at_best(const EditStep& step, const Placed* moving, const std::vector<int>& gone) const {
+    const Standing standing = without(gone);
+    Asked asked = asked_among(standing, step);
+    Random rng(room_.seed, "why", asked.among.size());
+    Layout layout = begin_layout(asked.spec, rng, asked.among, moving);
+    const PromptObject& wish = asked.spec.objects[0];
+    if (!layout.why_not(wish.kind).empty()) return {};
+    Placed p;
+    p.piece = make_piece(layout.request(wish.kind, &wish));
+    if (p.piece.mount != Mount::floor || is_rug(p.piece)) return {};
+    const auto kinds = [&](const std::vector<Placed>& all) {
+        std::set<std::string> out;
+        for (const Fault& f : room_faults(plan(), all, room_.furnished.camera, kNarrow, round_ones(all)))
+            out.insert(f.kind);
+        return out;
+    };
+    std::vector<Placed> all = standing.placed;
+    const std::set<std::string> before = kinds(all);
+    constexpr int kMostLooks_why = 12;
+    int looks = 0;
+    bool door = false;
+    for (const Candidate& c : candidates_for(layout, step, p.piece, 0)) {
+        p.position = {c.at.x, 0, c.at.y}, p.yaw = c.yaw;
+        const Footprint box = footprint_of(p);
+        if (std::any_of(all.begin(), all.end(), [&](const Placed& other) {
+                return !other.flat && overlap(shrunk(box, 0.01f), footprint_of(other));
+            }))
+            continue;
+        if (blocks_opening(plan(), box)) {
+            door = true;
+            continue;
+        }
+        if (++looks > kMostLooks_why) break;
+        all.push_back(p);
+        const std::set<std::string> now = kinds(all);
+        all.pop_back();
+        for (const auto& [kind, why] : {std::pair{"way", "no way of 0.45 m would be left past it"},
+                                        {"window", "it would stand before a window"},
+                                        {"door", "it would stand before a door"}})
+            if (now.contains(kind) && !before.contains(kind)) return why;
+    }
+    return door ? "it would stand before a door" : "";
+}
+
 // Whether it would have a place without one of the things that stand about it, or were it smaller.
 std::string Editor::what_is_missing(const EditStep& step, const Placed* moving, const std::vector<int>& gone) const {
     EditStep one = step;
@@ -95,6 +139,8 @@ std::string Editor::what_is_missing(const EditStep& step, const Placed* moving, 
     if (!blocking.empty())
         return fmt::format("{}, and {} {} in the way", takes, fmt::join(blocking, " and "),
                            blocking.size() > 1 ? "are" : "is");
+    if (const std::string fault = hangs ? "" : fault_at_best(one, moving, gone); !fault.empty())
+        return fmt::format("{}, and {}", takes, fault);
     if (moving || !(one.wish.size_m == Vec3f{})) return takes;
     for (const float scale : {0.6f, 0.5f, 0.4f}) {
         one.wish.size_m = size * scale;

@@ -1,0 +1,58 @@
+// Two seats before a fireplace or another thing: a pair, one on each side of its middle.
+#include <algorithm>
+
+#include "fastscene/base/is_one_of.h"
+#include "fastscene/rooms/catalogue.h"
+#include "fastscene/rooms/edit_parts.h"
+
+namespace fastscene::editing {
+namespace {
+
+// Where the first of a pair stands, its like across the middle: metres before the thing and off its middle.
+struct PairSpot {
+    float ahead, aside;
+};
+std::vector<PairSpot> pair_spots(const Piece& piece, bool close) {
+    const float half = std::max(piece.size_m.x, piece.size_m.z) / 2;
+    std::vector<PairSpot> out;
+    for (const float ahead : close ? std::vector<float>{0.6f, 0.5f} : std::vector<float>{0.95f, 0.8f, 1.1f, 1.3f, 0.65f})
+        for (const float aside : {0.4f, 0.55f, 0.3f, 0.7f, 0.2f, 0.9f}) out.push_back({ahead + half, aside + half});
+    return out;
+}
+
+}  // namespace
+
+// Turned to it, both alike. False: there is no room for that, or the wish is another one.
+bool Editor::pair_before(Layout& layout) const {
+    const PromptObject& wish = layout.spec().objects[0];
+    if (wish.count != 2 || !has_role(wish.kind, Role::seat) || !layout.why_not(wish.kind).empty()) return false;
+    const bool close = wish.relation == "next to";
+    if (!close && !is_one_of(wish.relation, {"in front of", "opposite", "facing"})) return false;
+    const Piece piece = make_piece(layout.request(wish.kind, &wish));
+    if (piece.mount != Mount::floor) return false;
+    const std::size_t before = layout.mark();
+    const std::set<std::string> faults = fault_texts(layout.placed());
+    for (int i = 0; i < static_cast<int>(before); ++i) {
+        const Placed at = layout.placed()[static_cast<std::size_t>(i)];
+        if (at.piece.kind != wish.relation_to && at.wish.kind != wish.relation_to) continue;
+        const bool table = has_role(at.piece.kind, Role::lamp_above) || has_role(at.piece.kind, Role::work_place);
+        if (table || at.flat || at.on >= 0 || (close && !has_role(at.piece.kind, Role::focus))) continue;
+        for (const PairSpot& spot : pair_spots(piece, close)) {
+            for (const float side : {1.f, -1.f}) {
+                const Vec3f to = at.position + front_of(at.yaw) * (at.piece.size_m.z / 2 + spot.ahead) +
+                                 right_of(at.yaw) * (side * spot.aside);
+                // Sofas face each other, chairs the middle of what they stand before.
+                const Vec3f ahead = has_role(wish.kind, Role::sofa) ? right_of(at.yaw) * -side : at.position - to;
+                if (!layout.stand_at(piece, flat(to), yaw_of(Vec3f{ahead.x, 0, ahead.z}), wish, {})) break;
+            }
+            if (layout.mark() == before + 2) {
+                const auto now = fault_texts(layout.placed());
+                if (std::includes(faults.begin(), faults.end(), now.begin(), now.end())) return true;
+            }
+            layout.undo(before);
+        }
+    }
+    return false;
+}
+
+}  // namespace fastscene::editing
