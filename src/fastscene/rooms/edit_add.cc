@@ -176,6 +176,21 @@ void add(Talk& talk, const Words& words) {
     // "a desk, and a lamp on it": first what that is.
     for (std::size_t k = 1; k < parts.size(); ++k) {
         if (!is_one_of(parts[k].back(), {"it", "them"}) || next_place(parts[k]) == parts[k].size()) continue;
+        // "Clear the sideboard and put two candles and a bowl on it": nothing stands on candles.
+        const auto first_kind = read_in_room(talk.editor, text_of(parts[k - 1], 0, next_place(parts[k - 1])));
+        const bool carries_it = first_kind.objects.empty() || !furnishing::is_small(first_kind.objects.front().kind);
+        if (!carries_it && !talk.last.empty() && is_one_of(parts[k][parts[k].size() - 2], {"on", "under"})) {
+            const std::vector<std::string> there = talk.last;
+            const Words place = part_of(parts[k], next_place(parts[k]));
+            do_each(
+                talk.editor, parts.size(),
+                [&](std::size_t i) {
+                    talk.last = there;
+                    add(talk, next_place(parts[i]) == parts[i].size() ? joined_words(parts[i], place) : parts[i]);
+                },
+                [&](std::size_t i) { return text_of(parts[i]); });
+            return;
+        }
         for (const bool first : {true, false}) {
             Words some;
             for (std::size_t i = first ? 0 : k; i < (first ? k : parts.size()); ++i) {

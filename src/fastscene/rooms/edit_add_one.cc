@@ -159,7 +159,14 @@ void add_wish(Talk& talk, const PromptObject& wish, const std::optional<Place>& 
     if (place && place->if_uncounted && !wish.counted && !place->each_at.empty()) step.wish.count = 1;
     fill_up(talk, step);
     if (!place && talk.there) stand_there(talk, step);
-    if (!place && (drawn_up(talk, step) || with_its_like(talk, step) || by_the_same(talk, step))) {
+    if (place && place->each_wall) {
+        constexpr std::size_t kWalls = 4;
+        const int share = step.wish.counted && step.wish.count == static_cast<int>(kWalls) ? 1 : step.wish.count;
+        step.wish.count = std::max(1, share);
+        do_each(
+            talk.editor, kWalls, [&](std::size_t k) { step.wall = static_cast<int>(k), talk.editor.apply(step); },
+            [&](std::size_t k) { return fmt::format("{} at wall {}", wish.words, k); });
+    } else if (!place && (drawn_up(talk, step) || with_its_like(talk, step) || by_the_same(talk, step))) {
         // with its like, at their table
     } else if (place && !place->each_at.empty() && !(place->if_uncounted && wish.counted))
         do_each(talk.editor, place->each_at.size(),
@@ -346,6 +353,7 @@ void Editor::add(const EditStep& step) {
         }
     });
     for (const std::string& id : fresh) tell_aside(id, step), tell_distance(id, step);
+    tell_uneven_pair(fresh, step);
     if (step.each) tell_missing_corners(step, fresh.size());
 }
 

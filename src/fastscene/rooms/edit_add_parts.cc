@@ -1,5 +1,5 @@
-// The parts of "a floor lamp beside the bed and two plants in the corner", one after the other: each at its own place, at
-// that of the next one, or at what came before it.
+// The parts of "a floor lamp beside the bed and two plants in the corner", one after the other: each at its own place,
+// at that of the next one, or at what came before it.
 #include <algorithm>
 #include <utility>
 
@@ -219,6 +219,10 @@ void add_parts(Talk& talk, const std::vector<Words>& parts, const Words& words) 
                     if (const EditStep& at = all[k]->place->step; things_at(talk.editor, at).size() == 1)
                         talk.mention_place(at);
             } else {
+                if (const auto each = talk.each_of_the_others(parts[k]); later[k] && each.size() > 1)
+                    return do_each(
+                        talk.editor, each.size(), [&](std::size_t n) { add(talk, each[n]); },
+                        [&](std::size_t n) { return text_of(each[n]); });
                 // "A stool next to it and a candle on the stool"
                 if (later[k]) {
                     const Words part = talk.with_others(by_kind_there(talk.editor, parts[k]));

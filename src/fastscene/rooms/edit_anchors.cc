@@ -21,6 +21,8 @@ std::string suited(const std::string& relation, const std::string& kind, const P
     const bool small = furnishing::is_small(kind) || furnishing::lies_on_seats(kind);
     if (relation == "in") return "on";
     if (relation == "to" && small && carries(there)) return "on";
+    // A lamp at a desk stands on it.
+    if (relation == "at" && furnishing::is_small(kind) && is_table(there.piece.kind) && carries(there)) return "on";
     if (has_role(kind, Role::seat) && !has_role(kind, Role::sofa) && !has_role(kind, Role::easy_chair)) {
         if (has_role(there.piece.kind, Role::laid)) return "around";
         if (has_role(there.piece.kind, Role::work_place)) return "in front of";

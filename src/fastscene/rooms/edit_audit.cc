@@ -260,7 +260,7 @@ class Audit {
         for (std::size_t k = 0; k < mentions_.size(); ++k) {
             const Mention& m = mentions_[k];
             if (!is_head(k) || is_anchor(k) || is_denied(m) || is_touched(m) || was_told_of(m)) continue;
-            if (is_meant_otherwise(m)) continue;
+            if (is_meant_otherwise(m) || has_role(m.meaning, Role::person)) continue;
             missing_.push_back(fmt::format("nothing was done to \"{}\"", m.term));
         }
     }
@@ -434,6 +434,9 @@ class Audit {
             std::size_t at = m.from;
             for (std::size_t i = k; i-- > 0 && mentions_[i].to == at && mentions_[i].kind != Mention::Kind::thing;)
                 at = mentions_[i].from;
+            while (at > 1 && (value_of({words_[at - 1]}) || look_up(words_[at - 1])) && !number_said(words_[at - 1]) &&
+                   !is_definite(words_[at - 1]) && !relation_at(words_, at - 1))
+                --at;  // "two large paintings"
             const auto number = at > 0 && !is_one_of(words_[at - 1], {"a", "an", "one", "half", "quarter", "couple"})
                                     ? number_said(words_[at - 1])
                                     : std::nullopt;

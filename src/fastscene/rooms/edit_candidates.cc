@@ -29,12 +29,12 @@ std::vector<Footprint> anchors_of(const Plan& plan, const std::vector<Placed>& p
 namespace {
 
 // Backs at walls, every few centimetres along them.
-void add_at_walls(const Plan& plan, Vec3f size, std::vector<Candidate>& out) {
-    constexpr float kStep = 0.06f, kOffWall = 0.01f;  // metres
+void add_at_walls(const Plan& plan, Vec3f size, std::vector<Candidate>& out, float off_wall = 0.01f) {
+    constexpr float kStep = 0.06f;  // metres
     for (const WallFace& face : plan.faces()) {
         const Vec2f inward = flat(face.inward);
         for (float u = size.x / 2; u <= face.length - size.x / 2; u += kStep)
-            out.push_back({flat(face.point(u, 0)) + inward * (size.z / 2 + kOffWall), std::atan2(inward.x, inward.y)});
+            out.push_back({flat(face.point(u, 0)) + inward * (size.z / 2 + off_wall), std::atan2(inward.x, inward.y)});
     }
 }
 
@@ -267,6 +267,9 @@ std::vector<Candidate> Editor::candidates_for(Layout& layout, const EditStep& st
     const std::vector<Footprint> anchors = anchors_of(plan(), layout.placed(), wish.relation_to);
     const bool at_opening = !noun_of(wish.relation_to).empty() && wish.relation == "next to" && !flat_one;
     if (piece.against_wall || at_opening) add_at_walls(plan(), piece.size_m, all);
+    // Before a radiator it is below the window still.
+    if (wish.relation == "under" && !noun_of(wish.relation_to).empty())
+        for (const float off : {0.14f, 0.22f, 0.3f}) add_at_walls(plan(), piece.size_m, all, off);
     if (!piece.against_wall) add_on_floor(plan(), piece.size_m, flat_one ? step.yaw : std::nullopt, all);
     if (!flat_one && noun_of(wish.relation_to).empty())
         for (const Footprint& a : anchors) add_at_sides(a, piece.size_m, all);

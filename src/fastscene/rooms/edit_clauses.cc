@@ -259,6 +259,18 @@ bool leaves_some(Clause& clause, const Clause& next) {
     return true;
 }
 
+// "Keep two chairs and remove the rest": only those stay.
+bool takes_the_rest(Clause& clause, const Clause& next) {
+    if (clause.verb != Verb::keep || next.verb != Verb::remove || clause.words.empty()) return false;
+    if (!is_one_of(text_of(next.words), {"the rest", "the others", "the other ones", "the rest of them", "all others",
+                                         "all the others", "the remaining ones"}))
+        return false;
+    const bool only = is_one_of(clause.words.front(), {"only", "just"});
+    if (!only && (!number_said(clause.words.front()) || is_one_of(clause.words.front(), {"a", "an"}))) return false;
+    if (!only) clause.words.insert(clause.words.begin(), "only");
+    return true;
+}
+
 // "Two chairs, no, three": one clause.
 void amend(std::vector<Clause>& clauses) {
     for (std::size_t i = 1; i < clauses.size();)
@@ -337,7 +349,11 @@ std::vector<Clause> clauses_of(const std::string& sentence) {
                 i = *end;
                 continue;
             }
-            const bool says = from < words.size() && is_statement(words, from);
+            // "The rug bigger and darker"
+            const bool goes_on = !out.empty() && from < words.size() &&
+                                 is_one_of(words[from], {"brighter", "darker"}) &&
+                                 (out.back().verb == Verb::make || out.back().verb == Verb::want);
+            const bool says = from < words.size() && !goes_on && is_statement(words, from);
             const bool also = i > 0 && is_one_of(words[i - 1], {"also", "plus"});
             const bool asks = (out.empty() || also) && from < words.size() &&
                               (number_said(words[from]) || is_one_of(words[from], {"another", "some", "more"}));
@@ -376,7 +392,8 @@ std::vector<Clause> clauses_of(const std::string& sentence) {
     }
     if (out.empty()) throw UsageError("expected what to change, found an empty sentence");
     for (std::size_t i = 0; i + 1 < out.size();)
-        if (leaves_some(out[i], out[i + 1])) out.erase(out.begin() + static_cast<std::ptrdiff_t>(i) + 1);
+        if (leaves_some(out[i], out[i + 1]) || takes_the_rest(out[i], out[i + 1]))
+            out.erase(out.begin() + static_cast<std::ptrdiff_t>(i) + 1);
         else disliked(out[i], out[i + 1]), ++i;
     amend(out);
     return out;

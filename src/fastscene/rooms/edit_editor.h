@@ -152,6 +152,7 @@ class Editor {
     Asked asked_among(const Standing& standing, const EditStep& step) const;
     Layout begin_layout(PromptSpec& spec, Random& rng, const std::vector<Placed>& standing, const Placed* moving) const;
     bool at_a_wall(Layout& layout, const EditStep& step, const Placed* moving) const;
+    bool several_at_wall(Layout& layout, int wall) const;
     bool near_a_point(Layout& layout, const EditStep& step) const;
 
     // ---- edit_why.cc
@@ -162,6 +163,7 @@ class Editor {
                                                const std::vector<int>& gone) const;
     // What would be wrong at a place where nothing stands in its way: "it would block the way from the door"; empty:
     // nothing would, or there is no such place.
+    std::string what_hangs_above(const EditStep& step) const;
     std::string fault_at_best(const EditStep& step, const Placed* moving, const std::vector<int>& gone) const;
 
     // ---- edit_place.cc
@@ -216,6 +218,7 @@ class Editor {
 
     // ---- edit_pairs.cc
     bool pair_before(Layout& layout) const;
+    void tell_uneven_pair(const std::vector<std::string>& ids, const EditStep& step);
 
     // ---- edit_nearer.cc
     bool on_flat(Layout& layout) const;
@@ -263,7 +266,10 @@ class Editor {
     // ---- edit_exchange.cc
     void replace(const EditStep& step);
     std::vector<Placed> in_place_of(const std::vector<Placed>& all, const Standing& standing, const EditStep& step,
-                                    const Placed& old, int nth, int here) const;
+                                    const Placed& old, int nth, int here, std::optional<float> shift = {}) const;
+    // Several in the place of one, side by side there and nowhere else; none: there is no room for that.
+    std::vector<Placed> side_by_side(const Standing& standing, const EditStep& step, const Placed& old,
+                                     int count) const;
     void set_down(const std::vector<std::pair<std::string, int>>& riders, const std::vector<std::string>& onto);
 
     // ---- edit.cc

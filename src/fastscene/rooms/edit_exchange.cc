@@ -93,7 +93,10 @@ void Editor::replace(const EditStep& step) {
     if (riders.empty()) olds = shared_out(std::move(olds), count);
     const int places = static_cast<int>(olds.size());
     std::vector<int> place_of_new;
-    for (int n = 0; n < count; ++n) {
+    if (places == 1 && count > 1 && olds.front().piece.mount == Mount::floor && olds.front().on < 0)
+        if (auto there = side_by_side(standing, step, olds.front(), count); !there.empty())
+            all = std::move(there), place_of_new.assign(static_cast<std::size_t>(count), 0);
+    for (int n = static_cast<int>(place_of_new.size()); n < count; ++n) {
         const int k = n % places, here = (count - k + places - 1) / places, nth = n / places;
         const auto more = in_place_of(all, standing, step, olds[static_cast<std::size_t>(k)], nth, here);
         if (more.size() == all.size() && count == 1) {
@@ -138,11 +141,28 @@ void Editor::replace(const EditStep& step) {
         return std::find(step.ids.begin(), step.ids.end(), t.id) != step.ids.end();
     });
     set_down(riders, onto);
+    // Nobody sits at what came for a desk or a table, unless it is one.
+    const bool sat_at = has_role(step.wish.kind, Role::work_place) || has_role(step.wish.kind, Role::lamp_above);
+    if (!sat_at && !seats.empty()) take(seats);
+}
+
+std::vector<Placed> Editor::side_by_side(const Standing& standing, const EditStep& step, const Placed& old,
+                                         int count) const {
+    for (const float shift : {0.f, 0.2f, -0.2f, 0.4f, -0.4f, 0.6f, -0.6f, 0.8f, -0.8f}) {
+        std::vector<Placed> all = standing.placed;
+        for (int n = 0; n < count; ++n) {
+            std::vector<Placed> more = in_place_of(all, standing, step, old, n, count, shift);
+            if (more.size() == all.size()) break;
+            all = std::move(more);
+        }
+        if (all.size() == standing.placed.size() + static_cast<std::size_t>(count)) return all;
+    }
+    return {};
 }
 
 // One more in the place of an old one: the `nth` of `here` that share it.
 std::vector<Placed> Editor::in_place_of(const std::vector<Placed>& all, const Standing& standing, const EditStep& step,
-                                        const Placed& old, int nth, int here) const {
+                                        const Placed& old, int nth, int here, std::optional<float> shift) const {
     PromptSpec spec = room_.spec;
     PromptObject wish = step.wish;
     wish.count = 1;
@@ -171,8 +191,9 @@ std::vector<Placed> Editor::in_place_of(const std::vector<Placed>& all, const St
             place.yaw = placed(old.with).yaw;
             wide = std::max(wide, kOfTable * placed(old.with).piece.size_m.x / static_cast<float>(here));
         }
-        const float aside = (static_cast<float>(nth) - 0.5f * static_cast<float>(here - 1)) * wide;
+        const float aside = (static_cast<float>(nth) - 0.5f * static_cast<float>(here - 1)) * wide + shift.value_or(0);
         auto i = take_place(layout, request, wish, place, now(old.on), aside);
+        if (shift && !i) continue;
         const Piece piece = make_piece(request);
         for (const float reach : {0.8f, 1.6f})
             if (!i && piece.mount == Mount::floor && old.on < 0)
@@ -201,6 +222,7 @@ std::vector<Placed> Editor::in_place_of(const std::vector<Placed>& all, const St
         if (old.with >= 0 && now(old.with) >= 0) layout.join(*i, now(old.with));
         return layout.placed();
     }
+    if (shift) return all;
     EditStep anywhere = step;
     anywhere.wish = wish;
     Standing among = standing;

@@ -34,12 +34,12 @@ std::string table_meant(Talk& talk, const Words& words) {
     std::string best;
     float most = 0;
     for (const Placed& p : talk.editor.room().furnished.placed) {
-        const auto seats = std::count_if(talk.editor.room().furnished.placed.begin(),
-                                         talk.editor.room().furnished.placed.end(), [&](const Placed& s) {
-                                             return s.with >= 0 && has_role(s.piece.kind, Role::seat) &&
-                                                    talk.editor.document().things[static_cast<std::size_t>(s.with)].id ==
-                                                        p.id;
-                                         });
+        const auto seats = std::count_if(
+            talk.editor.room().furnished.placed.begin(), talk.editor.room().furnished.placed.end(),
+            [&](const Placed& s) {
+                return s.with >= 0 && has_role(s.piece.kind, Role::seat) &&
+                       talk.editor.document().things[static_cast<std::size_t>(s.with)].id == p.id;
+            });
         const float size = p.piece.size_m.x * p.piece.size_m.z + static_cast<float>(seats);
         if (has_role(p.piece.kind, Role::lamp_above) && has_role(p.piece.kind, Role::laid) && size > most)
             most = size, best = p.id;

@@ -55,19 +55,31 @@ bool Editor::hang_in_row(Layout& layout) const {
         const auto count = static_cast<float>(wish.count);
         const Vec3f across = size.z > size.x ? right_of(below.yaw) : front_of(below.yaw);
         // Beams take lamps to them: first where all of them hang evenly, at one height.
-        const auto hang = [&](float step, Vec3f aside, bool evenly) {
+        const auto hang = [&](float drop, float step, Vec3f aside, bool evenly) {
             constexpr float kEvenly = 0.02f, kTaken = 0.2f;  // metres
             Vec2f taken{};
             for (int n = 0; n < wish.count; ++n) {
                 const Vec3f middle = below.position + along * ((static_cast<float>(n) - 0.5f * (count - 1)) * step);
-                const auto k = layout.hanging(request, flat(middle + aside), wish);
+                PieceRequest one = request;
+                if (drop < 1) one.size_m = {piece.size_m.x, piece.size_m.y * drop, piece.size_m.z};
+                const std::size_t mark = layout.mark();
+                auto k = layout.hanging(one, flat(middle + aside), wish);
+                // From a beam on a shorter cord: they end at one height.
+                const float lower = k ? plan().ceiling_at(flat(middle + aside)) - layout.placed().back().position.y
+                                      : 0.f;
+                if (lower > kEvenly && request.size_m == Vec3f{}) {
+                    layout.undo(mark);
+                    one.size_m = {piece.size_m.x, piece.size_m.y * drop - lower, piece.size_m.z};
+                    k = layout.hanging(one, flat(middle + aside), wish);
+                }
                 if (!k) break;
                 layout.join(*k, i);
                 const Placed &p = layout.placed().back(), &first = layout.placed()[before];
                 const Vec2f by = flat(p.position) - flat(middle + aside);
                 if (n == 0) taken = by;
-                if (evenly && (length(by - taken) > kEvenly || length(taken) > kTaken ||
-                               std::abs(p.position.y - first.position.y) > kEvenly))
+                const float below_first = footprint_of(p).y0 - footprint_of(first).y0;
+                if (evenly &&
+                    (length(by - taken) > kEvenly || length(taken) > kTaken || std::abs(below_first) > kEvenly))
                     break;
                 if (n + 1 == wish.count) return true;
             }
@@ -79,11 +91,15 @@ bool Editor::hang_in_row(Layout& layout) const {
             if (const float step = std::max(reach * part / count, wide + 0.05f);
                 step * (count - 1) + wide <= reach + 0.4f)
                 steps.push_back(step);
+        // Higher, where something tall stands below them.
         for (const bool evenly : {true, false})
             for (const float aside : {0.f, 0.05f, -0.05f, 0.1f, -0.1f, 0.2f, -0.2f})
-                for (const float step : steps)
-                    for (const float off : {0.f, 0.08f, -0.08f, 0.15f, -0.15f})
-                        if (hang(step, along * aside + across * off, evenly)) return true;
+                for (const float drop : {1.f, 0.8f, 0.65f})
+                    for (const float step : steps)
+                        for (const float off : {0.f, 0.08f, -0.08f, 0.15f, -0.15f, 0.22f, -0.22f})
+                            if ((drop == 1 || request.size_m == Vec3f{}) &&
+                                hang(drop, step, along * aside + across * off, evenly))
+                                return true;
         // Around what hangs there already.
         int done = 0;
         for (float at = -reach / 2 - 0.1f, last = -1e9f; at <= reach / 2 + 0.1f && done < wish.count; at += 0.05f) {

@@ -57,7 +57,8 @@ bool is_below(const Footprint& box, const Footprint& window) {
     const auto axes = axes_of(window);
     const Vec2f to = box.center - window.center;
     const float off = dot(to, axes[1]) - extent(box, axes[1]), wide = extent(box, axes[0]);
-    const float along = std::min(dot(to, axes[0]) + wide, window.half.x) - std::max(dot(to, axes[0]) - wide, -window.half.x);
+    const float along = std::min(dot(to, axes[0]) + wide, window.half.x) -
+                        std::max(dot(to, axes[0]) - wide, -window.half.x);
     return off < kAtWall && along > kShare * 2 * std::min(wide, window.half.x);
 }
 
@@ -238,6 +239,11 @@ bool Editor::at_a_wall(Layout& layout, const EditStep& step, const Placed* movin
         const std::size_t before = layout.mark();
         PromptObject as_said = wish;
         layout.insist(corner ? &as_said : nullptr);
+        if (wish.count > 1 && !corner) {
+            layout.insist(nullptr);
+            if (several_at_wall(layout, wall)) return true;
+            continue;
+        }
         const auto found = layout.against_wall(request, there, wish);
         layout.insist(nullptr);
         if (!found) continue;
@@ -252,6 +258,37 @@ bool Editor::at_a_wall(Layout& layout, const EditStep& step, const Placed* movin
         layout.undo(before);
     }
     return false;
+}
+
+// Side by side on one wall, about its middle; else each where there is room at it.
+bool Editor::several_at_wall(Layout& layout, int wall) const {
+    const PromptObject& wish = layout.spec().objects[0];
+    std::vector<PieceRequest> requests;
+    std::vector<Piece> pieces;
+    for (int n = 0; n < wish.count; ++n) {
+        requests.push_back(layout.request(wish.kind, &wish));
+        pieces.push_back(make_piece(requests.back()));
+    }
+    const std::size_t before = layout.mark();
+    const float length = plan().wall(wall).length;
+    constexpr float kStep = 0.1f;  // metres
+    for (const float gap : {0.3f, 0.15f, 0.08f}) {
+        float total = -gap;
+        for (const Piece& piece : pieces) total += piece.size_m.x + gap;
+        for (int k = 0; pieces.front().mount == Mount::wall && kStep * static_cast<float>(k) < length - total; ++k) {
+            const float off = kStep * static_cast<float>((k + 1) / 2) * (k % 2 == 0 ? 1.f : -1.f);
+            float u = (length - total) / 2 + off;
+            for (const Piece& piece : pieces) {
+                if (!layout.hang_at(piece, wall, u + piece.size_m.x / 2, wish)) break;
+                u += piece.size_m.x + gap;
+            }
+            if (layout.mark() == before + pieces.size()) return true;
+            layout.undo(before);
+        }
+    }
+    for (const PieceRequest& request : requests)
+        if (!layout.against_wall(request, {.wall = wall, .center_pull = 0.4f}, wish)) return layout.undo(before), false;
+    return true;
 }
 
 // Near a point, for what stands on the floor or hangs on a wall.
@@ -301,9 +338,9 @@ std::vector<Placed> Editor::laid_out(const Standing& standing, const EditStep& s
     else {
         if (step.position) done = stand_near(layout, step) || near_a_point(layout, step);
         if (!done)
-            done = hang_above(layout, wish) || hang_in_row(layout) || pair_before(layout) || seats_in_row(layout) || on_flat(layout) ||
-                   on_top_beside(layout) || at_the_ends(layout) || in_the_middle(layout, step, moving) ||
-                   on_the_floor(layout, step) || screen_on_desk(layout);
+            done = hang_above(layout, wish) || hang_in_row(layout) || pair_before(layout) || seats_in_row(layout) ||
+                   on_flat(layout) || on_top_beside(layout) || at_the_ends(layout) ||
+                   in_the_middle(layout, step, moving) || on_the_floor(layout, step) || screen_on_desk(layout);
         if (!done && wish.relation != kAtTheEnds && !step.on_floor) place_asked(layout);
         if (layout.mark() == before || !is_where_asked(plan(), layout.placed(), layout.placed().back(), wish)) {
             layout.undo(before);

@@ -328,6 +328,13 @@ void move(Talk& talk, const Words& words) {
             before.push_back(part);
             return;
         }
+        // "The table to its center", of a rug that was spoken of
+        if (const std::size_t n = part.size(); n > 3 && part[n - 2] == "its" && noun_of(part[n - 1]) == "middle" &&
+                                               !talk.last.empty() && next_place(part) + 3 == n &&
+                                               talk.editor.placed(talk.last.front()).flat) {
+            center(talk, joined_words(part_of(part, 0, n - 3), {"on", "it"}));
+            return;
+        }
         // "The two sofas facing each other": a turn alone.
         if (const std::size_t place = next_place(part); part[place] == "facing" && before.empty())
             return face(talk, part);

@@ -1,5 +1,6 @@
 // Two seats before a fireplace or another thing: a pair, one on each side of its middle.
 #include <algorithm>
+#include <cmath>
 
 #include "fastscene/base/is_one_of.h"
 #include "fastscene/rooms/catalogue.h"
@@ -15,7 +16,8 @@ struct PairSpot {
 std::vector<PairSpot> pair_spots(const Piece& piece, bool close) {
     const float half = std::max(piece.size_m.x, piece.size_m.z) / 2;
     std::vector<PairSpot> out;
-    for (const float ahead : close ? std::vector<float>{0.6f, 0.5f} : std::vector<float>{0.95f, 0.8f, 1.1f, 1.3f, 0.65f})
+    for (const float ahead :
+         close ? std::vector<float>{0.6f, 0.5f} : std::vector<float>{0.95f, 0.8f, 1.1f, 1.3f, 0.65f})
         for (const float aside : {0.4f, 0.55f, 0.3f, 0.7f, 0.2f, 0.9f}) out.push_back({ahead + half, aside + half});
     return out;
 }
@@ -37,22 +39,42 @@ bool Editor::pair_before(Layout& layout) const {
         if (at.piece.kind != wish.relation_to && at.wish.kind != wish.relation_to) continue;
         const bool table = has_role(at.piece.kind, Role::lamp_above) || has_role(at.piece.kind, Role::work_place);
         if (table || at.flat || at.on >= 0 || (close && !has_role(at.piece.kind, Role::focus))) continue;
-        for (const PairSpot& spot : pair_spots(piece, close)) {
-            for (const float side : {1.f, -1.f}) {
-                const Vec3f to = at.position + front_of(at.yaw) * (at.piece.size_m.z / 2 + spot.ahead) +
-                                 right_of(at.yaw) * (side * spot.aside);
-                // Sofas face each other, chairs the middle of what they stand before.
-                const Vec3f ahead = has_role(wish.kind, Role::sofa) ? right_of(at.yaw) * -side : at.position - to;
-                if (!layout.stand_at(piece, flat(to), yaw_of(Vec3f{ahead.x, 0, ahead.z}), wish, {})) break;
+        // Off the middle, where it stands close to a corner.
+        for (const float off : {0.f, 0.3f, -0.3f, 0.6f, -0.6f})
+            for (const PairSpot& spot : pair_spots(piece, close)) {
+                for (const float side : {1.f, -1.f}) {
+                    const Vec3f to = at.position + front_of(at.yaw) * (at.piece.size_m.z / 2 + spot.ahead) +
+                                     right_of(at.yaw) * (side * spot.aside + off);
+                    // Sofas face each other, chairs the middle of what they stand before.
+                    const Vec3f ahead = has_role(wish.kind, Role::sofa) ? right_of(at.yaw) * -side : at.position - to;
+                    if (!layout.stand_at(piece, flat(to), yaw_of(Vec3f{ahead.x, 0, ahead.z}), wish, {})) break;
+                }
+                if (layout.mark() == before + 2) {
+                    const auto now = fault_texts(layout.placed());
+                    if (std::includes(faults.begin(), faults.end(), now.begin(), now.end())) return true;
+                }
+                layout.undo(before);
             }
-            if (layout.mark() == before + 2) {
-                const auto now = fault_texts(layout.placed());
-                if (std::includes(faults.begin(), faults.end(), now.begin(), now.end())) return true;
-            }
-            layout.undo(before);
-        }
     }
     return false;
+}
+
+// What was asked for before a thing as a pair, and stands there one by one.
+void Editor::tell_uneven_pair(const std::vector<std::string>& ids, const EditStep& step) {
+    if (ids.size() != 2 || !has_role(step.wish.kind, Role::seat)) return;
+    if (!is_one_of(step.wish.relation, {"in front of", "opposite", "facing"}) ||
+        !noun_of(step.wish.relation_to).empty())
+        return;
+    constexpr float kEvenly = 0.3f;  // metres
+    const Vec3f middle = (placed(ids[0]).position + placed(ids[1]).position) * 0.5f;
+    for (const std::string& id : things_at(*this, step)) {
+        const Placed& at = placed(id);
+        const Vec3f along = right_of(at.yaw), ahead = front_of(at.yaw);
+        const auto row = dot(placed(ids[0]).position - placed(ids[1]).position, ahead);
+        if (std::abs(dot(middle - at.position, along)) < kEvenly && std::abs(row) < kEvenly) return;
+        if (has_role(at.piece.kind, Role::lamp_above) || has_role(at.piece.kind, Role::work_place)) return;
+    }
+    tell(ids[1], "not side by side with " + ids[0] + ": there was no room for a pair before its middle");
 }
 
 }  // namespace fastscene::editing

@@ -30,6 +30,8 @@ struct Talk {
     std::vector<std::string> things(const Words& words);
     // "On the other desk", where one of two was named before: on that one, by its id.
     Words with_others(const Words& words) const;
+    // "On the other two": the words for each of them.
+    std::vector<Words> each_of_the_others(const Words& words) const;
     void mention(const std::vector<std::string>& ids);
     // The things of a place, or what a thing came to stand at there.
     void mention_place(const EditStep& place, const std::vector<std::string>& fresh = {});

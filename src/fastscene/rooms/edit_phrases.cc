@@ -13,7 +13,7 @@ struct Phrase {
     std::string_view said, means;
 };
 // Longer ones before those that they begin with.
-constexpr std::array<Phrase, 107> kPhrases{{
+constexpr std::array<Phrase, 111> kPhrases{{
     {"with the fire burning", ", light the fire"},
     {"with the fire lit", ", light the fire"},
     {"with the fire on", ", light the fire"},
@@ -40,6 +40,10 @@ constexpr std::array<Phrase, 107> kPhrases{{
     {"so that they are facing each other", "facing each other"},
     {"to face each other", "facing each other"},
     {"face to face", "facing each other"},
+    {"king size", "larger"},
+    {"king sized", "larger"},
+    {"queen size", "larger"},
+    {"queen sized", "larger"},
     {"twin beds", "two single beds"},
     {"two twin", "two single"},
     {"two two", "two"},
@@ -213,9 +217,35 @@ Words with_sides(Words words) {
 
 }  // namespace
 
+namespace {
+
+// "We only need six chairs": keep only six.
+void as_keeping(Words& words) {
+    for (std::size_t i = 0; i + 3 < words.size(); ++i) {
+        if (!is_one_of(words[i], {"we", "i"}) || words[i + 1] != "only" || !is_one_of(words[i + 2], {"need", "want"}))
+            continue;
+        const auto number = number_said(words[i + 3]);
+        if (!number || is_one_of(words[i + 3], {"a", "an"})) continue;
+        words[i] = "keep";
+        words.erase(words.begin() + static_cast<std::ptrdiff_t>(i) + 2);
+    }
+}
+
+// "A lamp next to that": next to it.
+void as_it(Words& words) {
+    for (std::size_t i = 1; i < words.size(); ++i)
+        if (words[i] == "that" && (i + 1 == words.size() || is_joint(words[i + 1])) &&
+            is_one_of(words[i - 1], {"to", "by", "beside", "on", "above", "over", "behind", "under", "below", "near",
+                                     "of", "against"}))
+            words[i] = "it";
+}
+
+}  // namespace
+
 Words in_plain_words(Words words) {
     for (const Phrase& p : kPhrases) say(words, p.said, p.means);
     if (words.empty()) return words;
+    as_keeping(words), as_it(words);
     words = with_sides(words);
     words = as_swap(as_wishes(words));
     // "How about moving the sofa and adding a lamp"

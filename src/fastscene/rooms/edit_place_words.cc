@@ -99,10 +99,10 @@ std::optional<Part> room_part(const Words& words, std::size_t at) {
             return out;
         }
         if (!wall_of && !is_definite(w) &&
-            !is_one_of(w, {"a",    "an",    "each", "every", "all",       "four",  "other",    "another",
-                           "left", "right", "far",  "near",  "back",      "front", "opposite", "one",
-                           "any",  "two",   "free", "empty", "different", "same",  "side",     "bare",
-                           "big",  "large", "hand", "of",  "bay",    "some",      "both",  "either",   "opposite"}) &&
+            !is_one_of(w, {"a",     "an",    "each",      "every", "all",    "four",     "other", "another", "left",
+                           "right", "far",   "near",      "back",  "front",  "opposite", "one",   "any",     "two",
+                           "free",  "empty", "different", "same",  "side",   "bare",     "big",   "large",   "hand",
+                           "of",    "bay",   "some",      "both",  "either", "opposite"}) &&
             !(i + 1 < words.size() && words[i + 1] == "wall" && looks_of(w)))
             return {};
         out.modifiers.push_back(w);

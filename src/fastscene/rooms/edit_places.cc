@@ -236,6 +236,7 @@ class Reader {
                 (part.says({"door"}) && o.kind != Opening::Kind::window))
                 out.step.wall = o.wall;
         if (const auto wall = wall_that_looks(editor_.plan(), part)) out.step.wall = *wall;
+        out.each_wall = !moving_ && part.says({"each", "every"});
         out.step.elsewhere = moving_ && part.is_other();
         out.step.opposite = part.says({"opposite"}) || (part.noun == "side" && part.is_other());
         return out;

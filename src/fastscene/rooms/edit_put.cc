@@ -74,17 +74,14 @@ Words instead_of(const Words& old, const Words& by) {
 std::vector<std::string> those_instead(Talk& talk, const Words& old, const Words& by) {
     const std::size_t place = next_place(by);
     if (next_place(old) < old.size() || is_one_of(old.front(), {"it", "them"})) return talk.things_of_parts(old);
-    std::vector<std::string> at, there;
-    try {
-        if (const auto where = addition_of(talk, by, talk.last).place) at = things_at(talk.editor, where->step);
-    } catch (const Error&) {  // that is told when it is added
-    }
-    if (place < by.size())
-        for (const int i : all_named(talk.editor, text_of(old)))
-            if (const DocumentThing& t = talk.editor.document().things[static_cast<std::size_t>(i)];
-                is_among(t.on, at))
-                there.push_back(t.id);
-    return there.empty() ? talk.things_of_parts(old) : talk.last = there;
+    const std::vector<int> all = all_named(talk.editor, text_of(old));
+    const std::vector<int> there = place < by.size() && all.size() > 1
+                                       ? all_named(talk.editor, text_of(joined_words(old, part_of(by, place))))
+                                       : std::vector<int>{};
+    if (there.empty() || there.size() >= all.size()) return talk.things_of_parts(old);
+    std::vector<std::string> ids;
+    for (const int i : there) ids.push_back(talk.editor.document().things[static_cast<std::size_t>(i)].id);
+    return talk.last = ids;
 }
 
 namespace {

@@ -253,6 +253,7 @@ struct Place {
     EditStep step;
     std::vector<std::vector<std::string>> each_at;  // "on both nightstands": one at each
     bool if_uncounted = false;  // … unless it was said how many: "candles to the tables", but "two candles"
+    bool each_wall = false;     // "on each wall"
     int count = 0;              // "at each end": two; 0: as many as were said
 };
 // `mover`: the id of what is to move there; empty: it comes new. `spoken`: what "it" and "them" are.

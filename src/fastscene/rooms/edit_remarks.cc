@@ -47,12 +47,37 @@ void remark(Talk& talk, const Words& words) {
         } catch (const UsageError& e) {  // a remark about nothing that stands there
             talk.last.clear(), talk.unclear = e.what();
         }
+    // "There are too many plants": all of them.
+    if (const std::size_t many = find_word(words, {"many", "much"}, 1);
+        many + 1 < words.size() && words[many - 1] == "too") {
+        const std::size_t to = next_place(words, many + 1);
+        Words all{"all"};
+        for (std::size_t i = many + 1; i < to && words[i] != "here"; ++i) all.push_back(words[i]);
+        try {
+            if (all.size() > 1) talk.things(joined_words(all, part_of(words, to)));
+        } catch (const UsageError& e) {
+            talk.unclear = e.what();
+        }
+    }
     // "I hate that bookshelf"
     if (const std::size_t felt = find_word(words, {"hate", "love", "dislike"}); felt + 1 < words.size()) try {
             talk.things_of_parts(part_of(words, felt + 1));
         } catch (const UsageError& e) {
             talk.last.clear(), talk.unclear = e.what();
         }
+    // "I never use the desk"
+    for (std::size_t i = 1; i + 1 < words.size() && talk.last.empty() && talk.lacks.empty() && talk.unclear.empty();
+         ++i) {
+        if (!is_definite(words[i]) || is_one_of(words[i], {"it", "them"})) continue;
+        std::size_t to = i + 1;
+        while (to < words.size() && next_place(words, to) != to) ++to;
+        if (all_named(talk.editor, text_of(words, i, to)).empty()) continue;
+        try {
+            talk.things(part_of(words, i, to));
+        } catch (const UsageError& e) {
+            talk.unclear = e.what();
+        }
+    }
     talk.editor.note("room", fmt::format("\"{}\" is taken as a remark: it changes nothing", text_of(words)));
 }
 
@@ -165,7 +190,9 @@ void tell_unshown(Talk& talk, const std::vector<std::string>& ids, const PromptO
 bool done_with(Talk& talk, const Clause& clause) {
     const Words& words = clause.words;
     const bool stands = clause.verb == Verb::move || clause.verb == Verb::turn || clause.verb == Verb::face ||
-                        ((clause.verb == Verb::put || clause.verb == Verb::line) && !begins_anew(words));
+                        ((clause.verb == Verb::put || clause.verb == Verb::line) && !begins_anew(words)) ||
+                        (clause.verb == Verb::want && is_definite(words.front()) &&
+                         next_place(words) < find_word(words, {"with"}, 2));
     if (!stands || !is_one_of(words.back(), {"it", "them", "each"})) return false;
     const std::size_t with = find_word(words, {"with"}, 2);
     if (with + 3 >= words.size()) return false;

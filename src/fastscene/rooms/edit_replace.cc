@@ -132,8 +132,8 @@ void replace(Talk& talk, const Words& old, const Words& by) {
     std::set<std::string> tops;
     std::vector<int> those;
     for (const std::string& id : step.ids)
-        those.push_back(talk.editor.index_of(id)), tops.insert(talk.editor.document().things[static_cast<std::size_t>(
-                                                       those.back())].on);
+        those.push_back(talk.editor.index_of(id)),
+            tops.insert(talk.editor.document().things[static_cast<std::size_t>(those.back())].on);
     if (step.wish.counted && step.wish.count < static_cast<int>(tops.size()) && !tops.contains(""))
         refuse_many(text_of(without_article(old)), talk.editor, those);
     const std::size_t told = talk.editor.result().changes.size();

@@ -232,8 +232,8 @@ void Talk::act(const Clause& whole) {
     // "I want eight people to sit at the table", "make room for eight at the table"
     if (const int guests = guests_said(words);
         guests > 0 && (clause.verb == Verb::want || clause.verb == Verb::make || clause.verb == Verb::add) &&
-        find_word(words, {"chairs", "stools", "armchairs", "benches", "table"}) >= find_word(words, {"people", "guests",
-                                                                                                    "seating", "room"}))
+        find_word(words, {"chairs", "stools", "armchairs", "benches", "table"}) >=
+            find_word(words, {"people", "guests", "seating", "room"}))
         return seat_guests(*this, words, guests);
     // "Rearrange the chairs in a circle" says how.
     if (clause.said == "rearrange" && (says_so_that(words) || next_place(words) < words.size()))

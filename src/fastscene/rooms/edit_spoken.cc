@@ -126,21 +126,26 @@ void Talk::mention_place(const EditStep& place, const std::vector<std::string>& 
     if (fresh.empty() || at.size() < 2) return mention(at);
     for (const std::string& id : fresh) {
         const Placed& p = editor.placed(id);
-        const auto off = [&](const std::string& a) { return distance_to(footprint_of(editor.placed(a)), flat(p.position)); };
+        const auto off = [&](const std::string& a) {
+            return distance_to(footprint_of(editor.placed(a)), flat(p.position));
+        };
         mention({*std::min_element(at.begin(), at.end(),
                                    [&](const std::string& a, const std::string& b) { return off(a) < off(b); })});
     }
 }
 
-Words Talk::with_others(const Words& words) const {
+std::vector<Words> Talk::each_of_the_others(const Words& words) const {
     for (std::size_t i = 0; i + 1 < words.size(); ++i) {
         if (words[i] != "the" || words[i + 1] != "other") continue;
         std::size_t end = i + 2;
         while (end < words.size() && !is_joint(words[end]) && words[end] != "with" && next_place(words, end) != end)
             ++end;
         if (end > i + 2 && !noun_of(words[end - 1]).empty()) continue;
-        // "The other", "the other one": of the kind that was named last.
-        const bool bare = end == i + 2 || is_one_of(words[end - 1], {"one", "ones"});
+        // "The other", "the other one", "the other two": of the kind that was named last.
+        const std::string& last_word = words[end - 1];
+        const bool counted = end == i + 3 && number_said(last_word) && last_word != "one";
+        const bool bare = end == i + 2 || counted || is_one_of(last_word, {"one", "ones"});
+        const bool several = counted || (end > i + 2 && last_word.ends_with("s"));
         for (auto named = mentioned.rbegin(); named != mentioned.rend(); ++named) {
             const auto& all = editor.document().things;
             if (std::none_of(all.begin(), all.end(), [&](const DocumentThing& t) { return t.id == *named; })) continue;
@@ -151,13 +156,24 @@ Words Talk::with_others(const Words& words) const {
                 ids.push_back(editor.document().things[static_cast<std::size_t>(k)].id);
             if (!is_among(*named, ids)) continue;
             std::erase_if(ids, [&](const std::string& id) { return is_among(id, mentioned); });
-            if (ids.size() != 1) break;
-            Words out = part_of(words, 0, i);
-            out.push_back(ids.front());
-            return with_others(joined_words(out, part_of(words, end)));
+            if (ids.empty() || (!several && ids.size() != 1) ||
+                (counted && static_cast<float>(ids.size()) != *number_said(last_word)))
+                break;
+            std::vector<Words> out;
+            for (const std::string& id : ids) {
+                Words one = part_of(words, 0, i);
+                one.push_back(id);
+                out.push_back(joined_words(one, part_of(words, end)));
+            }
+            return out;
         }
     }
-    return words;
+    return {words};
+}
+
+Words Talk::with_others(const Words& words) const {
+    const std::vector<Words> each = each_of_the_others(words);
+    return each.size() == 1 ? each.front() : words;
 }
 
 // "The rest", "the other ones", "the remaining chairs": of what was last spoken of by name, those that were not meant.
@@ -193,6 +209,9 @@ std::vector<std::string> Talk::all_but(const Words& words, Words others) {
         if (left >= ids.size()) throw AlreadySo(fmt::format("there are only {} of \"{}\"", ids.size(), text_of(words)));
         return {ids.begin() + static_cast<std::ptrdiff_t>(left), ids.end()};
     }
+    // "Except those on the desk": things of that kind.
+    if (others.size() > 1 && is_one_of(others.front(), {"those", "these"}))
+        others = joined_words({"all", words.back()}, part_of(others, 1));
     // "the largest one", "the one above the bed"
     if (const std::size_t one = find_word(others, {"one", "ones"}, others.size() > 1 ? 1 : 0);
         one < others.size() && !(one + 1 < others.size() && others[one + 1] == "of"))

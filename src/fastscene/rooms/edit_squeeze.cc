@@ -259,7 +259,8 @@ std::optional<Squeezed> Editor::squeezed_on_wall(Layout& layout, const EditStep&
                     return !other.flat && (overlap(box, footprint_of(other)) || (!how.narrow && hides(other, p)));
                 });
                 if (blocked || !(stands_as_asked(plan(), all, p, wish).value_or(wish.relation.empty()) ||
-                                 (how.further > 0 && stands_as_asked(plan(), near, p, wish).value_or(false))))
+                                 (how.further > 0 && wish.relation != "above" &&
+                                  stands_as_asked(plan(), near, p, wish).value_or(false))))
                     continue;
                 if (how.further == 0 && is_off_middle(all, p, wish)) continue;
                 float cost = std::abs(up);
@@ -302,6 +303,7 @@ void Editor::make_way(const Squeezed& found, const std::string& whom) {
 
 void Editor::tell_squeeze(const std::string& id, const EditStep& step, const Squeezed& found, const Squeeze& how) {
     if (how.scale < 1) tell(id, "smaller than usual: there was no more room");
+    if (how.further == 0) tell_distance(id, step);
     if (how.further > 0)
         tell(id, fmt::format("as near as there was room:{}, {:.1f} m off", place_in_words(step), found.off));
     std::vector<Placed> all = room_.furnished.placed;

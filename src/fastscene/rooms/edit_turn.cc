@@ -1,4 +1,6 @@
 // "the armchair around", "the sofa towards the tv": things turned where they stand.
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "fastscene/base/error.h"
@@ -32,7 +34,9 @@ std::optional<float> angle_said(const Words& words, std::size_t& end) {
             degrees = *number;
         else if (is_one_of(w, {"by", "to", "a"}) && i + 1 < words.size()) {
             // "by 45 degrees", "to the left", "a bit"; "by the window" is a place
-            if (!((w == "by" && !is_definite(words[i + 1])) || is_one_of(words.back(), {"left", "right", "bit", "little", "turn"}))) continue;
+            if (!((w == "by" && !is_definite(words[i + 1])) ||
+                  is_one_of(words.back(), {"left", "right", "bit", "little", "turn"})))
+                continue;
         } else continue;
         end = std::min(end, i);
         if (!degrees && (side || w.ends_with("clockwise"))) degrees = 90.f;
@@ -137,6 +141,13 @@ void face(Talk& talk, const Words& words) {
     if (text == "each other" || text == "one another") {
         if (step.ids.size() != 2)
             throw UsageError("expected two things that face each other, found {}", step.ids.size());
+        // Square to each other, and not far off: that is what people mean.
+        const Placed a = talk.editor.placed(step.ids[0]), b = talk.editor.placed(step.ids[1]);
+        const Vec3f to = b.position - a.position;
+        constexpr float kOpposite = 0.98f, kAhead = 0.85f;  // cosines
+        const bool opposite = dot(front_of(a.yaw), front_of(b.yaw)) < -kOpposite;
+        if (opposite && dot(front_of(a.yaw), Vec3f{to.x, 0, to.z}) > kAhead * length(Vec3f{to.x, 0, to.z}))
+            throw AlreadySo(fmt::format("{} and {}: they face each other already", a.id, b.id));
         for (const std::size_t k : {0u, 1u}) {
             EditStep one = step;
             one.ids = {step.ids[k]}, one.at = {step.ids[1 - k]};

@@ -8,6 +8,7 @@
 #include "fastscene/base/is_one_of.h"
 #include "fastscene/rooms/catalogue.h"
 #include "fastscene/rooms/edit_parts.h"
+#include "fastscene/rooms/layout_relations.h"
 #include "fastscene/rooms/validate.h"
 
 namespace fastscene::editing {
@@ -123,6 +124,25 @@ std::string Editor::fault_at_best(const EditStep& step, const Placed* moving, co
     return door ? "it would stand before a door" : "";
 }
 
+std::string Editor::what_hangs_above(const EditStep& step) const {
+    PromptObject above;
+    above.id = -2;  // none of those that stand there
+    above.relation = "above", above.relation_to = step.wish.relation_to;
+    std::vector<std::string> there;
+    for (const Placed& p : room_.furnished.placed)
+        if (p.piece.mount == Mount::wall && !has_role(p.piece.kind, Role::soft) &&
+            stands_as_asked(plan(), room_.furnished.placed, p, above).value_or(false))
+            there.push_back(p.id);
+    if (!there.empty())
+        return fmt::format(", and {} {} there", fmt::join(there, " and "), there.size() > 1 ? "hang" : "hangs");
+    constexpr float kAtWindow = 0.5f;  // metres
+    const std::vector<Footprint> windows = anchors_of(plan(), {}, "window");
+    for (const Footprint& a : anchors_of(plan(), room_.furnished.placed, step.wish.relation_to))
+        for (const Footprint& window : windows)
+            if (gap_between(a, window) < kAtWindow) return ", and a window is there";
+    return {};
+}
+
 // Whether it would have a place without one of the things that stand about it, or were it smaller.
 std::string Editor::what_is_missing(const EditStep& step, const Placed* moving, const std::vector<int>& gone) const {
     EditStep one = step;
@@ -134,6 +154,7 @@ std::string Editor::what_is_missing(const EditStep& step, const Placed* moving, 
     const std::string takes = hangs ? fmt::format(": it takes {:.2f} x {:.2f} m of wall", size.x, size.y)
                                     : fmt::format(": it takes {:.2f} x {:.2f} m", size.x, size.z);
     if (mount == Mount::surface) return takes;
+    if (hangs && step.wish.relation == "above") return takes + what_hangs_above(step);
     const Squeeze tightly{.narrow = true};
     const std::vector<std::string> blocking = hangs ? std::vector<std::string>{} : fewest_in_the_way(one, moving, gone);
     if (!blocking.empty())

@@ -310,6 +310,12 @@ void as_those_at(const Editor& editor, Addition& addition) {
     if (kinds.size() == 1 && wish.words.find(' ') == std::string::npos) wish.kind = *kinds.begin();
 }
 
+Place at_step(const EditStep& step) {
+    Place out;
+    out.step = step;
+    return out;
+}
+
 Addition read_addition(const Talk& talk, const Words& said, const std::vector<std::string>& spoken) {
     const Editor& editor = talk.editor;
     const Words words = hung_up(talk, counted_anew(without_whom(editor, said)));
@@ -346,7 +352,7 @@ Addition read_addition(const Talk& talk, const Words& said, const std::vector<st
     }
     const auto wishes = wishes_of(editor, words);
     if (furnishing::is_small(wishes.front().kind))
-        if (const auto step = on_support(editor, words)) return {wishes, Place{*step, {}, 0}, shape};
+        if (const auto step = on_support(editor, words)) return {wishes, at_step(*step), shape};
     return {wishes, {}, shape};
 }
 
