@@ -29,7 +29,8 @@ void add_with(Talk& talk, const std::vector<std::string>& ids, const Addition& a
         talk.editor, wishes.size() - first,
         [&](std::size_t k) {
             const PromptObject& wish = wishes[k + first];
-            const std::string relation = addition.on_it ? "on" : wish.relation;
+            // "With a chair and a lamp on it": the chair stands before it.
+            const std::string relation = addition.on_it && furnishing::is_small(wish.kind) ? "on" : wish.relation;
             if (ids.empty() ||
                 (ids.size() > 1 && !addition.each && !addition.on_it && (relation != "on" || wish.count > 1)))
                 return add_or_stand(talk, wish, {});

@@ -15,6 +15,12 @@ bool is_table(const std::string& kind) {
     return has_role(kind, Role::lamp_above) || has_role(kind, Role::work_place) || kind.ends_with("table");
 }
 
+bool is_sat_at(const std::string& kind) {
+    return has_role(kind, Role::work_place) || has_role(kind, Role::laid) ||
+           (has_role(kind, Role::lamp_above) && !has_role(kind, Role::seat) && !has_role(kind, Role::bed) &&
+            !has_role(kind, Role::small));
+}
+
 bool carries(const Placed& p) { return !p.piece.surfaces.empty() || flat_top(p.piece).has_value(); }
 
 std::string suited(const std::string& relation, const std::string& kind, const Placed& there) {
@@ -22,7 +28,9 @@ std::string suited(const std::string& relation, const std::string& kind, const P
     if (relation == "in") return "on";
     if (relation == "to" && small && carries(there)) return "on";
     // A lamp at a desk stands on it.
-    if (relation == "at" && furnishing::is_small(kind) && is_table(there.piece.kind) && carries(there)) return "on";
+    if (relation == "at" && has_role(kind, Role::light) && furnishing::is_small(kind) && is_sat_at(there.piece.kind) &&
+        carries(there))
+        return "on";
     if (has_role(kind, Role::seat) && !has_role(kind, Role::sofa) && !has_role(kind, Role::easy_chair)) {
         if (has_role(there.piece.kind, Role::laid)) return "around";
         if (has_role(there.piece.kind, Role::work_place)) return "in front of";

@@ -35,12 +35,17 @@ constexpr std::array<Carrying, 14> kCarrying{{{"that does not have", false},
 
 std::optional<std::vector<int>> at_ends_of_table(const Editor& editor, const Words& words) {
     const std::size_t ends = find_word(words, {"ends", "end", "head", "heads", "sides"}, 3);
-    if (ends + 2 >= words.size() || words[ends + 1] != "of" || !is_one_of(words[ends - 2], {"at", "on"})) return {};
+    // "The chairs at the ends": of the tables at which they stand.
+    const bool bare = ends + 1 == words.size() && is_one_of(words[ends], {"ends", "heads"});
+    if (!bare && (ends + 2 >= words.size() || words[ends + 1] != "of")) return {};
+    if (!is_one_of(words[ends - 2], {"at", "on"})) return {};
     const bool at_ends = words[ends] != "sides";
     const bool sides = is_one_of(words[ends - 1], {"long", "both"}) && !at_ends;
     if (!at_ends && !sides) return {};
     const auto& all = editor.room().furnished.placed;
-    const std::vector<int> tables = all_named(editor, text_of(words, ends + 2));
+    std::vector<int> tables = bare ? std::vector<int>{} : all_named(editor, text_of(words, ends + 2));
+    for (int i = 0; bare && i < static_cast<int>(all.size()); ++i)
+        if (is_sat_at(all[static_cast<std::size_t>(i)].piece.kind)) tables.push_back(i);
     std::vector<int> out;
     for (const int i : all_named(editor, "all " + text_of(words, is_definite(words.front()) ? 1 : 0, ends - 2))) {
         const Placed& p = all[static_cast<std::size_t>(i)];

@@ -264,9 +264,13 @@ class Editor {
                                        std::vector<Squeezed>& pushed) const;
 
     // ---- edit_exchange.cc
+    // So far along from the place of what goes, and so large; nowhere else.
+    struct Aside {
+        float by, scale;
+    };
     void replace(const EditStep& step);
     std::vector<Placed> in_place_of(const std::vector<Placed>& all, const Standing& standing, const EditStep& step,
-                                    const Placed& old, int nth, int here, std::optional<float> shift = {}) const;
+                                    const Placed& old, int nth, int here, const std::optional<Aside>& only = {}) const;
     // Several in the place of one, side by side there and nowhere else; none: there is no room for that.
     std::vector<Placed> side_by_side(const Standing& standing, const EditStep& step, const Placed& old,
                                      int count) const;

@@ -66,8 +66,10 @@ std::vector<Placed> shared_out(std::vector<Placed> olds, int count) {
 void Editor::replace(const EditStep& step) {
     std::vector<int> roots;
     std::vector<Placed> olds;
+    std::map<std::string, std::string> kind_was;
     for (const std::string& id : step.ids) {
         roots.push_back(index_of(id));
+        kind_was[id] = placed(roots.back()).piece.kind;
         olds.push_back(placed(roots.back()));
     }
     std::vector<std::pair<std::string, int>> riders;  // what stood on the old ones, and on which
@@ -142,27 +144,29 @@ void Editor::replace(const EditStep& step) {
     });
     set_down(riders, onto);
     // Nobody sits at what came for a desk or a table, unless it is one.
-    const bool sat_at = has_role(step.wish.kind, Role::work_place) || has_role(step.wish.kind, Role::lamp_above);
-    if (!sat_at && !seats.empty()) take(seats);
+    const bool sat_at = std::all_of(step.ids.begin(), step.ids.end(),
+                                    [&](const std::string& id) { return is_sat_at(kind_was.at(id)); });
+    if (sat_at && !is_sat_at(step.wish.kind) && !seats.empty()) take(seats);
 }
 
 std::vector<Placed> Editor::side_by_side(const Standing& standing, const EditStep& step, const Placed& old,
                                          int count) const {
-    for (const float shift : {0.f, 0.2f, -0.2f, 0.4f, -0.4f, 0.6f, -0.6f, 0.8f, -0.8f}) {
-        std::vector<Placed> all = standing.placed;
-        for (int n = 0; n < count; ++n) {
-            std::vector<Placed> more = in_place_of(all, standing, step, old, n, count, shift);
-            if (more.size() == all.size()) break;
-            all = std::move(more);
+    for (const float scale : {1.f, 0.85f})
+        for (const float shift : {0.f, 0.2f, -0.2f, 0.4f, -0.4f, 0.6f, -0.6f, 0.8f, -0.8f}) {
+            std::vector<Placed> all = standing.placed;
+            for (int n = 0; n < count; ++n) {
+                std::vector<Placed> more = in_place_of(all, standing, step, old, n, count, Aside{shift, scale});
+                if (more.size() == all.size()) break;
+                all = std::move(more);
+            }
+            if (all.size() == standing.placed.size() + static_cast<std::size_t>(count)) return all;
         }
-        if (all.size() == standing.placed.size() + static_cast<std::size_t>(count)) return all;
-    }
     return {};
 }
 
 // One more in the place of an old one: the `nth` of `here` that share it.
 std::vector<Placed> Editor::in_place_of(const std::vector<Placed>& all, const Standing& standing, const EditStep& step,
-                                        const Placed& old, int nth, int here, std::optional<float> shift) const {
+                                        const Placed& old, int nth, int here, const std::optional<Aside>& only) const {
     PromptSpec spec = room_.spec;
     PromptObject wish = step.wish;
     wish.count = 1;
@@ -172,6 +176,7 @@ std::vector<Placed> Editor::in_place_of(const std::vector<Placed>& all, const St
     const auto now = [&](int i) { return i < 0 ? -1 : standing.now[static_cast<std::size_t>(i)]; };
     constexpr float kLeastBed = 0.8f;
     for (const float scale : {1.f, 0.85f, 0.7f}) {
+        if (only && only->scale != scale) continue;
         if (scale < kLeastBed && (has_role(wish.kind, Role::bed) || has_role(wish.kind, Role::seat))) break;
         Layout layout = begin_layout(spec, rng, all, nullptr);
         // Twins are alike.
@@ -191,9 +196,10 @@ std::vector<Placed> Editor::in_place_of(const std::vector<Placed>& all, const St
             place.yaw = placed(old.with).yaw;
             wide = std::max(wide, kOfTable * placed(old.with).piece.size_m.x / static_cast<float>(here));
         }
-        const float aside = (static_cast<float>(nth) - 0.5f * static_cast<float>(here - 1)) * wide + shift.value_or(0);
+        const float aside = (static_cast<float>(nth) - 0.5f * static_cast<float>(here - 1)) * wide +
+                            (only ? only->by : 0.f);
         auto i = take_place(layout, request, wish, place, now(old.on), aside);
-        if (shift && !i) continue;
+        if (only && !i) continue;
         const Piece piece = make_piece(request);
         for (const float reach : {0.8f, 1.6f})
             if (!i && piece.mount == Mount::floor && old.on < 0)
@@ -222,7 +228,7 @@ std::vector<Placed> Editor::in_place_of(const std::vector<Placed>& all, const St
         if (old.with >= 0 && now(old.with) >= 0) layout.join(*i, now(old.with));
         return layout.placed();
     }
-    if (shift) return all;
+    if (only) return all;
     EditStep anywhere = step;
     anywhere.wish = wish;
     Standing among = standing;

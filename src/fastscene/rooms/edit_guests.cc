@@ -26,11 +26,11 @@ std::string table_meant(Talk& talk, const Words& words) {
             ++end;
         for (const int k : all_named(talk.editor, text_of(words, i, end)))
             if (const Placed& p = talk.editor.room().furnished.placed[static_cast<std::size_t>(k)];
-                has_role(p.piece.kind, Role::lamp_above))
+                is_sat_at(p.piece.kind))
                 return p.id;
     }
     for (const std::string& id : talk.last)
-        if (has_role(talk.editor.placed(id).piece.kind, Role::lamp_above)) return id;
+        if (is_sat_at(talk.editor.placed(id).piece.kind)) return id;
     std::string best;
     float most = 0;
     for (const Placed& p : talk.editor.room().furnished.placed) {
@@ -41,7 +41,7 @@ std::string table_meant(Talk& talk, const Words& words) {
                        talk.editor.document().things[static_cast<std::size_t>(s.with)].id == p.id;
             });
         const float size = p.piece.size_m.x * p.piece.size_m.z + static_cast<float>(seats);
-        if (has_role(p.piece.kind, Role::lamp_above) && has_role(p.piece.kind, Role::laid) && size > most)
+        if (is_sat_at(p.piece.kind) && !has_role(p.piece.kind, Role::work_place) && size > most)
             most = size, best = p.id;
     }
     if (best.empty()) throw UsageError("there is no table in the room at which people could sit");

@@ -93,10 +93,10 @@ bool Editor::hang_in_row(Layout& layout) const {
                 steps.push_back(step);
         // Higher, where something tall stands below them.
         for (const bool evenly : {true, false})
-            for (const float aside : {0.f, 0.05f, -0.05f, 0.1f, -0.1f, 0.2f, -0.2f})
-                for (const float drop : {1.f, 0.8f, 0.65f})
-                    for (const float step : steps)
-                        for (const float off : {0.f, 0.08f, -0.08f, 0.15f, -0.15f, 0.22f, -0.22f})
+            for (const float off : {0.f, 0.08f, -0.08f, 0.15f, -0.15f, 0.22f, -0.22f})
+                for (const float aside : {0.f, 0.05f, -0.05f, 0.1f, -0.1f, 0.2f, -0.2f})
+                    for (const float drop : {1.f, 0.8f, 0.65f})
+                        for (const float step : steps)
                             if ((drop == 1 || request.size_m == Vec3f{}) &&
                                 hang(drop, step, along * aside + across * off, evenly))
                                 return true;

@@ -37,18 +37,19 @@ bool is_relation_seen(const std::string& name) {
 // What edits say that no room is made of: "bigger", "swap", "every other one".
 bool is_of_edits(const Words& words, std::size_t at) {
     const std::string& w = words[at];
-    if (is_one_of(w, {"percent",     "second",      "third",    "fourth",     "fifth",    "sixth",    "last",
-                      "next",        "closest",     "nearest",  "farthest",   "furthest", "far",      "alternate",
-                      "alternately", "alternating", "circle",   "semicircle", "row",      "rows",     "whatever",
-                      "whichever",   "everything",  "anything", "something",  "other",    "others",   "rest",
-                      "remaining",   "left",        "right",    "same",       "match",    "matching", "further",
-                      "farther",     "apart",       "together", "evenly",     "instead",  "so",       "than",
-                      "except",      "only",        "just",     "again",      "around",   "out",      "up",
-                      "down",        "off",         "away",     "place",      "places",   "spot",     "direction",
-                      "way",         "side",        "sides",    "facing",     "size",     "half",     "twice",
-                      "able",        "sit",         "fit",      "seating",    "people",   "guests",   "double",
-                      "times",       "clockwise",   "degrees",  "meter",      "meters",   "cm",       "space",
-                      "gap",         "gaps",        "want",     "who",        "whose"}))
+    if (is_one_of(
+            w,
+            {"percent",   "second",     "third",    "fourth",    "fifth",     "sixth",     "last",        "next",
+             "closest",   "nearest",    "farthest", "furthest",  "far",       "alternate", "alternately", "alternating",
+             "circle",    "semicircle", "row",      "rows",      "whatever",  "whichever", "everything",  "anything",
+             "something", "other",      "others",   "rest",      "remaining", "left",      "right",       "same",
+             "match",     "matching",   "further",  "farther",   "apart",     "together",  "evenly",      "instead",
+             "so",        "than",       "except",   "only",      "just",      "again",     "around",      "out",
+             "up",        "down",       "off",      "away",      "place",     "places",    "spot",        "direction",
+             "way",       "side",       "sides",    "facing",    "size",      "half",      "twice",       "able",
+             "smallest",  "largest",    "biggest",  "tallest",   "sit",       "fit",       "seating",     "people",
+             "guests",    "double",     "times",    "clockwise", "degrees",   "meter",     "meters",      "cm",
+             "space",     "gap",        "gaps",     "want",      "who",       "whose"}))
         return true;
     if (beginning_at(words, at) || number_said(w) || !comparative_of(w).empty() || is_joint(w) || is_definite(w))
         return true;

@@ -37,7 +37,7 @@ bool Editor::pair_before(Layout& layout) const {
     for (int i = 0; i < static_cast<int>(before); ++i) {
         const Placed at = layout.placed()[static_cast<std::size_t>(i)];
         if (at.piece.kind != wish.relation_to && at.wish.kind != wish.relation_to) continue;
-        const bool table = has_role(at.piece.kind, Role::lamp_above) || has_role(at.piece.kind, Role::work_place);
+        const bool table = is_sat_at(at.piece.kind);
         if (table || at.flat || at.on >= 0 || (close && !has_role(at.piece.kind, Role::focus))) continue;
         // Off the middle, where it stands close to a corner.
         for (const float off : {0.f, 0.3f, -0.3f, 0.6f, -0.6f})
@@ -72,7 +72,7 @@ void Editor::tell_uneven_pair(const std::vector<std::string>& ids, const EditSte
         const Vec3f along = right_of(at.yaw), ahead = front_of(at.yaw);
         const auto row = dot(placed(ids[0]).position - placed(ids[1]).position, ahead);
         if (std::abs(dot(middle - at.position, along)) < kEvenly && std::abs(row) < kEvenly) return;
-        if (has_role(at.piece.kind, Role::lamp_above) || has_role(at.piece.kind, Role::work_place)) return;
+        if (is_sat_at(at.piece.kind)) return;
     }
     tell(ids[1], "not side by side with " + ids[0] + ": there was no room for a pair before its middle");
 }

@@ -25,6 +25,7 @@ struct Talk {
     std::string last_gone_from{};                // … and what carried it; "clear the table and put a bowl there"
     std::vector<std::string> kept{};             // "leave the rug as it is"
     std::vector<std::string> mentioned{};        // all that was named so far, as a thing or as a place: no "other"
+    Words too_far{}, too_near{};                 // "it is too far from the sofa": "closer" is closer to that
     std::string unclear{};                       // why nobody knows what was last spoken of
 
     std::vector<std::string> things(const Words& words);

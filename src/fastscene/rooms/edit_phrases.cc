@@ -13,7 +13,7 @@ struct Phrase {
     std::string_view said, means;
 };
 // Longer ones before those that they begin with.
-constexpr std::array<Phrase, 111> kPhrases{{
+constexpr std::array<Phrase, 114> kPhrases{{
     {"with the fire burning", ", light the fire"},
     {"with the fire lit", ", light the fire"},
     {"with the fire on", ", light the fire"},
@@ -40,6 +40,9 @@ constexpr std::array<Phrase, 111> kPhrases{{
     {"so that they are facing each other", "facing each other"},
     {"to face each other", "facing each other"},
     {"face to face", "facing each other"},
+    {"vase with flowers", "vase of flowers"},
+    {"vase with fresh flowers", "vase of flowers"},
+    {"vase of fresh flowers", "vase of flowers"},
     {"king size", "larger"},
     {"king sized", "larger"},
     {"queen size", "larger"},
@@ -231,6 +234,27 @@ void as_keeping(Words& words) {
     }
 }
 
+// "Two lamps, one on each nightstand": one lamp on each nightstand.
+void as_one_each(Words& words) {
+    for (std::size_t i = 2; i + 3 < words.size(); ++i) {
+        if (words[i] != "one" || !is_one_of(words[i - 1], {",", "and"}) || !relation_at(words, i + 1)) continue;
+        std::size_t end = i + 1;
+        while (end < words.size() && !is_joint(words[end])) ++end;
+        if (!has_word(part_of(words, i, end), {"each", "either", "both", "every"})) continue;
+        std::size_t from = i - 1;
+        while (from > 0 && is_joint(words[from])) --from;
+        while (from > 0 && !is_joint(words[from]) && !(number_said(words[from]) && *number_said(words[from]) >= 2))
+            --from;
+        const auto number = number_said(words[from]);
+        if (!number || *number < 2) continue;
+        words[from] = "one";
+        std::size_t begin = i;
+        while (is_joint(words[begin - 1])) --begin;
+        words.erase(words.begin() + static_cast<std::ptrdiff_t>(begin),
+                    words.begin() + static_cast<std::ptrdiff_t>(i) + 1);
+    }
+}
+
 // "A lamp next to that": next to it.
 void as_it(Words& words) {
     for (std::size_t i = 1; i < words.size(); ++i)
@@ -245,7 +269,7 @@ void as_it(Words& words) {
 Words in_plain_words(Words words) {
     for (const Phrase& p : kPhrases) say(words, p.said, p.means);
     if (words.empty()) return words;
-    as_keeping(words), as_it(words);
+    as_keeping(words), as_one_each(words), as_it(words);
     words = with_sides(words);
     words = as_swap(as_wishes(words));
     // "How about moving the sofa and adding a lamp"

@@ -216,6 +216,7 @@ struct Anchor {
 };
 std::string kind_of(const DocumentThing& t);  // as it was asked for
 bool is_table(const std::string& kind);
+bool is_sat_at(const std::string& kind);  // a table or a desk, and neither seat nor bed
 bool carries(const Placed& p);
 // Whether something can be so at it: "around" tables, "on" what carries.
 bool fits(const std::string& relation, const Placed& there);

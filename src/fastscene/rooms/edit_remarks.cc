@@ -47,6 +47,12 @@ void remark(Talk& talk, const Words& words) {
         } catch (const UsageError& e) {  // a remark about nothing that stands there
             talk.last.clear(), talk.unclear = e.what();
         }
+    // "It is too far from the sofa", "too close to the door"
+    if (const std::size_t too = find_word(words, {"too"}); too + 3 < words.size()) {
+        const std::size_t to = find_word(words, {"from", "to"}, too);
+        if (words[too + 1] == "far") talk.too_far = part_of(words, to + 1);
+        if (is_one_of(words[too + 1], {"close", "near"})) talk.too_near = part_of(words, to + 1);
+    }
     // "There are too many plants": all of them.
     if (const std::size_t many = find_word(words, {"many", "much"}, 1);
         many + 1 < words.size() && words[many - 1] == "too") {

@@ -11,6 +11,7 @@
 #include "fastscene/rooms/edit_audit.h"
 #include "fastscene/rooms/edit_parts.h"
 #include "fastscene/rooms/layout_parts.h"
+#include "fastscene/rooms/lexicon.h"
 #include "fastscene/rooms/plan.h"
 #include "fastscene/rooms/prompt_text.h"
 
@@ -169,7 +170,7 @@ std::size_t purpose_at(const Clause& clause) {
     const bool states = clause.verb == Verb::make || clause.verb == Verb::larger || clause.verb == Verb::smaller ||
                         clause.verb == Verb::add || clause.verb == Verb::replace || clause.verb == Verb::color ||
                         clause.verb == Verb::remove;
-    const std::size_t so = find_word(clause.words, {"so", "because"}, 2);
+    const std::size_t so = find_word(clause.words, {"so", "because"}, 1);
     return states && so + 2 < clause.words.size() ? so : clause.words.size();
 }
 
@@ -210,6 +211,10 @@ void Talk::act(const Clause& whole) {
     if (const std::size_t why = purpose_at(whole); why < whole.words.size()) {
         if (const int guests = guests_said(part_of(whole.words, why)); guests > 0) {
             const Words so = part_of(whole.words, why), rest = part_of(whole.words, 0, why);
+            const auto seats = look_up(rest.back());
+            // "Add chairs so that twelve people fit": as many as that takes.
+            if (clause.verb == Verb::add && seats && has_role(seats->meaning, Role::seat) && !number_said(rest.front()))
+                return seat_guests(*this, whole.words, guests);
             return do_each(
                 editor, 2,
                 [&](std::size_t k) {
@@ -235,6 +240,15 @@ void Talk::act(const Clause& whole) {
         find_word(words, {"chairs", "stools", "armchairs", "benches", "table"}) >=
             find_word(words, {"people", "guests", "seating", "room"}))
         return seat_guests(*this, words, guests);
+    // "It is too far from the sofa, bring it closer": to that.
+    if ((clause.verb == Verb::move || clause.verb == Verb::put) && words.size() > 1) {
+        const std::string& way = words.back();
+        if (!too_far.empty() && is_one_of(way, {"closer", "nearer"}))
+            clause.words = joined_words(joined_words(clause.words, {"to"}), too_far);
+        else if (!too_near.empty() && is_one_of(way, {"away", "further", "farther", "off"}))
+            clause.words = joined_words(joined_words(part_of(clause.words, 0, words.size() - 1), {"away", "from"}),
+                                        too_near);
+    }
     // "Rearrange the chairs in a circle" says how.
     if (clause.said == "rearrange" && (says_so_that(words) || next_place(words) < words.size()))
         clause.verb = Verb::put, clause.said = "arrange";
