@@ -71,7 +71,12 @@ void add_there(Talk& talk, const Words& words) {
         talk.editor, riders.size(),
         [&](std::size_t k) {
             Words rider = riders[k];
-            if (next_place(rider) == rider.size()) rider.insert(rider.end(), there.begin(), there.end());
+            // "With a chair and a lamp on it": the chair stands at it.
+            const PromptSpec said = read_in_room(talk.editor, text_of(rider));
+            const bool sits = !said.objects.empty() && has_role(said.objects.front().kind, Role::seat);
+            if (next_place(rider) == rider.size() && sits && there.front() == "on")
+                rider = joined_words(joined_words(rider, {"at"}), part_of(there, 1));
+            else if (next_place(rider) == rider.size()) rider.insert(rider.end(), there.begin(), there.end());
             talk.last = both;
             add(talk, rider);
         },

@@ -103,6 +103,11 @@ bool by_the_same(Talk& talk, EditStep step) {
 void stand_there(Talk& talk, EditStep& step) {
     if (talk.last_gone_from.empty() || !furnishing::is_small(step.wish.kind)) {
         if (talk.last_gone) step.position = talk.last_gone;
+        if (talk.last_gone && has_role(step.wish.kind, Role::seat)) step.yaw = talk.last_gone_yaw;
+        // "Move the shelf to the door and put a chair there": where it stood.
+        if (!talk.last_gone && !talk.last.empty()) step.position = left_by(talk, talk.last.front());
+        if (!step.position && talk.last_place.wish.relation.empty())
+            throw UsageError("where is \"there\"? nothing was moved or taken away before");
         return;
     }
     step.wish.relation = "on", step.wish.relation_to = asked_kind(talk.editor.placed(talk.last_gone_from));
@@ -332,13 +337,22 @@ void Editor::add(const EditStep& step) {
     if (add_into_row(step) || seat_more(step) || add_on_top(step)) return;
     bool smaller = false;
     std::vector<Placed> all;
+    const std::size_t stood = result_.document.things.size();
+    const auto squeezed = [&] {
+        if (!add_squeezed(step)) return false;
+        std::vector<std::string> ids;
+        for (std::size_t i = stood; i < result_.document.things.size(); ++i)
+            ids.push_back(result_.document.things[i].id);
+        tell_uneven_pair(ids, step);
+        return true;
+    };
     try {
         all = with_added(step, smaller);
         // Not where the camera stands, nor in its way.
         const std::set<std::string> before = fault_texts(room_.furnished.placed), now = fault_texts(all);
-        if (!std::includes(before.begin(), before.end(), now.begin(), now.end()) && add_squeezed(step)) return;
+        if (!std::includes(before.begin(), before.end(), now.begin(), now.end()) && squeezed()) return;
     } catch (const Error&) {
-        if (add_squeezed(step)) return;
+        if (squeezed()) return;
         throw Error("{}", why_none_added(step));
     }
     std::vector<std::string> fresh;

@@ -197,6 +197,9 @@ class Audit {
         std::size_t before = m.from;
         while (before > 0 && (is_definite(words_[before - 1]) || number_said(words_[before - 1]))) --before;
         if (is_one_of(m.from > 0 ? words_[m.from - 1] : "", {"of", "for", "like"})) return false;
+        // "One side of the island", but "two of the chairs"
+        if (before > 1 && words_[before - 1] == "of" && is_one_of(words_[before - 2], {"side", "end", "front", "back"}))
+            return false;
         return before == 0 || !is_one_of(words_[before - 1], {"off", "have", "has", "from", "as", "than", "match"});
     }
     template <class Any>

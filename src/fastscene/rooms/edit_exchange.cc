@@ -187,7 +187,8 @@ std::vector<Placed> Editor::in_place_of(const std::vector<Placed>& all, const St
         if (const Thing* thing = find_thing(request.kind);
             (old.on >= 0 || old.sill >= 0) && thing && !request.model && !thing->small_form.empty())
             request.kind = thing->small_form;
-        request = shrunk_to(request, scale);
+        const bool alike = all.size() > standing.placed.size();  // and so large as the first already
+        if (!only || !alike) request = shrunk_to(request, scale);
         Placed place = old;
         float wide = std::max(make_piece(request).size_m.x + 0.06f, old.piece.size_m.x / static_cast<float>(here));
         // Several lamps over a table hang along it.

@@ -22,6 +22,7 @@ struct Talk {
     bool its_place = false;                      // the clause ends with "in its place"
     bool more = false;                           // it says "more", "another": beside those that are there
     std::optional<Vec2f> last_gone{};            // where what was removed last stood: "there"
+    std::optional<float> last_gone_yaw{};        // … and how that was turned
     std::string last_gone_from{};                // … and what carried it; "clear the table and put a bowl there"
     std::vector<std::string> kept{};             // "leave the rug as it is"
     std::vector<std::string> mentioned{};        // all that was named so far, as a thing or as a place: no "other"

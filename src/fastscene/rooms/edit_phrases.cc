@@ -222,6 +222,22 @@ Words with_sides(Words words) {
 
 namespace {
 
+// "A reading corner with an armchair and a lamp": those in the corner.
+void as_corner(Words& words) {
+    for (std::size_t i = 1; i + 2 < words.size(); ++i) {
+        if (!is_one_of(words[i], {"corner", "nook"}) || words[i + 1] != "with") continue;
+        std::size_t from = i;
+        while (from > 0 && !is_one_of(words[from], {"a", "an"}) && i - from < 3) --from;
+        if (!is_one_of(words[from], {"a", "an"})) continue;
+        std::size_t end = i + 2;
+        while (end < words.size() && !(is_joint(words[end]) && end + 1 < words.size() && beginning_at(words, end + 1)))
+            ++end;
+        Words all = joined_words(part_of(words, 0, from), part_of(words, i + 2, end));
+        if (next_place(part_of(words, i + 2, end)) + i + 2 == end) all = joined_words(all, {"in", "the", "corner"});
+        words = joined_words(all, part_of(words, end));
+    }
+}
+
 // "We only need six chairs": keep only six.
 void as_keeping(Words& words) {
     for (std::size_t i = 0; i + 3 < words.size(); ++i) {
@@ -247,6 +263,19 @@ void as_one_each(Words& words) {
             --from;
         const auto number = number_said(words[from]);
         if (!number || *number < 2) continue;
+        std::size_t stop = i;
+        while (is_joint(words[stop - 1])) --stop;
+        const Words first = part_of(words, from, stop);
+        if (const std::size_t place = next_place(first); place < first.size()) {
+            // "Two lamps on it, one on each side": on each side of it.
+            const auto relation = relation_at(first, place);
+            if (!relation || !is_one_of(words[end - 1], {"side", "end"})) continue;
+            Words all = part_of(words, 0, from + place);
+            all = joined_words(joined_words(all, part_of(words, i + 1, end)), {"of"});
+            all = joined_words(all, part_of(first, relation->next));
+            words = joined_words(all, part_of(words, end));
+            continue;
+        }
         words[from] = "one";
         std::size_t begin = i;
         while (is_joint(words[begin - 1])) --begin;
@@ -269,7 +298,7 @@ void as_it(Words& words) {
 Words in_plain_words(Words words) {
     for (const Phrase& p : kPhrases) say(words, p.said, p.means);
     if (words.empty()) return words;
-    as_keeping(words), as_one_each(words), as_it(words);
+    as_keeping(words), as_corner(words), as_one_each(words), as_it(words);
     words = with_sides(words);
     words = as_swap(as_wishes(words));
     // "How about moving the sofa and adding a lamp"

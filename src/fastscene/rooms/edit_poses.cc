@@ -256,7 +256,16 @@ std::optional<Vec2f> Editor::target_of(const EditStep& step, int from) const {
     const auto take = [&](Vec2f there) {
         if (!best || length(there - here) < length(*best - here)) best = there;
     };
-    if (step.wish.relation_to == "room") return Vec2f{0, 0};
+    // Square off the wall behind it.
+    if (step.wish.relation_to == "room") {
+        constexpr float kFar = 100;  // metres
+        Vec2f ahead{};
+        float most = -1;
+        for (int w = 0; w < 4; ++w)
+            if (const Vec2f inward = flat(plan().wall(w).inward); dot(here * -1.f, inward) > most)
+                most = dot(here * -1.f, inward), ahead = inward;
+        return here + ahead * kFar;
+    }
     if (step.wall >= 0) {
         const WallFace face = plan().wall(step.wall);
         return here - flat(face.inward) * dot(here - flat(face.origin), flat(face.inward));

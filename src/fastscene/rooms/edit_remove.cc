@@ -25,7 +25,7 @@ std::vector<std::string> riders_of(const Editor& editor, const std::vector<std::
 void remove_all(Talk& talk, const std::vector<std::string>& ids) {
     if (!ids.empty()) {
         const Placed& first = talk.editor.placed(ids.front());
-        talk.last_gone = flat(first.position);
+        talk.last_gone = flat(first.position), talk.last_gone_yaw = first.yaw;
         talk.last_gone_from = first.on < 0 ? ""
                                            : talk.editor.room().furnished.placed[static_cast<std::size_t>(first.on)].id;
         if (std::find(ids.begin(), ids.end(), talk.last_gone_from) != ids.end()) talk.last_gone_from.clear();

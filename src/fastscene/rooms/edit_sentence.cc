@@ -40,6 +40,9 @@ Words lowered(const Clause& clause) {
     Words bare = out;
     const bool by_length = take_length(bare).has_value();  // "by 20 cm"
     if (by_length && !bare.empty() && bare.back() == "by") bare.pop_back();
+    // "Raise it a bit"
+    const std::size_t n = bare.size();
+    if (n > 2 && bare[n - 2] == "a" && is_one_of(bare[n - 1], {"bit", "little"})) bare.resize(n - 2);
     if (is_one_of(clause.said, {"lower", "raise", "lift"}) && next_place(bare) == bare.size())
         out.push_back(clause.said == "lower" ? "down" : "up");
     return out;
@@ -240,6 +243,10 @@ void Talk::act(const Clause& whole) {
         find_word(words, {"chairs", "stools", "armchairs", "benches", "table"}) >=
             find_word(words, {"people", "guests", "seating", "room"}))
         return seat_guests(*this, words, guests);
+    // "A basket on top": of what was spoken of.
+    if (const std::size_t n = words.size(); n > 2 && words[n - 2] == "on" && words[n - 1] == "top" && !last.empty() &&
+                                            find_word(words, {"with"}, 1) == n && begins_anew(words))
+        clause.words.back() = "it";
     // "It is too far from the sofa, bring it closer": to that.
     if ((clause.verb == Verb::move || clause.verb == Verb::put) && words.size() > 1) {
         const std::string& way = words.back();

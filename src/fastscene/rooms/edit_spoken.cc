@@ -173,7 +173,16 @@ std::vector<Words> Talk::each_of_the_others(const Words& words) const {
 
 Words Talk::with_others(const Words& words) const {
     const std::vector<Words> each = each_of_the_others(words);
-    return each.size() == 1 ? each.front() : words;
+    Words out = each.size() == 1 ? each.front() : words;
+    // "On the left nightstand, and books on the right one": nightstand.
+    for (std::size_t i = 2; i < out.size() && !mentioned.empty(); ++i) {
+        if (out[i] != "one" || out[i - 2] != "the" ||
+            !is_one_of(out[i - 1], {"left", "right", "first", "second", "third", "last", "larger", "smaller"}))
+            continue;
+        const Words called = tokens_of(in_words(asked_kind(editor.placed(mentioned.back()))));
+        out = joined_words(joined_words(part_of(out, 0, i), called), part_of(out, i + 1));
+    }
+    return out;
 }
 
 // "The rest", "the other ones", "the remaining chairs": of what was last spoken of by name, those that were not meant.

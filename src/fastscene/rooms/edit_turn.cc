@@ -148,12 +148,22 @@ void face(Talk& talk, const Words& words) {
         const bool opposite = dot(front_of(a.yaw), front_of(b.yaw)) < -kOpposite;
         if (opposite && dot(front_of(a.yaw), Vec3f{to.x, 0, to.z}) > kAhead * length(Vec3f{to.x, 0, to.z}))
             throw AlreadySo(fmt::format("{} and {}: they face each other already", a.id, b.id));
-        for (const std::size_t k : {0u, 1u}) {
-            EditStep one = step;
-            one.ids = {step.ids[k]}, one.at = {step.ids[1 - k]};
-            one.wish.relation_to = talk.editor.placed(step.ids[1 - k]).piece.kind;
-            talk.editor.apply(one);
-        }
+        talk.editor.together([&] {
+            for (const std::size_t k : {0u, 1u}) {
+                EditStep one = step;
+                one.ids = {step.ids[k]}, one.at = {step.ids[1 - k]};
+                one.wish.relation_to = talk.editor.placed(step.ids[1 - k]).piece.kind;
+                try {
+                    talk.editor.apply(one);
+                } catch (const AlreadySo&) {
+                    if (k == 0) continue;
+                    throw;
+                }
+            }
+            constexpr float kTurnedTo = -0.4f;  // cosine
+            if (dot(front_of(talk.editor.placed(a.id).yaw), front_of(talk.editor.placed(b.id).yaw)) > kTurnedTo)
+                throw Error("{} and {}: there is no room to turn them to each other", a.id, b.id);
+        });
         return;
     }
     // "The garden", "the view" are before the window.

@@ -307,7 +307,23 @@ void as_those_at(const Editor& editor, Addition& addition) {
         if (p.with >= 0 && p.piece.kind.ends_with(noun) &&
             is_among(editor.room().furnished.placed[static_cast<std::size_t>(p.with)].id, anchors))
             kinds.insert(p.piece.kind);
-    if (kinds.size() == 1 && wish.words.find(' ') == std::string::npos) wish.kind = *kinds.begin();
+    if (wish.words.find(' ') != std::string::npos) return;
+    if (kinds.size() == 1) wish.kind = *kinds.begin();
+    // Nobody sits at a bar on a low stool.
+    constexpr float kBar = 0.85f, kLow = 0.55f;  // metres
+    const bool high = !anchors.empty() && std::all_of(anchors.begin(), anchors.end(), [&](const std::string& id) {
+        const Placed& p = editor.placed(id);
+        return !p.piece.surfaces.empty() && p.piece.surfaces.front().center.y > kBar;
+    });
+    if (!kinds.empty() || !high || editor.usual_size(wish).y > kLow) return;
+    for (const std::string& kind : kinds_with(Role::sits_before)) {
+        PromptObject other = wish;
+        other.kind = kind;
+        if (kind.ends_with(noun) && editor.usual_size(other).y > kLow) {
+            wish.kind = kind;
+            return;
+        }
+    }
 }
 
 Place at_step(const EditStep& step) {
