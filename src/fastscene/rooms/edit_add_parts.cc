@@ -128,9 +128,36 @@ bool stands_already(const Talk& talk, const Words& words) {
            place < words.size() && !all_named(talk.editor, text_of(words, 0, place)).empty();
 }
 
+namespace {
+
+// Those that share a corner stand in one.
+void add_in_one_corner(Talk& talk, const PromptObject& wish, const std::optional<Place>& place,
+                       const std::vector<std::string>& together) {
+    if (!place || place->step.wish.relation != "in the corner" || together.empty())
+        return add_or_stand(talk, wish, place);
+    constexpr float kOneCorner = 1.7f;  // metres
+    const std::vector<std::string> before = talk.last;
+    try {
+        talk.editor.together([&] {
+            add_or_stand(talk, wish, place);
+            const Vec3f d = talk.editor.placed(talk.last.back()).position -
+                            talk.editor.placed(together.front()).position;
+            if (length(flat(d)) > kOneCorner) throw Error("{}: it is in another corner", talk.last.back());
+        });
+    } catch (const UsageError&) {
+        throw;
+    } catch (const Error&) {
+        talk.last = before;
+        throw;
+    }
+}
+
+}  // namespace
+
 void add_parts(Talk& talk, const std::vector<Words>& parts, const Words& words) {
     std::vector<std::optional<Addition>> all(parts.size());
-    std::vector<bool> later(parts.size());  // at what comes before it in these words
+    std::vector<bool> failed(parts.size());  // nobody knows what that is
+    std::vector<bool> later(parts.size());   // at what comes before it in these words
     const std::vector<std::string> spoken_before = std::exchange(talk.last, {});
     std::vector<std::string> together;  // those that share the place of the next one
     // "A rug, a chair in the corner and a lamp": the corner is the chair's alone; "a chair and a lamp in the corner".
@@ -140,6 +167,13 @@ void add_parts(Talk& talk, const std::vector<Words>& parts, const Words& words) 
                text.find(text_of(parts[next - 1]) + " and " + text_of(parts[next])) != std::string::npos;
     };
     const auto add_part = [&](std::size_t k) {
+        // "A screen and a harp on the desk": the screen comes there, whatever becomes of the harp.
+        if (!all[k]->place && k + 1 < parts.size() && failed[k + 1] && shares(k, k + 1))
+            if (const std::size_t place = next_place(parts[k + 1]); place < parts[k + 1].size()) {
+                const std::vector<std::string> last = std::exchange(talk.last, spoken_before);
+                all[k] = at_what_is_meant(talk, joined_words(parts[k], part_of(parts[k + 1], place)));
+                talk.last = last;
+            }
         const auto own = all[k]->place;
         std::optional<Place> shared;
         for (std::size_t next = k; next < all.size() && !shared; ++next)
@@ -163,7 +197,7 @@ void add_parts(Talk& talk, const std::vector<Words>& parts, const Words& words) 
                 const bool flat_row = all[k]->in_row && first.count > 1 && talk.editor.usual_size(first).y < kFlat &&
                                       mount_of(talk.editor, first.kind) == Mount::floor;
                 if (all[k]->in_row && !shared && first.count > 1 && !flat_row) add_row(talk, first);
-                else add_or_stand(talk, first, shared);
+                else add_in_one_corner(talk, first, shared, together);
                 if (flat_row) {
                     EditStep row;
                     row.kind = EditStep::Kind::rows;
@@ -212,6 +246,7 @@ void add_parts(Talk& talk, const std::vector<Words>& parts, const Words& words) 
                 } catch (const Error&) {
                     talk.last = none;
                     later[k] = is_at_one_before(parts, k);
+                    failed[k] = !later[k];
                     if (!later[k]) throw;
                 }
                 talk.last = none;

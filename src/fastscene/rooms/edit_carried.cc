@@ -6,6 +6,7 @@
 #include "fastscene/base/error.h"
 #include "fastscene/base/is_one_of.h"
 #include "fastscene/rooms/edit_parts.h"
+#include "fastscene/rooms/layout_relations.h"
 #include "fastscene/rooms/prompt_text.h"
 
 namespace fastscene::editing {
@@ -57,6 +58,38 @@ std::optional<std::vector<int>> at_ends_of_table(const Editor& editor, const Wor
         const float z = std::abs(dot(d, front_of(t.yaw))) - t.piece.size_m.z / 2;
         if ((wide ? x > z : z > x) == at_ends) out.push_back(i);
     }
+    if (out.empty()) throw UsageError("nothing is there, found \"{}\"", text_of(words));
+    return out;
+}
+
+std::optional<std::vector<int>> on_side_of_table(const Editor& editor, const Words& words) {
+    const std::size_t side = find_word(words, {"side"}, 3);
+    if (side + 2 >= words.size() || words[side + 1] != "of" || !is_one_of(words[side - 1], {"window", "door"}))
+        return {};
+    std::size_t at = side - 1;
+    while (at > 1 && !is_one_of(words[at], {"on", "at"})) --at;
+    const auto& all = editor.room().furnished.placed;
+    const std::vector<int> tables = all_named(editor, text_of(words, side + 2));
+    std::vector<int> out;
+    for (const int i : all_named(editor, "all " + text_of(words, is_definite(words.front()) ? 1 : 0, at)))
+        for (const int t : tables) {
+            const Placed &p = all[static_cast<std::size_t>(i)], &table = all[static_cast<std::size_t>(t)];
+            if (p.with != t) continue;
+            // The side towards the nearest of them.
+            const Footprint box = footprint_of(table);
+            float least = 1e9f;
+            Vec2f out_of{};
+            for (const Opening& o : editor.plan().openings) {
+                if (!is_opening_of(o, words[side - 1])) continue;
+                const WallFace face = editor.plan().wall(o.wall);
+                const Vec2f to = flat(face.point((o.u0 + o.u1) / 2, 0));
+                if (const float far = length(to - box.center); far < least)
+                    least = far, out_of = flat(face.inward) * -1.f;
+            }
+            constexpr float kBeyond = 0.8f;  // of the table's half
+            if (least < 1e8f && dot(flat(p.position) - box.center, out_of) > kBeyond * extent(box, out_of))
+                out.push_back(i);
+        }
     if (out.empty()) throw UsageError("nothing is there, found \"{}\"", text_of(words));
     return out;
 }

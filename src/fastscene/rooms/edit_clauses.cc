@@ -67,7 +67,8 @@ std::optional<std::size_t> remark_ends(const Words& words, std::size_t at) {
     next = next < words.size() ? past_polite(words, next) : next;
     if (!states || next >= words.size() || !beginning_at(words, next)) return {};
     // "The tv is too small, and put …": to be mended, where nothing that follows is about it.
-    if (find_word(words, {"too"}, at) < end &&
+    const std::size_t too = find_word(words, {"too"}, at);
+    if (too < end && (too + 1 >= end || is_complaint(words[too + 1])) &&
         find_word(words, {"it", "its", "them", "they", "one", "ones"}, next) == words.size())
         return {};
     return end;
@@ -271,6 +272,17 @@ bool takes_the_rest(Clause& clause, const Clause& next) {
     return true;
 }
 
+// "Take away two chairs and put a bench in their place": a bench for two chairs.
+bool comes_in_place(Clause& clause, const Clause& next) {
+    if (clause.verb != Verb::remove || !next.its_place || (next.verb != Verb::put && next.verb != Verb::add))
+        return false;
+    if (!begins_anew(next.words) || next_place(next.words) < next.words.size() || clause.taken_back) return false;
+    if (has_word(clause.words, {"with", "and", ",", "except", "everything"}) || clause.words.empty()) return false;
+    clause.verb = Verb::replace, clause.said = "replace";
+    clause.words = joined_words(joined_words(clause.words, {"with"}), next.words);
+    return true;
+}
+
 // "Two chairs, no, three": one clause.
 void amend(std::vector<Clause>& clauses) {
     for (std::size_t i = 1; i < clauses.size();)
@@ -392,7 +404,7 @@ std::vector<Clause> clauses_of(const std::string& sentence) {
     }
     if (out.empty()) throw UsageError("expected what to change, found an empty sentence");
     for (std::size_t i = 0; i + 1 < out.size();)
-        if (leaves_some(out[i], out[i + 1]) || takes_the_rest(out[i], out[i + 1]))
+        if (leaves_some(out[i], out[i + 1]) || takes_the_rest(out[i], out[i + 1]) || comes_in_place(out[i], out[i + 1]))
             out.erase(out.begin() + static_cast<std::ptrdiff_t>(i) + 1);
         else disliked(out[i], out[i + 1]), ++i;
     amend(out);

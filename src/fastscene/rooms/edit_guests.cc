@@ -76,6 +76,9 @@ int guests_said(const Words& words) {
         if (sit && people) return static_cast<int>(*number);
     }
     const std::size_t n = words.size();
+    // "The table seat six"
+    if (n > 2 && is_one_of(words[n - 2], {"seat", "seats", "fit", "fits", "sit"}))
+        if (const auto number = number_said(words[n - 1]); number && *number >= 2) return static_cast<int>(*number);
     const std::size_t last = n > 0 && is_people(words[n - 1]) ? n - 1 : n;
     if (last < 2 || words[last - 2] != "for") return 0;
     const auto number = number_said(words[last - 1]);

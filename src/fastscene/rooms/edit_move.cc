@@ -114,6 +114,24 @@ bool put_at(Talk& talk, const std::vector<std::string>& ids, const Words& said,
         });
         return true;
     }
+    // "Both mirrors on the same wall": that of the first.
+    if (const std::size_t same = find_word(words, {"same"});
+        ids.size() > 1 && same + 1 < words.size() && noun_of(words[same + 1]) == "wall") {
+        const Placed& first = talk.editor.placed(ids.front());
+        EditStep step;
+        step.kind = EditStep::Kind::place;
+        step.wall = wall_behind(talk.editor.plan(), first);
+        step.wish.relation = first.piece.mount == Mount::wall ? "on" : "against", step.wish.relation_to = "wall";
+        if (first.piece.mount != Mount::wall) step.wish.relation_to.clear();
+        std::vector<std::string> others;
+        for (const std::string& id : ids)
+            if (wall_behind(talk.editor.plan(), talk.editor.placed(id)) != step.wall) others.push_back(id);
+        if (step.wall < 0) throw UsageError("which wall? {} stands at none", ids.front());
+        if (others.empty()) throw AlreadySo(fmt::format("{}: they are on one wall already", ids.front()));
+        step.ids = others;
+        talk.editor.apply(step);
+        return true;
+    }
     std::string why_not;
     // "closer to it"
     Words way = words;

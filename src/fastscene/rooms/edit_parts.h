@@ -20,6 +20,7 @@ struct Talk {
     int wall = -1;                               // the wall last spoken of, "it" as well
     bool there = false;                          // the clause ends with "there"
     bool its_place = false;                      // the clause ends with "in its place"
+    bool more_came = false;                      // the clause before it said "more"
     bool more = false;                           // it says "more", "another": beside those that are there
     std::optional<Vec2f> last_gone{};            // where what was removed last stood: "there"
     std::optional<float> last_gone_yaw{};        // … and how that was turned
@@ -171,6 +172,7 @@ void recolor(Talk& talk, const std::string& surface, const Value& value);  // wa
 bool swap_colors(Talk& talk, const Words& words);  // "the colors of the sofa and the rug"; false: no such words
 // ---- edit_want.cc: "I want a plant", "the sofa should be green", "it is too dark"
 void want(Talk& talk, const Words& words);
+bool is_complaint(const std::string& word);  // of what is too much so: "big", "dark"
 // "a wooden floor", "blue walls": how surfaces are to look; false: the words are about none.
 bool paint_wanted(Talk& talk, const Words& words);
 // ---- edit_light.cc

@@ -127,6 +127,8 @@ std::optional<std::vector<int>> in_rows(const Editor& editor, const Words& words
 
 // "The chairs at the ends of the table"; nothing: no such words.
 std::optional<std::vector<int>> at_ends_of_table(const Editor& editor, const Words& words);
+// "The chairs on the window side of the table"; nothing: no such words.
+std::optional<std::vector<int>> on_side_of_table(const Editor& editor, const Words& words);
 
 // "The tables that don't have a candle", "the shelf with books": by what stands on them; nothing: no such words.
 std::optional<std::vector<int>> by_what_they_carry(const Editor& editor, const Words& words);

@@ -53,6 +53,8 @@ bool made_taller(Talk& talk, const Clause& clause) {
     Words bare = clause.words;
     const bool by_length = take_length(bare).has_value();
     if (by_length && !bare.empty() && bare.back() == "by") bare.pop_back();
+    const std::size_t n = bare.size();
+    if (n > 2 && bare[n - 2] == "a" && is_one_of(bare[n - 1], {"bit", "little"})) bare.resize(n - 2);
     if (!is_one_of(clause.said, {"lower", "raise", "lift"}) || bare.empty() || next_place(bare) < bare.size())
         return false;
     const std::vector<std::string> ids = talk.things_of_parts(bare);
@@ -263,7 +265,9 @@ void Talk::act(const Clause& whole) {
     if (clause.verb == Verb::tidy) return tidy(*this, clause);
     if (clause.verb == Verb::remark) return remark(*this, clause.words);
     there = clause.there, its_place = clause.its_place, said = clause.said;
+    if (!has_word(words, {"all"})) more_came = false;
     more = find_word(words, {"more", "another", "additional", "extra"}) < words.size();
+    more_came = more_came || more;
     if (words.empty())
         throw UsageError("expected what to change after \"{}\", found the end of the sentence", clause.said);
     const std::size_t end = next_place(words), instead = find_word(words, {"instead"}, 1);

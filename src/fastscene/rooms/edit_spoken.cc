@@ -40,8 +40,11 @@ std::vector<std::string> Talk::meant(const Words& said_words) {
     if (words.size() > 1 && words.size() < 4 && find_word(words, {"them", "it", "those", "these"}) < words.size() &&
         std::all_of(words.begin(), words.end(), [](const std::string& w) {
             return is_one_of(w, {"them", "it", "those", "these", "all", "both", "of", "each"});
-        }))
-        words = {"them"};
+        })) {
+        // "Two more stools … make them all black": those that stood there as well.
+        const bool all = has_word(words, {"all"}) && more_came && !noun.empty();
+        words = all ? Words{"all", noun + "s"} : Words{"them"};
+    }
     if (words.size() == 1 && is_one_of(words.front(), {"it", "them", "they", "that", "those", "these"})) {
         if (last.empty() && !unclear.empty()) throw UsageError("{}", unclear);
         if (last.empty()) throw UsageError("what is \"{}\"? nothing was named before", words.front());

@@ -24,12 +24,23 @@ constexpr std::array<Complaint, 22> kComplaints{{
     {"gloomy", "brighter", "darker"},
 }};
 
+bool is_vague(const std::string& word) { return is_one_of(word, {"close", "near", "far", "much", "a", "so"}); }
+
 bool hangs(Talk& talk, const Words& subject) {
     for (const std::string& id : talk.things(subject))
         if (talk.editor.placed(id).piece.mount != Mount::wall && talk.editor.placed(id).piece.mount != Mount::ceiling)
             return false;
     return true;
 }
+
+}  // namespace
+
+bool is_complaint(const std::string& word) {
+    return is_vague(word) ||
+           std::any_of(kComplaints.begin(), kComplaints.end(), [&](const Complaint& c) { return c.is == word; });
+}
+
+namespace {
 
 // "it is too dark", "the sofa is too big for the room", "the desk is not wide enough", "the bed is too close to the
 // door"; false: the words are no such thing.
@@ -173,6 +184,27 @@ void want(Talk& talk, const Words& words) {
     if (!lamps_said(words).empty()) return make(talk, words);
     const bool of_those = is_definite(words.front()) || is_one_of(words.front(), {"all", "both", "every", "each"});
     if (is_one_of(words.front(), {"can", "could", "may"})) return want(talk, part_of(words, 1));
+    // "Darker curtains and a bigger rug", where there are such: those are made so.
+    if (const std::vector<Words> parts = parts_of(words); talk.said != "want" && !of_those) {
+        const auto made = [&](const Words& part) {
+            const std::size_t at = part.size() > 2 && is_one_of(part.front(), {"a", "an"}) ? 1 : 0;
+            const bool comparative = part.size() == at + 2 && (part[at].ends_with("er") || part[at] == "more");
+            if (!comparative || !value_of({part[at]}) || !noun_of(part.back()).empty()) return Words{};
+            const std::size_t there = all_named(talk.editor, "all " + part.back()).size();
+            if (there == 0 || (there > 1 && !part.back().ends_with("s"))) return Words{};
+            return Words{"the", part.back(), part[at]};
+        };
+        if (parts.size() > 1 &&
+            std::any_of(parts.begin(), parts.end(), [&](const Words& p) { return !made(p).empty(); }))
+            return do_each(
+                talk.editor, parts.size(),
+                [&](std::size_t k) {
+                    if (const Words so = made(parts[k]); !so.empty()) make(talk, so);
+                    else want(talk, parts[k]);
+                },
+                [&](std::size_t k) { return text_of(parts[k]); });
+        if (parts.size() == 1 && !made(words).empty()) return make(talk, made(words));
+    }
     // "I need a bigger desk", where there is one: that is made larger.
     if (words.size() > 2 && is_one_of(words.front(), {"a", "an"}) && talk.said != "want" &&
         parts_of(words).front().size() > 2 && next_place(words) >= parts_of(words).front().size()) {

@@ -310,6 +310,7 @@ std::vector<int> all_named(const Editor& editor, const std::string& words) {
     if (const auto near = by_distance(editor, tokens_of(words))) return *near;
     if (const auto rows = in_rows(editor, tokens_of(words))) return *rows;
     if (const auto ends = at_ends_of_table(editor, tokens_of(words))) return *ends;
+    if (const auto side = on_side_of_table(editor, tokens_of(words))) return *side;
     if (const auto those = by_what_they_carry(editor, tokens_of(words))) return *those;
     return meaning_of(editor, words).found;
 }
@@ -323,6 +324,7 @@ std::vector<std::string> named(const Editor& editor, const std::string& words) {
     auto near = by_distance(editor, tokens);
     if (!near) near = in_rows(editor, tokens);
     if (!near) near = at_ends_of_table(editor, tokens);
+    if (!near) near = on_side_of_table(editor, tokens);
     if (const auto those = near ? std::nullopt : by_what_they_carry(editor, tokens)) {
         const bool one = !tokens[next_place(tokens) - 1].ends_with("s") && !has_word(tokens, {"all", "every", "each"});
         if (one && those->size() > 1) refuse_many(words, editor, *those);
