@@ -38,6 +38,7 @@ struct EditStep {
     PromptObject wish{};  // what to add; of a move the place, of a recoloring the looks
     // Of a place: the very things that relation_to and relation_and mean; none: any of that kind.
     std::vector<std::string> at{}, at_and{};
+    bool slightly = false;            // of a turn to something: some degrees that way
     int wall = -1;                    // … at this wall; of a recoloring, that wall alone
     bool elsewhere = false;           // … not where it is now: another wall, another corner
     bool opposite = false;            // … but at the wall that faces it

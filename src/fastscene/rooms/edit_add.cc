@@ -196,16 +196,20 @@ void add(Talk& talk, const Words& words) {
                 [&](std::size_t i) { return text_of(parts[i]); });
             return;
         }
-        for (const bool first : {true, false}) {
-            Words some;
-            for (std::size_t i = first ? 0 : k; i < (first ? k : parts.size()); ++i) {
-                if (!some.empty()) some.push_back("and");
-                some.insert(some.end(), parts[i].begin(), parts[i].end());
-            }
-            // Of a rug and a chair "it" is the chair.
-            if (!first && parts[k].back() == "it" && talk.last.size() > 1 && k > 1) talk.last = {talk.last.back()};
-            add(talk, some);
-        }
+        do_each(
+            talk.editor, 2,
+            [&](std::size_t n) {
+                const bool first = n == 0;
+                Words some;
+                for (std::size_t i = first ? 0 : k; i < (first ? k : parts.size()); ++i) {
+                    if (!some.empty()) some.push_back("and");
+                    some.insert(some.end(), parts[i].begin(), parts[i].end());
+                }
+                // Of a rug and a chair "it" is the chair.
+                if (!first && parts[k].back() == "it" && talk.last.size() > 1 && k > 1) talk.last = {talk.last.back()};
+                add(talk, some);
+            },
+            [&](std::size_t n) { return n == 0 ? text_of(parts.front()) : text_of(parts[k]); });
         return;
     }
     if (parts.empty()) throw UsageError("expected a thing to add, found the end of the sentence");

@@ -60,6 +60,11 @@ Addition at_what_is_meant(Talk& talk, const Words& words) {
     // "Three stools before the counter, and a lamp over it": over the counter, the stools are "them".
     if (words.back() == "it" && talk.last.size() > 1)
         if (const auto other = things_at(talk.editor, talk.last_place); other.size() == 1) talk.last = other;
+    // "Turn the armchair to the bed and put a table between them": between those two.
+    if (const std::size_t n = words.size();
+        n > 2 && words[n - 2] == "between" && words[n - 1] == "them" && talk.last.size() == 1)
+        for (auto other = talk.mentioned.rbegin(); other != talk.mentioned.rend() && talk.last.size() < 2; ++other)
+            if (!is_among(*other, talk.last)) talk.last.push_back(*other);
     // "Paint that wall black and put a picture on it"
     if (const std::size_t n = words.size();
         n > 2 && words.back() == "it" && words[n - 2] == "on" && talk.last.empty() && talk.wall >= 0) {

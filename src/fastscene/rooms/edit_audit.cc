@@ -336,6 +336,7 @@ class Audit {
         if (is_one_of(relation, {"in the corner", "in the middle", "against"}) && at.empty())
             return holds_in_room(talk_.editor.plan(), s, relation);
         if (at.empty() || is_one_of(relation, {"from", "far wall"})) return true;
+        if (relation == "between" && at.size() < 2) return true;
         if (relation == "between") return is_between_those(s, at, at);
         // A lamp on a desk by the window is by the window.
         if (const Shown* under = after_.find(s.thing.on);
@@ -346,6 +347,8 @@ class Audit {
         });
     }
     void check_places() {
+        if ((clause_.verb == Verb::turn || clause_.verb == Verb::face) && says_any({"slightly", "bit", "little"}))
+            return;
         for (std::size_t k = 0; k < mentions_.size(); ++k) {
             const Mention& m = mentions_[k];
             if (m.kind != Mention::Kind::relation || is_denied(m)) continue;
@@ -369,6 +372,20 @@ class Audit {
                 const bool there = holds(*s, m.meaning, at) || (was && holds(*was, m.meaning, at, kWhich));
                 any = any || there;
                 if (!there) off.push_back(s);
+            }
+            // What shares a corner stands by what is in it.
+            if (m.meaning == "in the corner" && off.size() < subjects.size()) {
+                constexpr float kBy = 0.8f;  // metres
+                const auto is_by = [&](const Shown* s) {
+                    return std::any_of(subjects.begin(), subjects.end(), [&](const Shown* other) {
+                        return other != s && std::find(off.begin(), off.end(), other) == off.end() &&
+                               apart(*s, landmark_of(*other)) < kBy;
+                    });
+                };
+                std::vector<const Shown*> far;
+                std::copy_if(off.begin(), off.end(), std::back_inserter(far),
+                             [&](const Shown* s) { return !is_by(s); });
+                off = far;
             }
             // "A table with two chairs in the corner": some of them.
             if (any && find_word(words_, {"with"}, begin_of_part(m.from)) < m.from) continue;

@@ -309,7 +309,8 @@ Words as_move(const Talk& talk, Words part) {
         if (part[with] != "with" || !last || !is_definite(part[with + 1])) continue;
         const auto noun = look_up(part[with + 2]);
         if (!noun || noun->kind != WordKind::object || !has_role(noun->meaning, Role::seat)) continue;
-        part.erase(part.begin() + static_cast<std::ptrdiff_t>(with), part.begin() + static_cast<std::ptrdiff_t>(end));
+        const std::size_t from = is_one_of(part[with - 1], {"together", "along"}) ? with - 1 : with;
+        part.erase(part.begin() + static_cast<std::ptrdiff_t>(from), part.begin() + static_cast<std::ptrdiff_t>(end));
     }
     for (const char* row : {"next to each other", "side by side", "beside each other"}) {
         const Words phrase = tokens_of(row);

@@ -320,6 +320,15 @@ void Editor::face_one(int i, const EditStep& step) {
         const Placed& p = placed(i);
         std::string fault;
         bool done = false;
+        if (step.slightly) {
+            constexpr float kSlightly = 25 * kPi / 180;
+            const Vec2f way = *target - flat(p.position);
+            const float by = std::remainder(std::atan2(way.x, way.y) - p.yaw, 2 * kPi);
+            EditStep turn;
+            turn.kind = EditStep::Kind::turn;
+            turn.ids = {id}, turn.yaw = std::clamp(by, -kSlightly, kSlightly);
+            return turn_one(i, turn);
+        }
         const std::vector<int> seats = seats_at(i);
         // Whoever sits at a desk faces it.
         const float sign = has_role(p.piece.kind, Role::work_place) && !seats.empty() ? -1.f : 1.f;

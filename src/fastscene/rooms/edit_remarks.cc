@@ -238,6 +238,12 @@ void line_up(Talk& talk, const Words& words) {
     const std::vector<std::string> spoken = talk.last;
     step.ids = talk.things_of_parts(part_of(words, 0, end));
     Words there = part_of(words, end);
+    // "The treadmills facing the mirror": in one row.
+    if (!there.empty() && there.front() == "facing") {
+        talk.last = spoken;
+        const Words row = joined_words(joined_words(part_of(words, 0, end), {"in", "one", "row"}), there);
+        if (set_in_rows(talk, row)) return;
+    }
     if (!there.empty() && is_one_of(text_of(there), {"in a row", "in a line", "side by side"})) there.clear();
     if (!there.empty()) {
         const auto relation = relation_at(there, 0);

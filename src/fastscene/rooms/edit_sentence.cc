@@ -240,10 +240,11 @@ void Talk::act(const Clause& whole) {
         clause.words.resize(n - 3), clause.there = true;
     const Words& words = clause.words;
     // "I want eight people to sit at the table", "make room for eight at the table"
-    if (const int guests = guests_said(words);
-        guests > 0 && (clause.verb == Verb::want || clause.verb == Verb::make || clause.verb == Verb::add) &&
-        find_word(words, {"chairs", "stools", "armchairs", "benches", "table"}) >=
-            find_word(words, {"people", "guests", "seating", "room"}))
+    const bool new_table = begins_anew(words) && find_word(words, {"table"}) < find_word(words, {"for"});
+    const bool seats = find_word(words, {"chairs", "stools", "armchairs", "benches"}) <
+                       find_word(words, {"people", "guests", "seating", "room"});
+    if (const int guests = new_table || seats ? 0 : guests_said(words);
+        guests > 0 && (clause.verb == Verb::want || clause.verb == Verb::make || clause.verb == Verb::add))
         return seat_guests(*this, words, guests);
     // "A basket on top": of what was spoken of.
     if (const std::size_t n = words.size(); n > 2 && words[n - 2] == "on" && words[n - 1] == "top" && !last.empty() &&

@@ -68,6 +68,7 @@ std::optional<int> stand_in_place(Layout& layout, const PieceRequest& request, c
 std::optional<int> hang_in_place(Layout& layout, const PieceRequest& request, const PromptObject& wish,
                                  const Placed& place, float aside) {
     Piece piece = make_piece(request);
+    if (piece.mount == Mount::surface) mount_as(piece, Mount::wall);
     piece.hang_height_m = std::max(0.05f, place.position.y + (place.piece.size_m.y - piece.size_m.y) / 2);
     for (int w = 0; w < 4; ++w) {
         const WallFace face = layout.plan().wall(w);
@@ -97,6 +98,11 @@ std::optional<int> take_place(Layout& layout, const PieceRequest& request, const
     // A cactus for a large plant stands on the floor as that did.
     if (piece.mount == Mount::surface && place.piece.mount == Mount::floor)
         return layout.on_floor_near(flat(place.position), request, wish);
+    // A screen for a mirror hangs where that hung.
+    const bool screen = std::any_of(piece.materials.begin(), piece.materials.end(),
+                                    [](const Material& m) { return m.pattern == Pattern::screen; });
+    if (screen && piece.mount == Mount::surface && place.piece.mount == Mount::wall)
+        return hang_in_place(layout, request, wish, place, aside);
     if (piece.mount != place.piece.mount) return {};
     switch (piece.mount) {
         case Mount::floor:

@@ -113,6 +113,11 @@ void face(Talk& talk, const Words& words) {
     while (next < words.size() && is_one_of(words[next], {"towards", "toward", "facing", "face", "to", "at", "into"}))
         ++next;
     Words thing = part_of(words, 0, end);
+    // "The armchair slightly towards the window"
+    bool slightly = thing.size() > 1 && thing.back() == "slightly";
+    if (slightly) thing.pop_back();
+    if (const std::size_t n = thing.size(); n > 3 && thing[n - 2] == "a" && is_one_of(thing[n - 1], {"bit", "little"}))
+        thing.resize(n - 2), slightly = true;
     while (thing.size() > 1 && is_one_of(thing.back(), {"to", "so", "it", "around", "that", "should"}))
         thing.pop_back();
     Words target = part_of(words, next);
@@ -187,6 +192,7 @@ void face(Talk& talk, const Words& words) {
         if (!place) throw UsageError("expected a thing or an opening to face, found \"{}\"", text);
         step.wish.relation_to = place->step.wish.relation_to;
         step.at = things_at(talk.editor, place->step);
+        if (step.at.size() == 1) talk.mention(step.at);
         // "The windows" of one wall are faced as that wall is.
         const bool openings = noun_of(noun) == place->step.wish.relation_to && noun.ends_with("s");
         if (const auto wall = openings ? wall_with(talk.editor.plan(), noun_of(noun)) : std::nullopt) step.wall = *wall;
@@ -197,6 +203,7 @@ void face(Talk& talk, const Words& words) {
             if (step.wall < 0) throw UsageError("which wall? found \"{}\"", text);
         }
     }
+    step.slightly = slightly;
     talk.editor.apply(step);
 }
 
