@@ -7,6 +7,7 @@
 #include "fastscene/base/error.h"
 #include "fastscene/base/is_one_of.h"
 #include "fastscene/rooms/edit_parts.h"
+#include "fastscene/rooms/prompt_text.h"
 
 namespace fastscene::editing {
 namespace {

@@ -46,6 +46,15 @@ struct Talk {
   private:
     std::vector<std::string> meant(const Words& words);
 };
+// ---- edit_verbs.cc
+Words lowered(const Clause& clause);  // "lower the lamp": down
+// "Raise the desk by 20 cm": what stands on the floor is taller by that; false: no such words.
+bool made_taller(Talk& talk, const Clause& clause);
+void tidy(Talk& talk, const Clause& clause);
+Words with_word(Words words, const std::string& word);  // "enlarge the rug by 20 percent": larger by that
+Words covered(const Clause& clause);                    // "tile the walls", "carpet the room": with that
+std::string size_word(const Clause& clause);            // "widen the rug": wider
+// ---- edit_spoken.cc
 std::string asked_kind(const Placed& p);  // as it was asked for
 std::size_t find_word(const Words& words, std::initializer_list<std::string_view> any, std::size_t from = 0);
 bool has_word(const Words& words, std::initializer_list<std::string_view> any);
@@ -117,6 +126,11 @@ std::string shape_asked(const Words& words);
 void shape_as_asked(Talk& talk, const std::vector<std::string>& ids, const std::string& shape);
 // `spoken`: the ids of what "it" and "them" are.
 Addition addition_of(const Talk& talk, const Words& said, const std::vector<std::string>& spoken);
+// ---- edit_like_those.cc
+// "Three more tables" are tables as there are, where those are of one kind.
+void as_those_there(const Editor& editor, const Words& words, PromptObject& wish);
+// "Three stools on the other side of the island", where bar stools stand at it: bar stools.
+void as_those_at(const Editor& editor, Addition& addition);
 // ---- edit_add.cc
 void add(Talk& talk, const Words& words);
 void add_there(Talk& talk, const Words& words);
@@ -166,6 +180,13 @@ Words as_made(Words words);             // "the sofa a green cover" -> "the sofa
 // "the sofa green", "it night", "the walls sage", "the rug larger", "the style to japandi"
 void make(Talk& talk, const Words& words);
 bool each_on_or_off(const Words& words);
+// ---- edit_make_each.cc
+// "the chairs alternately black and white"; false: no such words.
+bool make_by_turns(Talk& talk, const Words& words);
+// "each wall a different color", "the chairs in various colors": one after the other; false: no such words.
+bool make_various(Talk& talk, const Words& words);
+// "Every desk a plant": one at each; false: no such words.
+bool given(Talk& talk, const Words& words);
 // "The floor" by "checkered tiles": how it is to look; false: the words are about no surface.
 bool resurfaced(Talk& talk, const Words& old, const Words& by);
 void recolor(Talk& talk, const std::string& surface, const Value& value);  // wall, floor, ceiling, trim

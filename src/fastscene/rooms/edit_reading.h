@@ -51,6 +51,17 @@ struct Clause {
 };
 std::vector<Clause> clauses_of(const std::string& sentence);
 
+// ---- edit_clause_pairs.cc
+
+// "everything but the sofa", "all pictures but the largest one"
+bool says_all(const Words& words);
+// Where words take back what was said before, past them; 0: none do.
+std::size_t taken_back_at(const Words& words, std::size_t at);
+// Those that say one thing become one; what is taken as a remark becomes one.
+void join_clauses(std::vector<Clause>& clauses);
+
+// ---- edit_clauses.cc
+
 std::string text_of(const Words& words, std::size_t from = 0, std::size_t to = std::string::npos);
 Words part_of(const Words& words, std::size_t from, std::size_t to = std::string::npos);
 Words joined_words(Words first, const Words& second);
