@@ -79,11 +79,11 @@ std::vector<int> Editor::with_riders(const std::vector<int>& roots) const {
     return out;
 }
 
+void Editor::tell(const std::string& id, const std::string& what) { result_.changes.push_back({id, what}); }
+
 // Once, however many ways lead to it.
-void Editor::tell(const std::string& id, const std::string& what) {
-    const bool told = std::any_of(result_.changes.begin(), result_.changes.end(),
-                                  [&](const EditChange& c) { return c.id == id && c.what == what; });
-    if (!told || what.find("smaller than usual") == what.npos) result_.changes.push_back({id, what});
+void Editor::tell_smaller(const std::string& id) {
+    if (smaller_.insert(id).second) tell(id, "smaller than usual: there was no more room");
 }
 
 std::string Editor::new_id(const std::string& kind) const {

@@ -326,7 +326,7 @@ std::vector<std::string> Editor::admit(const std::vector<Placed>& all, const Sta
         DocumentThing t = thing_of(all[i], ids, i);
         const std::string place = t.on.empty() ? how[std::min(out.size(), how.size()) - 1] : " on " + t.on;
         tell(t.id, fmt::format("added{} at x {:.2f}, z {:.2f}", place, t.position.x, t.position.z));
-        if (is_smaller_than_usual(all[i], plan().style)) tell(t.id, "smaller than usual: there was no more room");
+        if (is_smaller_than_usual(all[i], plan().style)) tell_smaller(t.id);
         result_.document.things.push_back(std::move(t));
     }
     return out;
@@ -359,7 +359,7 @@ void Editor::add(const EditStep& step) {
     together([&] {
         fresh = admit(all, without({}), {place_in_words(step)});
         for (const std::string& id : fresh)
-            if (smaller) tell(id, "smaller than usual: there was no more room");
+            if (smaller) tell_smaller(id);
         try {
             build();
         } catch (const Error&) {  // the camera stands there

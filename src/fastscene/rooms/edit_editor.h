@@ -117,6 +117,7 @@ class Editor {
     void build();
     void act(const EditStep& step);
     void tell(const std::string& id, const std::string& what);
+    void tell_smaller(const std::string& id);  // than usual
     DocumentThing& thing(int index) { return result_.document.things[static_cast<std::size_t>(index)]; }
     const Placed& placed(int index) const { return room_.furnished.placed[static_cast<std::size_t>(index)]; }
     std::string new_id(const std::string& kind) const;
@@ -291,7 +292,8 @@ class Editor {
     EditResult result_;
     DocumentRoom room_;
     std::size_t notes_ = 0;
-    bool full_size_ = false;  // what comes is as large as usual, or it does not come
+    std::set<std::string> smaller_;  // of which that was told
+    bool full_size_ = false;         // what comes is as large as usual, or it does not come
 };
 
 // " next to bed-1", " at a wall"; empty: it was not said where.

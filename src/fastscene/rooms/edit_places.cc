@@ -259,6 +259,11 @@ class Reader {
         }
         // "on the other side of the bed" was read as opposite.
         const bool each = is_one_of(there.front(), {"each", "both", "every", "all"});
+        // "On the other desk", where none was named before.
+        if (const std::size_t other = find_word(there, {"other"}); !moving_ && other == 1 && there.front() == "the" &&
+                                                                   there.size() > 2 && !there.back().ends_with("s") &&
+                                                                   next_place(there) == there.size())
+            throw UsageError("which other {}? none was named before", text_of(there, 2));
         // "Candles to the tables": one for each of them.
         const std::size_t noun = std::min(next_place(there), find_word(there, {"that", "with", "without"}, 1)) - 1;
         const bool plural = !moving_ && there.front() == "the" &&

@@ -106,10 +106,11 @@ std::string Editor::new_fault(const std::vector<Placed>& all) const {
 void Editor::together(const std::function<void()>& change) {
     const EditResult kept = result_;
     const std::size_t notes = notes_;
+    const std::set<std::string> smaller = smaller_;
     try {
         change();
     } catch (const Error&) {
-        result_ = kept, notes_ = notes;
+        result_ = kept, notes_ = notes, smaller_ = smaller;
         build();
         throw;
     }

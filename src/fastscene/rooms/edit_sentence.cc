@@ -155,7 +155,8 @@ void Talk::act(const Clause& whole) {
         clause.words.resize(n - 3), clause.there = true;
     const Words& words = clause.words;
     // "I want eight people to sit at the table", "make room for eight at the table"
-    const bool new_table = begins_anew(words) && find_word(words, {"table"}) < find_word(words, {"for"});
+    const std::size_t whom = find_word(words, {"for"});
+    const bool new_table = begins_anew(words) && whom < words.size() && find_word(words, {"table"}) < whom;
     const bool seats = find_word(words, {"chairs", "stools", "armchairs", "benches"}) <
                        find_word(words, {"people", "guests", "seating", "room"});
     if (const int guests = new_table || seats ? 0 : guests_said(words);

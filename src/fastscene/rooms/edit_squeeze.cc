@@ -302,7 +302,7 @@ void Editor::make_way(const Squeezed& found, const std::string& whom) {
 }
 
 void Editor::tell_squeeze(const std::string& id, const EditStep& step, const Squeezed& found, const Squeeze& how) {
-    if (how.scale < 1) tell(id, "smaller than usual: there was no more room");
+    if (how.scale < 1) tell_smaller(id);
     if (how.further == 0) tell_distance(id, step);
     if (how.further > 0)
         tell(id, fmt::format("as near as there was room:{}, {:.1f} m off", place_in_words(step), found.off));
@@ -371,7 +371,7 @@ bool Editor::add_squeezed(const EditStep& step) {
         if (count > 1) try {
                 const std::vector<Placed> all = with_added(one, smaller);
                 for (const std::string& id : admit(all, without({}), {place_in_words(step)}))
-                    if (smaller) tell(id, "smaller than usual: there was no more room");
+                    if (smaller) tell_smaller(id);
                 build();
                 found = true;
             } catch (const Error&) {
