@@ -72,7 +72,9 @@ bool Audit::holds(const Shown& s, std::string relation, const std::vector<Landma
     if (is_one_of(relation, {"in the corner", "in the middle", "against"}) && at.empty())
         return holds_in_room(talk_.editor.plan(), s, relation);
     if (at.empty() || is_one_of(relation, {"from", "far wall"})) return true;
-    if (relation == "between" && at.size() < 2) return true;
+    // "Between them", of which only one was spoken of before.
+    const auto others = std::count_if(at.begin(), at.end(), [&](const Landmark& l) { return l.id != s.thing.id; });
+    if (relation == "between" && others < 2) return true;
     if (relation == "between") return is_between_those(s, at, at);
     // A lamp on a desk by the window is by the window.
     if (const Shown* under = after_.find(s.thing.on); under && relation != "on" && holds(*under, relation, at, slack))
