@@ -97,7 +97,7 @@ void seat_guests(Talk& talk, const Words& words, int guests) {
     if (there >= guests) throw AlreadySo(fmt::format("{}: {} people can sit there already", table, there));
     EditStep step;
     step.kind = EditStep::Kind::add;
-    const auto chair = look_up("chair");
+    const auto chair = look_up("dining chair");
     step.wish.kind = !kind.empty() ? kind : chair ? chair->meaning : "";
     step.wish.words = in_words(step.wish.kind);
     step.wish.count = guests - there, step.wish.counted = true;

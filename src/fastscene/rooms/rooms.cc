@@ -205,9 +205,9 @@ const Placed* main_thing(const FurnishedRoom& room, const std::string& type) {
     return nullptr;
 }
 
-// The share of the first view, to both sides of its middle, that a wall close by or something tall fills which nobody
-// asked to see.
-float share_blocked(const FurnishedRoom& room, Vec3f look, const Placed* shown) {
+// The share of the first view, to both sides of its middle, that something tall close by fills which nobody asked to
+// see; with `walls`, walls too.
+float share_blocked(const FurnishedRoom& room, Vec3f look, const Placed* shown, bool walls) {
     constexpr float kClose = 1.5f, kHalfView = 36.f * kPi / 180;  // metres, radians
     constexpr int kRays = 13;
     const auto may_block = [&](const Placed& p) {
@@ -218,8 +218,8 @@ float share_blocked(const FurnishedRoom& room, Vec3f look, const Placed* shown) 
         const float turn = kHalfView * (2.f * static_cast<float>(i) / (kRays - 1) - 1), c = std::cos(turn),
                     s = std::sin(turn);
         const Vec3f to = room.camera + Vec3f{c * look.x + s * look.z, 0, c * look.z - s * look.x} * kClose;
-        blocked += std::abs(to.x) > room.plan.width / 2 || std::abs(to.z) > room.plan.depth / 2 ||
-                   std::any_of(room.placed.begin(), room.placed.end(), [&](const Placed& p) {
+        const bool outside = std::abs(to.x) > room.plan.width / 2 || std::abs(to.z) > room.plan.depth / 2;
+        blocked += (walls && outside) || std::any_of(room.placed.begin(), room.placed.end(), [&](const Placed& p) {
                        return may_block(p) && passes(footprint_of(p), room.camera, to);
                    });
     }
@@ -239,12 +239,13 @@ Vec3f usual_look(const FurnishedRoom& room, const std::string& type) {
     constexpr float kMostBlocked = 0.3f, kPerHalfTurn = 0.5f;  // what half a turn costs, as a share blocked
     constexpr int kDirections = 24;
     Vec3f best = wanted;
-    float least = share_blocked(room, wanted, shown);
-    if (least <= kMostBlocked) return wanted;
+    if (share_blocked(room, wanted, shown, false) <= kMostBlocked) return wanted;
+    float least = share_blocked(room, wanted, shown, true);
     for (int i = 1; i < kDirections; ++i) {
         const float turn = 2 * kPi * static_cast<float>(i) / kDirections, c = std::cos(turn), s = std::sin(turn);
         const Vec3f look{c * wanted.x + s * wanted.z, 0, c * wanted.z - s * wanted.x};
-        const float cost = share_blocked(room, look, shown) + kPerHalfTurn * std::acos(std::clamp(c, -1.f, 1.f)) / kPi;
+        const float cost = share_blocked(room, look, shown, true) +
+                           kPerHalfTurn * std::acos(std::clamp(c, -1.f, 1.f)) / kPi;
         if (cost < least) least = cost, best = look;
     }
     return best;
