@@ -29,7 +29,8 @@ constexpr std::array<std::string_view, static_cast<std::size_t>(Role::count_)> k
     "vase",           "person",         "prefers_model", "in_groups",     "beside_window",
     "garland",        "nothing_above",  "on_mantels",    "under_windows", "between_beds",
     "shows_motif",    "climbed",        "may_be_round",  "pet",           "drawn_up",
-    "rug_before",     "shades_windows", "spread_out",    "covers_wall",   "roof"};
+    "rug_before",     "shades_windows", "spread_out",    "covers_wall",   "roof",
+    "two_of_them"};
 
 constexpr std::array<std::string_view, 41> kNyu40{"outside",
                                                   "wall",
@@ -78,9 +79,8 @@ constexpr std::string_view kWords = "words";  // the file about models of the pa
 int label_named(const TomlTable& table) { return static_cast<int>(table.needed_choice("nyu40", kNyu40)); }
 
 Thing read_thing(const std::string& kind, const toml::table& found, const std::string& file) {
-    static const std::vector<std::string> kKeys{"builder", "roles",  "nyu40",      "floor_m2", "style",    "room",
-                                                "models",  "on_top", "small_form", "stand_in", "for_child",
-                                                "called"};
+    static const std::vector<std::string> kKeys{"builder", "roles",  "nyu40",      "floor_m2", "style",     "room",
+                                                "models",  "on_top", "small_form", "stand_in", "for_child", "called"};
     const TomlTable table(found, file, "[" + kind + "]", kKeys);
     Thing t;
     t.kind = kind;

@@ -71,6 +71,7 @@ enum class Role : std::uint8_t {
     spread_out,          // lies flat where others work
     covers_wall,         // a part of the wall: what stands before it does not hide it
     roof,                // over a whole room: its box reaches over the walls of a round one
+    two_of_them,         // one piece is a pair: "two escalators" are one
     count_               // not a role
 };
 

@@ -258,6 +258,7 @@ void bind_adjective(Reading& r, std::size_t at, std::size_t noun) {
             r.tell(at, "as many " + object.words + " as such a room has", object.id);
         } else if (can_be_counted(n)) {
             object.count = std::stoi(a.word->meaning);
+            if (has_role(object.kind, Role::two_of_them)) object.count = (object.count + 1) / 2;
             object.counted = true;
             object.in_row = object.in_row || a.words.find("row of") != std::string::npos;
             r.tell(at, "count " + a.word->meaning + whose, object.id);
