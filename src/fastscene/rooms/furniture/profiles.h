@@ -1,6 +1,7 @@
 // Prisms that stand: outlines seen from the front or from the side.
 #pragma once
 
+#include <array>
 #include <cmath>
 #include <span>
 #include <vector>
@@ -27,9 +28,23 @@ inline Mesh side_prism(std::span<const Vec2f> outline, float x0, float x1, float
     return m;
 }
 
+// A bar of few triangles.
+inline void wire(Kit& k, int material, Vec3f a, Vec3f b, float radius_m, int sides = 4) {
+    const std::array<Vec3f, 2> path{a, b};
+    k.add(shapes::tube(path, radius_m, sides), material);
+}
+
+// A hoop of few triangles; its axis is y.
+inline Mesh hoop(float radius_m, float thickness_m, int sides = 14, int around_it = 5) {
+    std::vector<Vec3f> path;
+    for (int i = 0; i <= sides; ++i)
+        path.push_back(around(kTau * static_cast<float>(i) / static_cast<float>(sides)) * radius_m);
+    return shapes::tube(path, 0.5f * thickness_m, around_it);
+}
+
 // A ring that stands: its axis is z.
 inline Mesh front_ring(float radius_m, float thickness_m, int sides = 24) {
-    Mesh m = shapes::ring(radius_m, thickness_m, sides);
+    Mesh m = hoop(radius_m, thickness_m, sides);
     shapes::turn(m, {1, 0, 0}, 90);
     return m;
 }

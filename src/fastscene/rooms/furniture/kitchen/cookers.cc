@@ -136,7 +136,7 @@ void build_deep_fryer(Kit& k) {
     const Vec3f s = k.wanted({0.6f, 0.9f, 0.75f});
     const int body = k.main(steel()), oil = color(k, "frying oil", {0.3f, 0.17f, 0.02f}, 0.04f),
               dark = color(k, "black plastic", {0.03f, 0.03f, 0.032f}, 0.5f),
-              chips = color(k, "chips", {0.6f, 0.38f, 0.08f}, 0.6f), wire = k.material(steel()),
+              chips = color(k, "chips", {0.6f, 0.38f, 0.08f}, 0.6f), rail = k.material(steel()),
               red = color(k, "lamp", {0.6f, 0.03f, 0.02f}, 0.2f);
     k.board(body, {0, 0.1f, 0}, {s.x, s.y - 0.18f, s.z - 0.04f}, 0.006f),
         block(k, dark, {0, 0, -0.02f}, {s.x - 0.06f, 0.1f, s.z - 0.14f});
@@ -151,23 +151,24 @@ void build_deep_fryer(Kit& k) {
         for (int i = 0; i <= 6; ++i) {
             const float z = zc + d * (static_cast<float>(i) / 6 - 0.5f);
             for (const float e : {-1.f, 1.f})
-                k.rod(wire, {x + e * 0.5f * w, y, z}, {x + e * 0.5f * w, y + 0.1f, z}, 0.002f, -1, 4);
+                wire(k, rail, {x + e * 0.5f * w, y, z}, {x + e * 0.5f * w, y + 0.1f, z}, 0.002f);
         }
         for (const float e : {-1.f, 1.f})
-            k.rod(wire, {x + e * 0.5f * w, y + 0.1f, zc - 0.5f * d}, {x + e * 0.5f * w, y + 0.1f, zc + 0.5f * d},
-                  0.004f, -1, 5),
-                k.rod(wire, {x - 0.5f * w, y + 0.1f, zc + e * 0.5f * d}, {x + 0.5f * w, y + 0.1f, zc + e * 0.5f * d},
-                      0.004f, -1, 5);
+            wire(k, rail, {x + e * 0.5f * w, y + 0.1f, zc - 0.5f * d}, {x + e * 0.5f * w, y + 0.1f, zc + 0.5f * d},
+                 0.004f),
+                wire(k, rail, {x - 0.5f * w, y + 0.1f, zc + e * 0.5f * d}, {x + 0.5f * w, y + 0.1f, zc + e * 0.5f * d},
+                     0.004f);
         block(k, chips, {x, y + 0.002f, zc}, {w - 0.02f, 0.05f, d - 0.02f});
         for (int i = 0; i < 16; ++i) {
-            Mesh chip = shapes::box({0.012f, 0.012f, 0.08f}, 0.001f);
+            const std::array<Vec3f, 2> stick{Vec3f{0, 0, -0.04f}, {0, 0, 0.04f}};
+            Mesh chip = shapes::tube(stick, 0.007f, 4);
             shapes::turn(chip, {1, 0, 0}, k.rng.uniform(-25, 25)), shapes::turn(chip, {0, 1, 0}, k.rng.uniform(0, 180));
             k.add(std::move(chip), chips,
                   {x + k.rng.uniform(-0.3f, 0.3f) * w, y + 0.06f, zc + k.rng.uniform(-0.36f, 0.36f) * d});
         }
         k.rod(dark, {x, y + 0.1f, zc + 0.5f * d}, {x, y + 0.19f, 0.5f * s.z + 0.05f}, 0.012f, -1, 8);
         k.board(body, {x, 0.16f, 0.5f * s.z - 0.02f}, {0.5f * s.x - 0.02f, s.y - 0.36f, 0.02f}, 0.005f),
-            cooker_bar(k, wire, {x, s.y - 0.26f, 0.5f * s.z - 0.01f}, 0.16f);
+            cooker_bar(k, rail, {x, s.y - 0.26f, 0.5f * s.z - 0.01f}, 0.16f);
         cooker_knob(k, dark, {x, s.y - 0.13f, 0.5f * s.z - 0.022f}, 0.024f),
             block(k, red, {x + 0.07f, s.y - 0.137f, 0.5f * s.z - 0.018f}, {0.014f, 0.014f, 0.006f});
     }
@@ -257,16 +258,6 @@ void build_pizza_oven(Kit& k) {
             at + around(1.3f * static_cast<float>(i)) * (0.028f + 0.011f * static_cast<float>(i)) + Vec3f{0, 0.037f, 0},
             0.024f, -1, 9);
     k.piece.against_wall = true, k.piece.clearance_front_m = 1.0f;
-}
-
-void build_pan(Kit& k) {
-    const int iron = k.main(plain("cast iron", {0.03f, 0.03f, 0.031f}, 0.45f)),
-              dark = color(k, "grip", {0.04f, 0.025f, 0.018f}, 0.5f), metal = k.material(steel());
-    const std::array<Vec2f, 4> p{Vec2f{0.1f, 0}, {0.11f, 0.006f}, {0.135f, 0.045f}, {0.138f, 0.05f}};
-    k.add(shapes::vessel(p, 0.004f, 26), iron);
-    k.rod(metal, {0.13f, 0.04f, 0}, {0.19f, 0.058f, 0}, 0.009f, -1, 8),
-        k.rod(dark, {0.18f, 0.055f, 0}, {0.33f, 0.075f, 0}, 0.012f, 0.015f, 10);
-    on_surface(k);
 }
 
 // A wheel of steel with a guard, a carriage, and a ham on it.
@@ -388,8 +379,11 @@ void build_heat_lamp(Kit& k) {
             Vec2f{0.12f, 0}, {0.118f, 0.03f}, {0.085f, 0.11f}, {0.035f, 0.16f}, {0.03f, 0.22f}};
         k.add(shapes::shade(p, 20), shade, at),
             k.add(shapes::ball(at + Vec3f{0, 0.05f, 0}, {0.05f, 0.06f, 0.05f}, 12), bulb);
-        for (int c = 0; c < 6; ++c)
-            k.add(shapes::ring(0.018f, 0.008f, 8), cord, at + Vec3f{0, 0.25f + 0.02f * static_cast<float>(c), 0});
+        std::vector<Vec3f> coil;
+        for (int c = 0; c <= 36; ++c)
+            coil.push_back(at + around(1.05f * static_cast<float>(c)) * 0.018f +
+                           Vec3f{0, 0.24f + 0.0036f * static_cast<float>(c), 0});
+        k.add(shapes::tube(coil, 0.004f, 4), cord);
         k.rod(cord, at + Vec3f{0, 0.2f, 0}, at + Vec3f{0, 0.95f, 0}, 0.006f, -1, 6);
     }
     k.piece.mount = Mount::ceiling;

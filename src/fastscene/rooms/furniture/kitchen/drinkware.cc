@@ -1,4 +1,4 @@
-// Drinks and what they are served from: glasses, bottles, taps, dispensers, teapots, plates.
+// Drinks and what they are served from: glasses, bottles, taps, dispensers, teapots, plates, a pan.
 #include <array>
 #include <cmath>
 #include <utility>
@@ -160,9 +160,11 @@ void build_teapot(Kit& k) {
         k.add(shapes::ball({0, 0.163f, 0}, {0.013f, 0.012f, 0.013f}, 12), body);
     const std::array<Vec3f, 4> spout{
         Vec3f{-0.07f, 0.045f, 0}, {-0.105f, 0.06f, 0}, {-0.118f, 0.1f, 0}, {-0.14f, 0.122f, 0}};
-    for (std::size_t i = 0; i + 1 < spout.size(); ++i)
-        k.rod(body, spout[i], spout[i + 1], 0.022f - 0.005f * static_cast<float>(i),
-              0.018f - 0.005f * static_cast<float>(i), 12);
+    for (std::size_t i = 0; i + 1 < spout.size(); ++i) {
+        const float r = 0.02f - 0.0045f * static_cast<float>(i);
+        k.rod(body, spout[i], spout[i + 1], r, r - 0.0045f, 10);
+        if (i > 0) k.add(shapes::ball(spout[i], {r, r, r}, 10), body);
+    }
     std::vector<Vec3f> handle;
     for (int i = 0; i <= 8; ++i) {
         const float a = 1.4f - 2.8f * static_cast<float>(i) / 8.f;
@@ -186,6 +188,16 @@ void build_plate_stack(Kit& k) {
         }
     }
     k.add(shapes::lathe(std::array<Vec2f, 3>{Vec2f{0.07f, 0}, {0.07f, 0.004f}, {0.1f, 0.012f}}, 24), glaze);
+    on_surface(k);
+}
+
+void build_pan(Kit& k) {
+    const int iron = k.main(plain("cast iron", {0.03f, 0.03f, 0.031f}, 0.45f)),
+              dark = color(k, "grip", {0.04f, 0.025f, 0.018f}, 0.5f), metal = k.material(steel());
+    const std::array<Vec2f, 4> p{Vec2f{0.1f, 0}, {0.11f, 0.006f}, {0.135f, 0.045f}, {0.138f, 0.05f}};
+    k.add(shapes::vessel(p, 0.004f, 26), iron);
+    k.rod(metal, {0.13f, 0.04f, 0}, {0.19f, 0.058f, 0}, 0.009f, -1, 8),
+        k.rod(dark, {0.18f, 0.055f, 0}, {0.33f, 0.075f, 0}, 0.012f, 0.015f, 10);
     on_surface(k);
 }
 

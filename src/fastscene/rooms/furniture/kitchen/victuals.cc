@@ -78,8 +78,8 @@ void build_bread_basket(Kit& k) {
               flour = color(k, "floured crust", {0.58f, 0.45f, 0.28f}, 0.95f),
               cloth = k.material(tinted(k.style.fabric, {0.68f, 0.64f, 0.55f}));
     const std::array<Vec2f, 3> side{Vec2f{0.17f, 0}, {0.2f, 0.07f}, {0.215f, 0.12f}};
-    k.add(shapes::vessel(side, 0.012f, 28), cane), k.add(shapes::ring(0.21f, 0.022f, 28), cane, {0, 0.12f, 0}),
-        k.add(shapes::ring(0.19f, 0.016f, 28), cane, {0, 0.05f, 0});
+    k.add(shapes::vessel(side, 0.012f, 28), cane), k.add(hoop(0.21f, 0.022f, 28), cane, {0, 0.12f, 0}),
+        k.add(hoop(0.19f, 0.016f, 28), cane, {0, 0.05f, 0});
     victual(k, cloth, {0, 0.05f, 0}, {0.39f, 0.07f, 0.39f}, 0, 18);
     for (int i = 0; i < 3; ++i) {  // baguettes, across the rim
         const float z = -0.11f + 0.06f * static_cast<float>(i), tilt = k.rng.uniform(-0.02f, 0.02f);
@@ -239,11 +239,11 @@ void build_hanging_sausages(Kit& k) {
             const float l = k.rng.uniform(0.28f, 0.42f);
             k.rod(pale, {x, top - 0.09f, z}, {x, top - 0.09f - l, z}, 0.034f, 0.038f, 12);
             for (int r = 1; r < 5; ++r)
-                k.add(shapes::ring(0.037f, 0.004f, 12), string, {x, top - 0.09f - l * static_cast<float>(r) / 5, z});
+                k.add(hoop(0.037f, 0.004f, 12), string, {x, top - 0.09f - l * static_cast<float>(r) / 5, z});
         } else if (sort == 1) {  // a ham
             const std::array<Vec2f, 6> p{Vec2f{0, -0.4f},  {0.055f, -0.37f}, {0.072f, -0.28f},
                                          {0.055f, -0.15f}, {0.022f, -0.06f}, {0.02f, 0}};
-            k.add(shapes::lathe(shapes::curve(p, 2), 16, true), ham, {x, top - 0.07f, z});
+            k.add(shapes::lathe(shapes::curve(p, 1), 14, true), ham, {x, top - 0.07f, z});
             k.add(shapes::ball({x, top - 0.36f, z + 0.012f}, {0.056f, 0.08f, 0.062f}, 12), fat);
         } else {  // a string of sausages
             for (const float side : {-1.f, 1.f})

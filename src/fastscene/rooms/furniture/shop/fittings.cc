@@ -12,7 +12,7 @@ namespace fastscene::furniture {
 namespace {
 
 // The wires of a basket: rails at both ends of the sides, uprights between.
-void wire_basket(Kit& k, int wire, Vec3f base, Vec3f low, Vec3f high, float height, int across, int deep) {
+void wire_basket(Kit& k, int bars, Vec3f base, Vec3f low, Vec3f high, float height, int across, int deep) {
     const auto at = [&](float u, float v, float t) {
         return base +
                Vec3f{0.5f * u * (low.x + (high.x - low.x) * t), height * t, 0.5f * v * (low.z + (high.z - low.z) * t)};
@@ -20,17 +20,17 @@ void wire_basket(Kit& k, int wire, Vec3f base, Vec3f low, Vec3f high, float heig
     for (const float t : {0.f, 0.35f, 0.7f, 1.f})
         for (const float s : {-1.f, 1.f}) {
             const float r = t == 1.f ? 0.006f : 0.0025f;
-            k.rod(wire, at(-1, s, t), at(1, s, t), r, -1, 5), k.rod(wire, at(s, -1, t), at(s, 1, t), r, -1, 5);
+            wire(k, bars, at(-1, s, t), at(1, s, t), r), wire(k, bars, at(s, -1, t), at(s, 1, t), r);
         }
     for (int i = 0; i <= across; ++i) {
         const float u = 2.f * static_cast<float>(i) / static_cast<float>(across) - 1.f;
-        for (const float s : {-1.f, 1.f}) k.rod(wire, at(u, s, 0), at(u, s, 1), 0.0025f, -1, 4);
-        k.rod(wire, at(u, -1, 0), at(u, 1, 0), 0.0025f, -1, 4);
+        for (const float s : {-1.f, 1.f}) wire(k, bars, at(u, s, 0), at(u, s, 1), 0.0025f);
+        wire(k, bars, at(u, -1, 0), at(u, 1, 0), 0.0025f);
     }
     for (int i = 1; i < deep; ++i)
         for (const float s : {-1.f, 1.f}) {
             const float v = 2.f * static_cast<float>(i) / static_cast<float>(deep) - 1.f;
-            k.rod(wire, at(s, v, 0), at(s, v, 1), 0.0025f, -1, 4);
+            wire(k, bars, at(s, v, 0), at(s, v, 1), 0.0025f);
         }
 }
 
@@ -255,7 +255,7 @@ void build_menu_stand(Kit& k) {
             return Vec3f{p.x, p.y, side * (0.03f + 0.22f * (1.f - p.y / 1.1f)) + side * p.z};
         };
         const auto panel = [&](int mat, float x, float y, Vec3f size, float z) {
-            Mesh m = size.z > 0.011f ? shapes::box(size, 0.004f) : shapes::box(size, 0.001f);
+            Mesh m = shapes::box(size, size.z > 0.011f ? 0.004f : 0.001f);
             shapes::turn(m, {1, 0, 0}, -side * 11.3f);
             k.add(std::move(m), mat, lean({x, y, z}));
         };
@@ -292,7 +292,7 @@ void build_booth(Kit& k) {
     const int seat = k.main(hide), wood = k.material(k.style.wood), base = k.material(k.style.wood2),
               metal = k.material(steel());
     Soft how;
-    how.round_m = 0.035f, how.puff_m = 0.025f, how.wrinkle_m = 0.002f, how.steps = 9;
+    how.round_m = 0.035f, how.puff_m = 0.025f, how.wrinkle_m = 0.002f, how.steps = 3;
     for (const float sx : {-1.f, 1.f}) {
         const float out = sx * 0.5f * s.x;
         k.board(base, {out - sx * 0.3f, 0, 0}, {0.5f, 0.32f, s.z - 0.04f}, 0.008f),
@@ -301,7 +301,7 @@ void build_booth(Kit& k) {
         const int channels = 5;
         for (int i = 0; i < channels; ++i) {
             Soft tuft = how;
-            tuft.steps = 6;
+            tuft.steps = 1;
             k.soft(seat, {out - sx * 0.11f, 0.46f, (s.z - 0.03f) * ((static_cast<float>(i) + 0.5f) / channels - 0.5f)},
                    {0.14f, s.y - 0.48f, (s.z - 0.03f) / channels + 0.01f}, tuft);
         }
@@ -351,7 +351,7 @@ void build_hood_dryer(Kit& k) {
               dark = color(k, "black plastic", {0.03f, 0.03f, 0.032f}, 0.4f), seat = k.material(k.style.leather),
               inner = color(k, "inside of a hood", {0.1f, 0.1f, 0.1f}, 0.7f);
     Soft how;
-    how.round_m = 0.05f, how.puff_m = 0.03f, how.steps = 8;
+    how.round_m = 0.05f, how.puff_m = 0.03f, how.steps = 3;
     k.rod(metal, {0, 0, 0.05f}, {0, 0.03f, 0.05f}, 0.29f, 0.28f, 28),
         k.rod(metal, {0, 0.02f, 0.05f}, {0, 0.36f, 0.05f}, 0.04f, -1, 14);
     k.soft(seat, {0, 0.36f, 0.06f}, {0.54f, 0.14f, 0.54f}, how),
@@ -366,7 +366,7 @@ void build_hood_dryer(Kit& k) {
                                  {0.17f, 1.46f},    {0.09f, 1.52f}, {0.04f, 1.53f}};
     k.add(shapes::vessel(p, 0.012f, 28), hood, {0, 0, 0.02f}),
         k.rod(dark, {0, 1.52f, 0.02f}, {0, 1.56f, 0.02f}, 0.06f, 0.05f, 16),
-        k.add(shapes::ring(0.198f, 0.012f, 24), inner, {0, 1.205f, 0.02f});
+        k.add(hoop(0.198f, 0.012f, 24), inner, {0, 1.205f, 0.02f});
     k.board(dark, {0, 1.26f, 0.222f}, {0.1f, 0.06f, 0.02f}, 0.006f);
     k.piece.against_wall = true, k.piece.clearance_front_m = 0.6f;
 }

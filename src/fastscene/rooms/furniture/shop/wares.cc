@@ -46,7 +46,7 @@ void boot(Kit& k, int upper, int sole, Vec3f at) {
         ware_ball(k, upper, at + Vec3f{0, 0.06f, -0.05f}, {0.042f, 0.055f, 0.065f});
     const std::array<Vec2f, 4> shaft{Vec2f{0.046f, 0.06f}, {0.044f, 0.12f}, {0.05f, 0.22f}, {0.056f, 0.33f}};
     k.add(shapes::vessel(shaft, 0.004f, 16), upper, at + Vec3f{0, 0, -0.05f}),
-        k.add(shapes::ring(0.055f, 0.006f, 16), sole, at + Vec3f{0, 0.33f, -0.05f});
+        k.add(hoop(0.055f, 0.006f, 16), sole, at + Vec3f{0, 0.33f, -0.05f});
 }
 
 void pump(Kit& k, int upper, int sole, Vec3f at) {
@@ -96,7 +96,7 @@ void build_gift(Kit& k) {
     block(k, ribbon, {0, -0.001f, 0}, {0.03f, s.y + 0.006f, s.z + 0.012f}),
         block(k, ribbon, {0, -0.001f, 0}, {s.x + 0.012f, s.y + 0.006f, 0.03f});
     for (int i = 0; i < 4; ++i) {
-        Mesh loop = shapes::ring(0.032f, 0.014f, 14);
+        Mesh loop = hoop(0.032f, 0.014f, 14);
         shapes::turn(loop, {1, 0, 0}, 90), shapes::move(loop, {0.04f, 0, 0}), shapes::turn(loop, {0, 0, 1}, 28),
             shapes::turn(loop, {0, 1, 0}, 45.f + 90.f * static_cast<float>(i));
         k.add(std::move(loop), ribbon, {0, s.y + 0.014f, 0});
@@ -124,7 +124,7 @@ void build_balloons(Kit& k) {
                              : color(k, "balloon", kColors[static_cast<std::size_t>(k.rng.index(6))], 0.18f);
         const std::array<Vec2f, 7> p{Vec2f{0.008f, -0.01f}, {0.012f, 0.006f}, {0.07f, 0.08f}, {0.125f, 0.18f},
                                      {0.12f, 0.26f},        {0.06f, 0.315f},  {0, 0.325f}};
-        k.add(shapes::lathe(shapes::curve(p, 2), 18, true), skin, foot),
+        k.add(shapes::lathe(shapes::curve(p, 1), 14, true), skin, foot),
             k.rod(skin, foot - Vec3f{0, 0.022f, 0}, foot, 0.016f, 0.006f, 8);
         const std::array<Vec3f, 3> line{Vec3f{0, 0.07f, 0}, {0.35f * foot.x, 0.55f * y, 0.35f * foot.z}, foot};
         k.add(shapes::tube(line, 0.002f, 4), string);
@@ -218,11 +218,10 @@ void build_folded_clothes(Kit& k) {
                                                        ? Vec3f{0.6f, 0.57f, 0.5f} * k.rng.uniform(0.3f, 1.f)
                                                        : k.accent()));
         const float h = k.rng.uniform(0.038f, 0.052f), w = k.rng.uniform(0.29f, 0.31f);
-        Soft how;
-        how.round_m = 0.018f, how.puff_m = 0.004f, how.wrinkle_m = 0.003f, how.steps = 7;
-        k.soft(cloth, {k.rng.uniform(-0.006f, 0.006f), y, k.rng.uniform(-0.006f, 0.006f)}, {w, 0.55f * h, 0.26f}, how),
-            k.soft(cloth, {k.rng.uniform(-0.006f, 0.006f), y + 0.45f * h, 0.003f}, {w - 0.006f, 0.55f * h, 0.252f},
-                   how);
+        k.board(cloth, {k.rng.uniform(-0.006f, 0.006f), y, k.rng.uniform(-0.006f, 0.006f)}, {w, 0.55f * h, 0.26f},
+                0.011f),
+            k.board(cloth, {k.rng.uniform(-0.006f, 0.006f), y + 0.45f * h, 0.003f}, {w - 0.006f, 0.55f * h, 0.252f},
+                    0.011f);
         y += h;
     }
     on_surface(k);
@@ -313,8 +312,8 @@ void build_umbrella(Kit& k) {
     const int body = k.main(k.style.metal), wood = k.material(materials::timber("walnut", 0.4f)),
               metal = k.material(steel()), inner = color(k, "inside of a stand", {0.02f, 0.02f, 0.02f}, 0.9f);
     const std::array<Vec2f, 3> side{Vec2f{0.115f, 0}, {0.115f, 0.02f}, {0.115f, 0.5f}};
-    k.add(shapes::vessel(side, 0.004f, 28), body), k.add(shapes::ring(0.116f, 0.01f, 28), body, {0, 0.5f, 0}),
-        k.add(shapes::ring(0.118f, 0.01f, 28), body, {0, 0.02f, 0});
+    k.add(shapes::vessel(side, 0.004f, 28), body), k.add(hoop(0.116f, 0.01f, 28), body, {0, 0.5f, 0}),
+        k.add(hoop(0.118f, 0.01f, 28), body, {0, 0.02f, 0});
     k.rod(inner, {0, 0.008f, 0}, {0, 0.02f, 0}, 0.1f, -1, 20);
     for (int i = 0; i < 3; ++i) {
         const float a = 2.1f * static_cast<float>(i) + 0.4f;

@@ -189,16 +189,16 @@ void build_sack(Kit& k) {
                             0.9f),
               string = color(k, "string", {0.5f, 0.4f, 0.24f}, 0.9f);
     Soft how;
-    how.round_m = 0.1f, how.puff_m = 0.06f, how.wrinkle_m = 0.006f, how.steps = 11;
+    how.round_m = 0.1f, how.puff_m = 0.06f, how.wrinkle_m = 0.006f, how.steps = 6;
     k.soft(cloth, {0, 0, 0}, {0.46f, 0.62f, 0.27f}, how);
-    k.add_soft(shapes::pillow({0.36f, 0.16f, 0.07f}, k.seed(), 8), cloth, kPillowCrease, {0, 0.57f, 0});
+    k.add_soft(shapes::pillow({0.36f, 0.16f, 0.07f}, k.seed(), 6), cloth, kPillowCrease, {0, 0.57f, 0});
     k.rod(string, {-0.17f, 0.655f, 0.0f}, {0.17f, 0.655f, 0.0f}, 0.012f, -1, 8);
-    Mesh mark = shapes::ring(0.085f, 0.012f, 24);
+    Mesh mark = hoop(0.085f, 0.012f, 22);
     shapes::turn(mark, {1, 0, 0}, 90);
-    k.add(std::move(mark), stamp, {0, 0.32f, 0.131f});
-    for (int i = 0; i < 3; ++i)
-        block(k, stamp, {0, 0.345f - 0.03f * static_cast<float>(i), 0.125f},
-              {0.1f - 0.02f * static_cast<float>(i % 2), 0.013f, 0.02f});
+    k.add(std::move(mark), stamp, {0, 0.32f, 0.134f});
+    Mesh inner = hoop(0.052f, 0.009f, 18);
+    shapes::turn(inner, {1, 0, 0}, 90);
+    k.add(std::move(inner), stamp, {0, 0.32f, 0.136f});
 }
 
 // A pedal bin of steel or of a color, its lid hinged behind.
@@ -245,33 +245,33 @@ void build_recycling_bins(Kit& k) {
 
 // A basket of wire on casters, with a rail for hangers and some washing.
 void build_laundry_cart(Kit& k) {
-    const int wire = k.main(steel()), tyre = color(k, "caster", {0.03f, 0.03f, 0.032f}, 0.7f),
+    const int steel_wire = k.main(steel()), tyre = color(k, "caster", {0.03f, 0.03f, 0.032f}, 0.7f),
               cloth = k.material(tinted(k.style.fabric, {0.7f, 0.69f, 0.66f})),
               towel = k.material(tinted(k.style.fabric, k.accent()));
     const float hx = 0.36f, hz = 0.24f, y0 = 0.36f, y1 = 0.74f;
     for (const float sx : {-1.f, 1.f})
         for (const float sz : {-1.f, 1.f}) {
-            k.rod(wire, {sx * hx, 0.1f, sz * hz}, {sx * hx, y1, sz * hz}, 0.013f, -1, 8);
+            k.rod(steel_wire, {sx * hx, 0.1f, sz * hz}, {sx * hx, y1, sz * hz}, 0.013f, -1, 8);
             k.rod(tyre, {sx * hx - 0.015f, 0.05f, sz * hz}, {sx * hx + 0.015f, 0.05f, sz * hz}, 0.05f, -1, 12);
         }
     for (const float y : {0.14f, y0, 0.5f, y1})
         for (const float s : {-1.f, 1.f})
-            k.rod(wire, {-hx, y, s * hz}, {hx, y, s * hz}, 0.008f, -1, 6),
-                k.rod(wire, {s * hx, y, -hz}, {s * hx, y, hz}, 0.008f, -1, 6);
+            wire(k, steel_wire, {-hx, y, s * hz}, {hx, y, s * hz}, 0.008f),
+                wire(k, steel_wire, {s * hx, y, -hz}, {s * hx, y, hz}, 0.008f);
     for (int i = 1; i < 12; ++i) {
         const float x = hx * (static_cast<float>(i) / 6.f - 1);
-        for (const float s : {-1.f, 1.f}) k.rod(wire, {x, y0, s * hz}, {x, y1, s * hz}, 0.003f, -1, 5);
-        k.rod(wire, {x, y0, -hz}, {x, y0, hz}, 0.003f, -1, 5);
+        for (const float s : {-1.f, 1.f}) wire(k, steel_wire, {x, y0, s * hz}, {x, y1, s * hz}, 0.003f);
+        wire(k, steel_wire, {x, y0, -hz}, {x, y0, hz}, 0.003f);
     }
     for (int i = 1; i < 8; ++i)
         for (const float s : {-1.f, 1.f})
-            k.rod(wire, {s * hx, y0, hz * (static_cast<float>(i) / 4.f - 1)},
-                  {s * hx, y1, hz * (static_cast<float>(i) / 4.f - 1)}, 0.003f, -1, 5);
-    for (const float sx : {-1.f, 1.f}) k.rod(wire, {sx * hx, y1, 0}, {sx * hx, 1.65f, 0}, 0.012f, -1, 8);
-    k.rod(wire, {-hx - 0.05f, 1.65f, 0}, {hx + 0.05f, 1.65f, 0}, 0.014f, -1, 8);
+            wire(k, steel_wire, {s * hx, y0, hz * (static_cast<float>(i) / 4.f - 1)},
+                 {s * hx, y1, hz * (static_cast<float>(i) / 4.f - 1)}, 0.003f);
+    for (const float sx : {-1.f, 1.f}) k.rod(steel_wire, {sx * hx, y1, 0}, {sx * hx, 1.65f, 0}, 0.012f, -1, 8);
+    k.rod(steel_wire, {-hx - 0.05f, 1.65f, 0}, {hx + 0.05f, 1.65f, 0}, 0.014f, -1, 8);
     for (int i = 0; i < 4; ++i) {
         Soft how;
-        how.round_m = 0.06f, how.puff_m = 0.03f, how.wrinkle_m = 0.012f, how.steps = 7;
+        how.round_m = 0.06f, how.puff_m = 0.03f, how.wrinkle_m = 0.012f, how.steps = 2;
         k.soft(i % 2 ? towel : cloth,
                {-0.17f + 0.34f * static_cast<float>(i % 2), y0 + 0.01f + 0.14f * static_cast<float>(i / 2),
                 k.rng.uniform(-0.04f, 0.04f)},
