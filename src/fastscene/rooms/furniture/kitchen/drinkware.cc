@@ -70,14 +70,14 @@ void build_beer_tap(Kit& k) {
     const int metal = k.main(*material_named("brass")), dark = color(k, "grip", {0.03f, 0.02f, 0.016f}, 0.3f),
               tray = k.material(steel()), grid = color(k, "grid", {0.05f, 0.05f, 0.05f}, 0.5f),
               white = k.material(porcelain());
-    k.board(tray, {0, 0, 0.06f}, {0.46f, 0.025f, 0.24f}, 0.006f),
-        block(k, grid, {0, 0.022f, 0.08f}, {0.42f, 0.005f, 0.17f});
+    k.board(tray, {0, 0, 0.05f}, {0.44f, 0.025f, 0.2f}, 0.006f),
+        block(k, grid, {0, 0.022f, 0.06f}, {0.4f, 0.005f, 0.14f});
     for (const float x : {-0.13f, 0.13f})
         k.rod(metal, {x, 0.02f, -0.02f}, {x, 0.34f, -0.02f}, 0.03f, -1, 16),
             k.rod(metal, {x, 0.02f, -0.02f}, {x, 0.035f, -0.02f}, 0.048f, -1, 16);
-    k.rod(metal, {-0.24f, 0.34f, -0.02f}, {0.24f, 0.34f, -0.02f}, 0.038f, -1, 18);
+    k.rod(metal, {-0.2f, 0.34f, -0.02f}, {0.2f, 0.34f, -0.02f}, 0.038f, -1, 18);
     for (const float s : {-1.f, 1.f})
-        k.add(shapes::ball({s * 0.24f, 0.34f, -0.02f}, {0.045f, 0.045f, 0.045f}, 14), metal);
+        k.add(shapes::ball({s * 0.2f, 0.34f, -0.02f}, {0.045f, 0.045f, 0.045f}, 14), metal);
     static constexpr std::array<Vec3f, 3> kBrands{
         Vec3f{0.45f, 0.03f, 0.03f}, {0.04f, 0.2f, 0.1f}, {0.04f, 0.1f, 0.35f}};
     for (int i = 0; i < 3; ++i) {

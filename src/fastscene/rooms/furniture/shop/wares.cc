@@ -44,9 +44,9 @@ void boot(Kit& k, int upper, int sole, Vec3f at) {
     ware_ball(k, sole, at + Vec3f{0, 0.018f, 0.1f}, {0.042f, 0.014f, 0.045f}, 10),
         ware_ball(k, upper, at + Vec3f{0, 0.05f, 0.06f}, {0.041f, 0.04f, 0.085f}),
         ware_ball(k, upper, at + Vec3f{0, 0.06f, -0.05f}, {0.042f, 0.055f, 0.065f});
-    const std::array<Vec2f, 4> shaft{Vec2f{0.046f, 0.06f}, {0.044f, 0.12f}, {0.05f, 0.22f}, {0.056f, 0.33f}};
+    const std::array<Vec2f, 4> shaft{Vec2f{0.046f, 0.06f}, {0.044f, 0.12f}, {0.05f, 0.22f}, {0.054f, 0.28f}};
     k.add(shapes::vessel(shaft, 0.004f, 16), upper, at + Vec3f{0, 0, -0.05f}),
-        k.add(hoop(0.055f, 0.006f, 16), sole, at + Vec3f{0, 0.33f, -0.05f});
+        k.add(hoop(0.053f, 0.006f, 16), sole, at + Vec3f{0, 0.28f, -0.05f});
 }
 
 void pump(Kit& k, int upper, int sole, Vec3f at) {
@@ -203,6 +203,7 @@ void build_shoes(Kit& k) {
         else if (kind == 1) boot(k, upper, sole, at);
         else pump(k, upper, sole, at);
     }
+    on_surface(k);
 }
 
 // Sweaters, folded, one on the other.
