@@ -52,7 +52,7 @@ void build_jar(Kit& k) {
 }
 
 // A pyramid of tins.
-void build_can(Kit& k) {
+void build_food_cans(Kit& k) {
     const int lid = k.main(steel());
     const PrintSheet sheet = print_sheet(k, Print::tins);
     const float r = 0.0375f, h = 0.108f;
@@ -195,18 +195,30 @@ void build_cheese_wheel(Kit& k) {
               paste = color(k, "cheese", {0.68f, 0.5f, 0.18f}, 0.5f),
               hole = color(k, "hole", {0.5f, 0.33f, 0.09f}, 0.7f), wood = k.material(k.style.wood);
     k.add(shapes::prism(shapes::rounded_rectangle(0.42f, 0.34f, 0.03f, 3), 0, 0.02f), wood);
+    // The rind, the face above and the two cuts, from one angle to another.
     const auto part = [&](Vec3f at, float from, float to, float r, float high, int steps) {
-        std::vector<Vec2f> full{{0, 0}}, core{{0, 0}};
-        for (int i = 0; i <= steps; ++i) {
-            const float a = from + (to - from) * static_cast<float>(i) / static_cast<float>(steps);
-            full.push_back({r * std::cos(a), r * std::sin(a)}),
-                core.push_back({(r - 0.006f) * std::cos(a), (r - 0.006f) * std::sin(a)});
-        }
-        k.add(shapes::prism(core, 0.0f, high, 0.001f), paste, at);
-        std::vector<Vec2f> band;  // the rind: about the core and over it
-        for (std::size_t i = 1; i < full.size(); ++i) band.push_back(full[i]);
-        for (std::size_t i = core.size() - 1; i >= 1; --i) band.push_back(core[i]);
-        k.add(shapes::prism(band, 0, high + 0.002f, 0.0008f), rind, at);
+        const auto rim = [&](float v) { return around(to + (from - to) * v); };
+        k.add(shapes::sheet(steps, 2, [&](float u, float v) { return rim(u) * r + Vec3f{0, high * v, 0}; }), rind, at);
+        k.add(shapes::sheet(1, steps,
+                            [&](float u, float v) {
+                                return rim(v) * (r * (0.94f + 0.06f * u)) + Vec3f{0, high, 0};
+                            }),
+              rind, at);
+        k.add(shapes::sheet(1, steps,
+                            [&](float u, float v) {
+                                return rim(v) * (r * (0.001f + 0.939f * u)) + Vec3f{0, high - 0.0005f, 0};
+                            }),
+              rind, at);
+        k.add(shapes::sheet(1, 1,
+                            [&](float u, float v) {
+                                return around(to) * (r * u) + Vec3f{0, high * v, 0};
+                            }),
+              paste, at);
+        k.add(shapes::sheet(1, 1,
+                            [&](float u, float v) {
+                                return around(from) * (r * (1 - u)) + Vec3f{0, high * v, 0};
+                            }),
+              paste, at);
     };
     part({-0.02f, 0.02f, -0.03f}, 1.75f, 7.1f, 0.14f, 0.095f, 26);
     part({0.02f, 0.02f, 0.03f}, 0.9f, 1.6f, 0.13f, 0.095f, 6);

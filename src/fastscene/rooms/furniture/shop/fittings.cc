@@ -323,17 +323,13 @@ void build_barber_pole(Kit& k) {
               red = lit(k, "red stripe", kStripes[0]), blue = lit(k, "blue stripe", kStripes[2]);
     const float z = 0.16f, y0 = 0.14f, h = 0.46f, r = 0.075f;
     k.rod(white, {0, y0, z}, {0, y0 + h, z}, r - 0.002f, -1, 24);
-    for (int b = 0; b < 4; ++b) {
-        const auto stripe = [&](float phase) {
-            return shapes::sheet(16, 1, [&](float u, float v) {
-                const float a = kTau * (u + phase),
-                            y = std::clamp(y0 + h * (0.9f * u + (static_cast<float>(b) - 1.6f) * 0.45f + 0.14f * v), y0,
-                                           y0 + h);
-                return Vec3f{r * std::sin(a), y, z + r * std::cos(a)};
-            });
-        };
-        k.add(stripe(0.f), red), k.add(stripe(0.5f), blue);
-    }
+    for (int b = 0; b < 4; ++b)
+        k.add(shapes::sheet(28, 1,
+                            [&](float u, float v) {
+                                const float a = kTau * (1.5f * u + 0.25f * static_cast<float>(b)) - 0.8f * v;
+                                return Vec3f{r * std::sin(a), y0 + h * u, z + r * std::cos(a)};
+                            }),
+              b % 2 ? blue : red);
     for (const float end : {0.f, 1.f}) {
         const float y = end > 0 ? y0 + h : y0, up = end > 0 ? 1.f : -1.f;
         k.rod(metal, {0, y - 0.015f * up, z}, {0, y + 0.05f * up, z}, 0.088f, 0.08f, 24);

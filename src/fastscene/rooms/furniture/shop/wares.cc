@@ -50,9 +50,10 @@ void boot(Kit& k, int upper, int sole, Vec3f at) {
 }
 
 void pump(Kit& k, int upper, int sole, Vec3f at) {
-    const std::array<Vec2f, 8> side{Vec2f{-0.11f, 0.088f}, {-0.02f, 0.03f}, {0.05f, 0.002f},  {0.125f, 0.002f},
-                                    {0.13f, 0.012f},       {0.05f, 0.012f}, {-0.02f, 0.042f}, {-0.11f, 0.1f}};
-    k.add(side_prism(side, -0.028f, 0.028f, 0.003f), sole, at);
+    const std::array<Vec2f, 4> slope{Vec2f{-0.11f, 0.088f}, {0.05f, 0.002f}, {0.05f, 0.012f}, {-0.11f, 0.1f}},
+        tip{Vec2f{0.045f, 0.002f}, {0.13f, 0.002f}, {0.13f, 0.012f}, {0.045f, 0.012f}};
+    k.add(side_prism(slope, -0.028f, 0.028f, 0.003f), sole, at);
+    k.add(side_prism(tip, -0.028f, 0.028f, 0.003f), sole, at);
     ware_ball(k, upper, at + Vec3f{0, 0.022f, 0.09f}, {0.034f, 0.024f, 0.052f}),
         ware_ball(k, upper, at + Vec3f{0, 0.112f, -0.092f}, {0.028f, 0.036f, 0.028f});
     for (const float sx : {-1.f, 1.f})
