@@ -65,7 +65,7 @@ int draw_all(const std::vector<std::string>& kinds, const std::string& style, st
         const Piece piece = make_piece({.kind = kinds[n], .style = &style_named(style), .seed = seed});
         const Box box = box_of(piece);
         std::size_t triangles = 0;
-        for (const Mesh& m : piece.meshes) triangles += m.triangles.size();
+        for (const Mesh& m : piece.meshes) triangles += m.triangles.size() / 3;
         std::printf("%-24s %5.2f x %5.2f x %5.2f m  %6zu triangles\n", kinds[n].c_str(),
                     static_cast<double>(piece.size_m.x), static_cast<double>(piece.size_m.y),
                     static_cast<double>(piece.size_m.z), triangles);
