@@ -140,6 +140,8 @@ void build_guitar_stand(Kit& k) {
     k.piece.clearance_front_m = 0.3f;
 }
 
+void build_electric_guitar(Kit& k) { build_guitar_stand(k); }
+
 void build_microphone(Kit& k) {
     const int metal = k.material(steel()), black = k.main(plain("stand", {0.03f, 0.03f, 0.032f}, 0.4f));
     k.add(shapes::prism(shapes::circle(0.15f, 28), 0, 0.025f, 0.004f), black);
