@@ -20,7 +20,7 @@ void build_folding_screen(Kit& k) {
     for (int i = 0; i < kLeaves; ++i) {
         const Vec3f at{-0.5f * s.x + pitch * (static_cast<float>(i) + 0.5f), 0, 0};
         const auto put = [&](Vec3f size, Vec3f base, int mat) {
-            Mesh m = shapes::box(size, size.y > 0.06f ? 0.003f : 0.f);
+            Mesh m = shapes::box(size, size.y > 0.06f ? 0.003f : 0.001f);
             shapes::lay_grain(m), shapes::move(m, base + Vec3f{0, 0.5f * size.y, 0}),
                 shapes::turn(m, {0, 1, 0}, i % 2 ? angle : -angle), k.add(std::move(m), mat, at);
         };
@@ -120,8 +120,8 @@ void build_hot_tub(Kit& k) {
     const int wood = k.main(materials::timber("natural", 0.6f)), iron = k.material(*material_named("iron")),
               water = color(k, "water", {0.14f, 0.38f, 0.42f}, 0.04f),
               foam = color(k, "foam", {0.75f, 0.78f, 0.78f}, 0.6f);
-    const float r = 0.95f, h = 0.95f;
-    constexpr int kStaves = 36;
+    const float r = 0.8f, h = 0.9f;
+    constexpr int kStaves = 30;
     for (int i = 0; i < kStaves; ++i) {
         const float a = kTau * static_cast<float>(i) / kStaves;
         Mesh m = shapes::box({kTau * r / kStaves - 0.004f, h, 0.045f}, 0.005f);
@@ -142,11 +142,11 @@ void build_hot_tub(Kit& k) {
     }
     k.add(shapes::prism(shapes::circle(r - 0.02f, 36), h - 0.14f, h - 0.09f, 0.002f), water);
     for (int i = 0; i < 40; ++i) {
-        const float d = 0.7f * std::sqrt(k.rng.uniform(0.f, 1.f)), q = k.rng.uniform(0.012f, 0.04f);
+        const float d = 0.6f * std::sqrt(k.rng.uniform(0.f, 1.f)), q = k.rng.uniform(0.012f, 0.04f);
         k.add(shapes::ball(around(k.rng.uniform(0.f, kTau)) * d + Vec3f{0, h - 0.088f, 0}, {q, 0.4f * q, q}, 6), foam);
     }
-    for (int i = 0; i < 3; ++i) {
-        const float y = 0.25f * static_cast<float>(i + 1), z = r + 0.55f - 0.22f * static_cast<float>(i);
+    for (int i = 0; i < 2; ++i) {
+        const float y = 0.27f * static_cast<float>(i + 1), z = r + 0.34f - 0.22f * static_cast<float>(i);
         k.board(wood, {0, y, z}, {0.7f, 0.035f, 0.26f}, 0.008f);
         for (const float sx : {-1.f, 1.f}) k.board(wood, {sx * 0.31f, 0, z}, {0.04f, y, 0.2f}, 0.005f);
     }

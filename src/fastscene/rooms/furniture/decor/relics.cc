@@ -192,7 +192,7 @@ void build_skull(Kit& k) {
                                  {{-0.014f, 0.012f, 0.062f}, {0.014f, 0.012f, 0.062f}, 0.013f, 0.013f}};
     k.add(shapes::skin(head, 0.012f, 0.019f), bone);
     for (const float s : {-1.f, 1.f})
-        k.add(shapes::ball({s * 0.028f, 0.1f, 0.063f}, {0.018f, 0.016f, 0.014f}, 10), dark);
+        k.add(shapes::ball({s * 0.028f, 0.1f, 0.057f}, {0.018f, 0.016f, 0.015f}, 10), dark);
     k.add(shapes::ball({0, 0.074f, 0.08f}, {0.009f, 0.014f, 0.008f}, 8), dark),
         k.board(dark, {0, 0.031f, 0.064f}, {0.044f, 0.008f, 0.022f}, 0.001f);
     for (int i = 0; i < 6; ++i)
@@ -343,7 +343,7 @@ void build_spinning_wheel(Kit& k) {
 
 // Three bays: the priest's behind a curtain, a place to kneel at either side.
 void build_confessional(Kit& k) {
-    const Vec3f s = k.wanted({2.3f, 2.4f, 0.95f});
+    const Vec3f s = k.wanted({2.1f, 2.15f, 0.85f});
     const int wood = k.main(k.style.wood2), cloth = k.material(tinted(k.style.curtain, {0.28f, 0.02f, 0.05f})),
               dark = color(k, "shadow", {0.02f, 0.015f, 0.012f}, 0.9f), gold = k.material(*material_named("gold"));
     k.board(wood, {0, 0, 0}, {s.x, 0.12f, s.z}, 0.01f),

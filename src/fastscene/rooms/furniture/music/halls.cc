@@ -11,7 +11,7 @@ namespace fastscene::furniture {
 
 // A case with towers of pipes above its console, and a bench before it.
 void build_pipe_organ(Kit& k) {
-    const Vec3f s = k.wanted({3.4f, 3.9f, 1.6f});
+    const Vec3f s = k.wanted({2.6f, 3.6f, 1.25f});
     const int wood = k.main(k.style.wood2), tin = k.material(plain("organ pipe", {0.62f, 0.62f, 0.6f}, 0.22f)),
               gold = k.material(*material_named("gold")), dark = color(k, "shadow", {0.015f, 0.013f, 0.012f}, 0.9f),
               ivory = color(k, "keys", {0.76f, 0.73f, 0.64f}, 0.3f),
@@ -91,7 +91,7 @@ void build_pipe_organ(Kit& k) {
     k.board(wood, {0, 0.5f, 0.5f * s.z - 0.16f}, {0.36f * s.x, 0.05f, 0.32f}, 0.01f);
     for (const float sx : {-1.f, 1.f})
         k.board(wood, {sx * 0.16f * s.x, 0, 0.5f * s.z - 0.16f}, {0.05f, 0.5f, 0.3f}, 0.008f);
-    k.piece.against_wall = true, k.piece.clearance_front_m = 0.8f;
+    k.piece.against_wall = true, k.piece.clearance_front_m = 0.2f;
 }
 
 // Tiles of acoustic foam, wedges across and upright by turns.

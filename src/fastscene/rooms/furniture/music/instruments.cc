@@ -67,7 +67,7 @@ std::vector<std::pair<Mesh, int>> fiddle(Kit& k, float s, bool bow) {
         bar({0.05f, 0.008f, 0.008f}, {(i % 2 ? 1.f : -1.f) * 0.02f, y, 0.026f}, ebony);
     }
     for (const float sx : {-1.f, 1.f}) {
-        Mesh f = shapes::box(Vec3f{0.004f, 0.07f, 0.002f} * s, 0);
+        Mesh f = shapes::box(Vec3f{0.004f, 0.07f, 0.002f} * s, 0.0004f);
         shapes::turn(f, {0, 0, 1}, sx * 12);
         put(std::move(f), ebony, {sx * 0.045f, 0.155f, 0.0415f});
     }

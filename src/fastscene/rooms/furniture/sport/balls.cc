@@ -37,7 +37,7 @@ void soccer_ball_at(Kit& k, int white, int black, Vec3f c, float r) {
                             t = cross(n, s);
                 k.add(shapes::sheet(5, 2,
                                     [&](float u, float v) {
-                                        const float w = kTau * u, rad = 0.37f * v;
+                                        const float w = kTau * u, rad = 0.37f * (0.04f + 0.96f * v);
                                         return c +
                                                normalize(n + (s * std::cos(w) + t * std::sin(w)) * rad) * (1.008f * r);
                                     }),

@@ -142,7 +142,7 @@ void build_rowing_machine(Kit& k) {
         k.add(std::move(foot), dark, {sx * 0.13f, 0.3f, -0.36f});
     }
     strut(k, frame, {0, 0.5f, -0.82f}, {0, 1.0f, -0.6f}, 0.05f, 0.03f);
-    Mesh panel = shapes::box({0.22f, 0.2f, 0.03f}, 0.01f), face = shapes::box({0.16f, 0.12f, 0.002f}, 0);
+    Mesh panel = shapes::box({0.22f, 0.2f, 0.03f}, 0.01f), face = shapes::box({0.16f, 0.12f, 0.002f}, 0.0004f);
     shapes::move(face, {0, 0.01f, 0.016f});
     for (Mesh* m : {&panel, &face}) shapes::turn(*m, {1, 0, 0}, -12);
     k.add(std::move(panel), dark, {0, 1.06f, -0.57f}), k.add(std::move(face), show, {0, 1.06f, -0.57f});

@@ -60,18 +60,17 @@ void build_doll_house(Kit& k) {
     k.board(wood, {0, body + 0.018f, 0}, {0.14f, 0.08f, 0.1f}, 0.006f);
 }
 
-// An engine with three wagons, on a few rails.
+// An engine with two wagons, on a few rails.
 void build_toy_train(Kit& k) {
     const int red = k.main(plain("engine", {0.58f, 0.05f, 0.03f}, 0.35f)),
               black = color(k, "boiler", {0.04f, 0.04f, 0.045f}, 0.3f),
               blue = color(k, "blue wagon", {0.04f, 0.16f, 0.5f}, 0.4f),
               yellow = color(k, "yellow wagon", {0.68f, 0.48f, 0.04f}, 0.4f),
-              green = color(k, "green wagon", {0.05f, 0.32f, 0.1f}, 0.4f), brass = k.material(*material_named("brass")),
-              wood = k.material(materials::timber("natural", 0.5f)),
+              brass = k.material(*material_named("brass")), wood = k.material(materials::timber("natural", 0.5f)),
               rail = color(k, "rails", {0.35f, 0.35f, 0.36f}, 0.35f);
-    for (const float z : {-0.028f, 0.028f}) block(k, rail, {0, 0.008f, z}, {0.8f, 0.008f, 0.006f});
-    for (int i = 0; i < 14; ++i)
-        block(k, wood, {-0.375f + 0.0577f * static_cast<float>(i), 0, 0}, {0.022f, 0.008f, 0.1f});
+    for (const float z : {-0.028f, 0.028f}) block(k, rail, {0.1f, 0.008f, z}, {0.58f, 0.008f, 0.006f});
+    for (int i = 0; i < 10; ++i)
+        block(k, wood, {-0.16f + 0.0577f * static_cast<float>(i), 0, 0}, {0.022f, 0.008f, 0.1f});
     const auto wheels = [&](float x0, float x1) {
         for (const float x : {x0, x1})
             for (const float z : {-0.036f, 0.036f})
@@ -86,8 +85,8 @@ void build_toy_train(Kit& k) {
         k.rod(black, {0.32f, 0.11f, 0}, {0.32f, 0.165f, 0}, 0.011f, 0.018f, 12),
         k.rod(brass, {0.265f, 0.115f, 0}, {0.265f, 0.137f, 0}, 0.012f, -1, 12);
     for (const float z : {-0.038f, 0.038f}) block(k, brass, {0.19f, 0.1f, z}, {0.035f, 0.03f, 0.001f});
-    const std::array<int, 3> wagon{blue, yellow, green};
-    for (int i = 0; i < 3; ++i) {
+    const std::array<int, 2> wagon{blue, yellow};
+    for (int i = 0; i < 2; ++i) {
         const float x = 0.06f - 0.17f * static_cast<float>(i);
         wheels(x - 0.04f, x + 0.04f),
             k.board(wagon[static_cast<std::size_t>(i)], {x, 0.045f, 0}, {0.14f, i == 1 ? 0.04f : 0.085f, 0.07f},

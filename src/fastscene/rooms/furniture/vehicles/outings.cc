@@ -122,6 +122,10 @@ void build_boat(Kit& k) {
         for (int i = 0; i <= 24; ++i) rail.push_back(section(0.004f + 0.992f * static_cast<float>(i) / 24, u, 0));
         k.add(shapes::tube(rail, 0.022f, 6), wood);
     }
+    for (const float v : canoe ? std::vector<float>{0.008f, 0.992f} : std::vector<float>{0.99f}) {
+        const Vec3f keel = section(v, 0.5f, 0), tip = section(v, 1, 0);
+        k.rod(hull, {keel.x, keel.y, 0}, {tip.x, tip.y + 0.02f, 0}, std::max(0.03f, 0.8f * tip.z), -1, 10);
+    }
     for (const float x : canoe ? std::vector<float>{-0.5f, 0.5f} : std::vector<float>{-0.72f, -0.1f, 0.45f}) {
         const Vec3f e = section(0.5f * (x + 1), 0.87f, 0.02f);
         k.board(wood, {e.x, 0.62f * s.y, 0}, {0.22f, 0.028f, 1.84f * std::abs(e.z)}, 0.006f);
@@ -166,9 +170,9 @@ void build_surfboard(Kit& k) {
     auto o = outline(1.f);
     if (shapes::signed_volume(shapes::prism(o, 0, 0.05f, 0.f)) < 0) std::reverse(o.begin(), o.end());
     lean(shapes::prism(o, -0.03f, 0.03f, 0.018f), board, {0, 1.05f, 0}),
-        lean(shapes::box({0.012f, 0.003f, 1.9f}, 0), dark, {0, 1.05f, 0.031f});
+        lean(shapes::box({0.012f, 0.003f, 1.9f}, 0.0005f), dark, {0, 1.05f, 0.031f});
     for (const float sx : {-1.f, 1.f})
-        lean(shapes::box({0.03f, 0.003f, 1.55f}, 0), stripe, {sx * 0.09f, 1.05f, 0.031f}),
+        lean(shapes::box({0.03f, 0.003f, 1.55f}, 0.0005f), stripe, {sx * 0.09f, 1.05f, 0.031f}),
             lean(shapes::box({0.006f, 0.1f, 0.12f}, 0.002f), dark, {sx * 0.1f, 0.28f, -0.07f});
     k.piece.against_wall = true;
 }
@@ -254,7 +258,7 @@ void build_parasol(Kit& k) {
     for (int i = 0; i < kGores; ++i) {
         k.add(shapes::slab(4, 5, 0.004f,
                            [&](float u, float v) {
-                               const float t = 1 - v, a = kTau * (static_cast<float>(i) + u) / kGores,
+                               const float t = 1 - 0.97f * v, a = kTau * (static_cast<float>(i) + u) / kGores,
                                            flat = 1 - 0.07f * std::sin(kPi * u) * t;
                                return Vec3f{r * t * flat * std::cos(a),
                                             2.28f - 0.42f * std::pow(t, 1.35f) - 0.04f * std::sin(kPi * u) * t,
