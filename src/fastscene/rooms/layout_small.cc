@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "fastscene/rooms/catalogue.h"
 #include "fastscene/rooms/layout_parts.h"
 #include "fastscene/rooms/layout_relations.h"
 #include "fastscene/rooms/shapes.h"
