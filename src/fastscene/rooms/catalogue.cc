@@ -79,8 +79,9 @@ constexpr std::string_view kWords = "words";  // the file about models of the pa
 int label_named(const TomlTable& table) { return static_cast<int>(table.needed_choice("nyu40", kNyu40)); }
 
 Thing read_thing(const std::string& kind, const toml::table& found, const std::string& file) {
-    static const std::vector<std::string> kKeys{"builder", "roles",  "nyu40",      "floor_m2", "style",     "room",
-                                                "models",  "on_top", "small_form", "stand_in", "for_child", "called"};
+    static const std::vector<std::string> kKeys{"builder",   "roles",  "nyu40",  "floor_m2",   "style",
+                                                "room",      "models", "on_top", "small_form", "stand_in",
+                                                "for_child", "called", "parts"};
     const TomlTable table(found, file, "[" + kind + "]", kKeys);
     Thing t;
     t.kind = kind;
@@ -93,6 +94,7 @@ Thing read_thing(const std::string& kind, const toml::table& found, const std::s
     t.style = table.text("style");
     t.room = table.text("room");
     t.called = table.texts("called");
+    t.parts = table.texts("parts");
     t.small_form = table.text("small_form");
     t.for_child = table.text("for_child");
     t.models = table.texts("models");

@@ -90,6 +90,7 @@ struct Thing {
     std::string style;                // who names no style, but this, means that style
     std::string room;                 // who names no room, but this, means that room
     std::vector<std::string> called;  // in a room whose recipe has one: "counter" in a shop means its checkout
+    std::vector<std::string> parts;   // of it that people name as if they stood by themselves: a counter's stove
     std::string small_form;           // what stands in its place on a table or a shelf
     std::string for_child;            // what stands in its place in a child's room
     std::vector<std::string> models;  // of the furniture pack that serve for it, best first

@@ -57,6 +57,14 @@ std::vector<int> alike(const RoomDocument& document, const PromptObject& said, b
     // "The palms", where only trees stand.
     for (std::size_t i = 0; i < document.things.size() && !by_name; ++i)
         if (is_a(document.things[i].kind, said.kind)) near.push_back(static_cast<int>(i));
+    if (!near.empty()) return near;
+    // "The counter" of a shop is its checkout, "the stove" a part of the kitchen's units.
+    const auto has = [&](const std::vector<std::string>& names) {
+        return std::find(names.begin(), names.end(), last) != names.end();
+    };
+    for (std::size_t i = 0; i < document.things.size(); ++i)
+        if (const Thing* row = find_thing(document.things[i].kind); row && (has(row->called) || has(row->parts)))
+            near.push_back(static_cast<int>(i));
     return near;
 }
 

@@ -123,6 +123,9 @@ void build_soda_fountain(Kit& k) {
     for (const float x : {-0.135f, 0.27f}) k.add(shapes::vessel(p, 0.003f, 16), cup, {x, 0.124f, 0.13f});
     for (const float sx : {-1.f, 1.f})
         for (const float z : {-0.22f, 0.2f}) k.rod(dark, {sx * 0.28f, 0, z}, {sx * 0.28f, 0.025f, z}, 0.02f, -1, 8);
+    constexpr float kCompact = 0.72f;  // of a full-size fountain: it stands on a counter or a sideboard
+    for (Mesh& m : k.piece.meshes)
+        for (Vec3f& at : m.positions) at = at * kCompact;
     on_surface(k);
 }
 
