@@ -161,7 +161,7 @@ void build_computer(Kit& k) {
     k.merge(k.small("monitor"), {0, 0, -0.1f});
     k.merge(k.small("keyboard_pc"), {-0.02f, 0, 0.14f});
     k.merge(k.small("mouse"), {0.27f, 0, 0.14f});
-        // All three are of one color.
+    // All three are of one color.
     for (Mesh& m : k.piece.meshes) {
         const std::string& name = k.piece.materials[static_cast<std::size_t>(m.material)].name;
         if (name == "black plastic" || name == "keyboard" || name == "mouse") m.material = plastic;
