@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "fastscene/base/error.h"
+#include "fastscene/base/is_one_of.h"
 #include "fastscene/io/toml_table.h"
 
 namespace fastscene {
@@ -201,6 +202,12 @@ const Thing* find_thing(std::string_view kind) {
 bool has_role(std::string_view kind, Role role) {
     const Thing* thing = find_thing(kind);
     return thing != nullptr && thing->has(role);
+}
+
+bool is_form_of(std::string_view kind, std::string_view plain) {
+    if (!kind.starts_with(plain)) return false;
+    const std::string_view form = kind.substr(plain.size());
+    return is_one_of(form, {"", "_round", "_small", "_tree", "_blocks", "_single", "_tall", "_low", "_corner"});
 }
 
 std::vector<std::string> kinds_with(Role role) {

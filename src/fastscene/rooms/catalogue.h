@@ -106,6 +106,8 @@ std::span<const Thing> things();
 const Thing* find_thing(std::string_view kind);
 bool has_role(std::string_view kind, Role role);
 std::vector<std::string> kinds_with(Role role);
+// Whether a kind is that one in a form of its own: "plant_tree" is a "plant", "pallet_rack" is no "pallet".
+bool is_form_of(std::string_view kind, std::string_view plain);
 
 // The names of NYU40's labels (Gupta, Arbelaez and Malik 2013), 0 "outside" to 40 "other prop"; Structured3D and
 // ScanNet use the same numbers.

@@ -1,18 +1,8 @@
 // Two clauses that say one thing: "keep two and remove the rest", "take it away and put a bench in its place".
-#include <fmt/format.h>
-
 #include <algorithm>
-#include <array>
-#include <cmath>
-#include <utility>
 
-#include "fastscene/base/error.h"
 #include "fastscene/base/is_one_of.h"
-#include "fastscene/rooms/catalogue.h"
 #include "fastscene/rooms/edit_parts.h"
-#include "fastscene/rooms/layout_parts.h"
-#include "fastscene/rooms/lexicon.h"
-#include "fastscene/rooms/prompt_text.h"
 
 namespace fastscene::editing {
 
@@ -71,9 +61,7 @@ bool leaves_some(Clause& clause, const Clause& next) {
 // "Keep two chairs and remove the rest": only those stay.
 bool takes_the_rest(Clause& clause, const Clause& next) {
     if (clause.verb != Verb::keep || next.verb != Verb::remove || clause.words.empty()) return false;
-    if (!is_one_of(text_of(next.words), {"the rest", "the others", "the other ones", "the rest of them", "all others",
-                                         "all the others", "the remaining ones"}))
-        return false;
+    if (!says_the_rest(next.words)) return false;
     const bool only = is_one_of(clause.words.front(), {"only", "just"});
     if (!only && (!number_said(clause.words.front()) || is_one_of(clause.words.front(), {"a", "an"}))) return false;
     if (!only) clause.words.insert(clause.words.begin(), "only");

@@ -162,9 +162,12 @@ class Editor {
     std::string what_is_missing(const EditStep& step, const Placed* moving, const std::vector<int>& gone) const;
     std::vector<std::string> fewest_in_the_way(const EditStep& step, const Placed* moving,
                                                const std::vector<int>& gone) const;
-    // What would be wrong at a place where nothing stands in its way: "it would block the way from the door"; empty:
-    // nothing would, or there is no such place.
+    void try_places(const EditStep& step, const Placed* moving, const std::vector<int>& gone,
+                    const std::function<bool(const Standing&, const Asked&, const Placed&)>& each) const;
+    // ", and picture-1 hangs there": what is above the thing already; empty: nothing.
     std::string what_hangs_above(const EditStep& step) const;
+    // What would be wrong at a place where nothing stands in its way: "it would stand before a window"; empty: nothing,
+    // or there is no such place.
     std::string fault_at_best(const EditStep& step, const Placed* moving, const std::vector<int>& gone) const;
 
     // ---- edit_place.cc
@@ -265,7 +268,7 @@ class Editor {
                                        std::vector<Squeezed>& pushed) const;
 
     // ---- edit_exchange.cc
-    // So far along from the place of what goes, and so large; nowhere else.
+    // This far to the side of the old place, at this scale, and nowhere else.
     struct Aside {
         float by, scale;
     };

@@ -66,10 +66,8 @@ std::vector<Placed> shared_out(std::vector<Placed> olds, int count) {
 void Editor::replace(const EditStep& step) {
     std::vector<int> roots;
     std::vector<Placed> olds;
-    std::map<std::string, std::string> kind_was;
     for (const std::string& id : step.ids) {
         roots.push_back(index_of(id));
-        kind_was[id] = placed(roots.back()).piece.kind;
         olds.push_back(placed(roots.back()));
     }
     std::vector<std::pair<std::string, int>> riders;  // what stood on the old ones, and on which
@@ -144,8 +142,8 @@ void Editor::replace(const EditStep& step) {
     });
     set_down(riders, onto);
     // Nobody sits at what came for a desk or a table, unless it is one.
-    const bool sat_at = std::all_of(step.ids.begin(), step.ids.end(),
-                                    [&](const std::string& id) { return is_sat_at(kind_was.at(id)); });
+    const bool sat_at = std::all_of(olds.begin(), olds.end(),
+                                    [](const Placed& old) { return is_sat_at(old.piece.kind); });
     if (sat_at && !is_sat_at(step.wish.kind) && !seats.empty()) take(seats);
 }
 
@@ -179,15 +177,15 @@ std::vector<Placed> Editor::in_place_of(const std::vector<Placed>& all, const St
         if (only && only->scale != scale) continue;
         if (scale < kLeastBed && (has_role(wish.kind, Role::bed) || has_role(wish.kind, Role::seat))) break;
         Layout layout = begin_layout(spec, rng, all, nullptr);
-        // Twins are alike.
-        if (all.size() > standing.placed.size()) layout.make_as(all.back().piece.made_from);
+        // Twins are alike, and as large as the first.
+        const bool alike = all.size() > standing.placed.size();
+        if (alike) layout.make_as(all.back().piece.made_from);
         if (const std::string why = layout.why_not(wish.kind); !why.empty()) throw Error("{}: {}", wish.words, why);
         PieceRequest request = layout.request(wish.kind, &wish);
         // On a table or a sill a plant is a small one.
         if (const Thing* thing = find_thing(request.kind);
             (old.on >= 0 || old.sill >= 0) && thing && !request.model && !thing->small_form.empty())
             request.kind = thing->small_form;
-        const bool alike = all.size() > standing.placed.size();  // and so large as the first already
         if (!only || !alike) request = shrunk_to(request, scale);
         Placed place = old;
         float wide = std::max(make_piece(request).size_m.x + 0.06f, old.piece.size_m.x / static_cast<float>(here));

@@ -1,5 +1,6 @@
 // Two seats before a fireplace or another thing: a pair, one on each side of its middle.
 #include <algorithm>
+#include <set>
 #include <cmath>
 
 #include "fastscene/base/is_one_of.h"

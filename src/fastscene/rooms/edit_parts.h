@@ -8,6 +8,9 @@ namespace fastscene::editing {
 
 // ---- edit_sentence.cc: what clauses do
 
+// "The rest", "the others": what else was spoken of.
+bool says_the_rest(const Words& words);
+
 // A sentence while it is acted on.
 struct Talk {
     Editor& editor;
@@ -26,9 +29,10 @@ struct Talk {
     std::optional<float> last_gone_yaw{};        // … and how that was turned
     std::string last_gone_from{};                // … and what carried it; "clear the table and put a bowl there"
     std::vector<std::string> kept{};             // "leave the rug as it is"
-    std::vector<std::string> mentioned{};        // all that was named so far, as a thing or as a place: no "other"
-    Words too_far{}, too_near{};                 // "it is too far from the sofa": "closer" is closer to that
-    std::string unclear{};                       // why nobody knows what was last spoken of
+    std::vector<std::string>
+        mentioned{};              // all that was named so far, as a thing or as a place: "the other" is none of these
+    Words too_far{}, too_near{};  // "it is too far from the sofa": "closer" is closer to that
+    std::string unclear{};        // why nobody knows what was last spoken of
 
     std::vector<std::string> things(const Words& words);
     // "On the other desk", where one of two was named before: on that one, by its id.

@@ -47,9 +47,8 @@ constexpr std::array<Phrase, 114> kPhrases{{
     {"king sized", "larger"},
     {"queen size", "larger"},
     {"queen sized", "larger"},
-    {"twin beds", "two single beds"},
-    {"two twin", "two single"},
-    {"two two", "two"},
+    {"twin beds", "single beds"},
+    {"twin bed", "single bed"},
     {"a lower", "a low"},
     {"a higher", "a tall"},
     {"angled towards", "facing"},
@@ -277,9 +276,7 @@ void as_one_each(Words& words) {
             continue;
         }
         words[from] = "one";
-        std::size_t begin = i;
-        while (is_joint(words[begin - 1])) --begin;
-        words.erase(words.begin() + static_cast<std::ptrdiff_t>(begin),
+        words.erase(words.begin() + static_cast<std::ptrdiff_t>(stop),
                     words.begin() + static_cast<std::ptrdiff_t>(i) + 1);
     }
 }

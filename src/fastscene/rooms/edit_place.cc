@@ -102,7 +102,8 @@ void Editor::tell_aside(const std::string& id, const EditStep& step) {
 void Editor::tell_distance(const std::string& id, const EditStep& step) {
     constexpr float kNext = 0.9f;  // metres from edge to edge
     constexpr float kMiddle = 0.8f;
-    if (step.wish.relation == "in the middle" && placed(id).piece.mount == Mount::floor && step.wish.count < 2)
+    if (step.wish.relation == "in the middle" && step.wish.relation_to.empty() &&
+        placed(id).piece.mount == Mount::floor && step.wish.count < 2)
         if (const float off = length(footprint_of(placed(id)).center); off > kMiddle)
             return tell(id, fmt::format("{:.1f} m off the middle: there was no nearer place", off));
     if (!is_one_of(step.wish.relation, {"next to", "left of", "right of", "on both sides of"}) ||

@@ -50,6 +50,7 @@ void remark(Talk& talk, const Words& words) {
     // "It is too far from the sofa", "too close to the door"
     if (const std::size_t too = find_word(words, {"too"}); too + 3 < words.size()) {
         const std::size_t to = find_word(words, {"from", "to"}, too);
+        talk.too_far.clear(), talk.too_near.clear();
         if (words[too + 1] == "far") talk.too_far = part_of(words, to + 1);
         if (is_one_of(words[too + 1], {"close", "near"})) talk.too_near = part_of(words, to + 1);
     }

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 #include <array>
 #include <cmath>
 
@@ -170,10 +171,10 @@ void Talk::act(const Clause& whole) {
     if ((clause.verb == Verb::move || clause.verb == Verb::put) && words.size() > 1) {
         const std::string& way = words.back();
         if (!too_far.empty() && is_one_of(way, {"closer", "nearer"}))
-            clause.words = joined_words(joined_words(clause.words, {"to"}), too_far);
+            clause.words = joined_words(joined_words(clause.words, {"to"}), std::exchange(too_far, {}));
         else if (!too_near.empty() && is_one_of(way, {"away", "further", "farther", "off"}))
             clause.words = joined_words(joined_words(part_of(clause.words, 0, words.size() - 1), {"away", "from"}),
-                                        too_near);
+                                        std::exchange(too_near, {}));
     }
     // "Rearrange the chairs in a circle" says how.
     if (clause.said == "rearrange" && (says_so_that(words) || next_place(words) < words.size()))

@@ -98,7 +98,7 @@ std::vector<std::string> Talk::meant(const Words& said_words) {
             if (has_role(p.piece.kind, Role::light) && can_shine(p) && !is_among(p.id, last)) ids.push_back(p.id);
         if (!ids.empty()) return last = ids;
     }
-    // "the other armchair": not that one which was spoken of, or no one that was.
+    // "the other armchair": not the one last spoken of, else none of those named before.
     if (const std::size_t other = find_word(words, {"other"}); other < words.size())
         for (const std::vector<std::string>* those : {&last, &mentioned}) {
             std::vector<std::string> ids;
@@ -188,12 +188,15 @@ Words Talk::with_others(const Words& words) const {
     return out;
 }
 
+bool says_the_rest(const Words& words) {
+    return is_one_of(text_of(words),
+                     {"the rest", "the others", "all others", "all the others", "the rest of them", "the other ones",
+                      "the remaining ones", "the remaining", "the ones left", "the ones that are left"});
+}
+
 // "The rest", "the other ones", "the remaining chairs": of what was last spoken of by name, those that were not meant.
 std::optional<std::vector<std::string>> Talk::the_rest(const Words& words) const {
-    const bool bare = is_one_of(
-        text_of(words),
-        {"the rest", "the others", "the other half", "the remaining half", "the rest of them", "the other ones",
-         "the remaining ones", "the ones left", "all the others", "the ones that are left", "the remaining"});
+    const bool bare = says_the_rest(words) || is_one_of(text_of(words), {"the other half", "the remaining half"});
     const bool named_so = words.size() > 2 && words.front() == "the" && words[1] == "remaining";
     const bool rest_of = words.size() > 3 && text_of(words, 0, 3) == "the rest of" && words.back() != "them";
     if (!named_so && !rest_of && (!bare || noun.empty())) return {};

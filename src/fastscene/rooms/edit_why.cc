@@ -3,6 +3,9 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <functional>
+#include <set>
+#include <utility>
 
 #include "fastscene/base/error.h"
 #include "fastscene/base/is_one_of.h"
@@ -44,25 +47,34 @@ std::string Editor::why_none_added(EditStep step) const {
                        what_is_missing(step, nullptr, {}));
 }
 
-// Of all places that are meant the one at which the fewest things stand; none: it is no thing that is in the way.
-std::vector<std::string> Editor::fewest_in_the_way(const EditStep& step, const Placed* moving,
-                                                   const std::vector<int>& gone) const {
+// Calls `each` for every place that is meant, with the thing standing there, until it returns false. Not at all for
+// what hangs or lies flat, or cannot be had: no thing is in its way.
+void Editor::try_places(const EditStep& step, const Placed* moving, const std::vector<int>& gone,
+                        const std::function<bool(const Standing&, const Asked&, const Placed&)>& each) const {
     const Standing standing = without(gone);
     Asked asked = asked_among(standing, step);
     Random rng(room_.seed, "why", asked.among.size());
     Layout layout = begin_layout(asked.spec, rng, asked.among, moving);
     const PromptObject& wish = asked.spec.objects[0];
-    if (!layout.why_not(wish.kind).empty()) return {};
+    if (!layout.why_not(wish.kind).empty()) return;
     Placed p;
     p.piece = make_piece(layout.request(wish.kind, &wish));
-    if (p.piece.mount != Mount::floor || is_rug(p.piece)) return {};
+    if (p.piece.mount != Mount::floor || is_rug(p.piece)) return;
+    for (const Candidate& c : candidates_for(layout, step, p.piece, 0)) {
+        p.position = {c.at.x, 0, c.at.y}, p.yaw = c.yaw;
+        if (!each(standing, asked, p)) return;
+    }
+}
+
+// Of all places that are meant the one at which the fewest things stand; none: it is no thing that is in the way.
+std::vector<std::string> Editor::fewest_in_the_way(const EditStep& step, const Placed* moving,
+                                                   const std::vector<int>& gone) const {
     constexpr std::size_t kMostNamed = 3;
     std::vector<int> fewest;
     bool found = false;
-    for (const Candidate& c : candidates_for(layout, step, p.piece, 0)) {
-        p.position = {c.at.x, 0, c.at.y}, p.yaw = c.yaw;
+    try_places(step, moving, gone, [&](const Standing& standing, const Asked& asked, const Placed& p) {
         const Footprint box = footprint_of(p);
-        if (blocks_opening(plan(), box)) continue;
+        if (blocks_opening(plan(), box)) return true;
         std::vector<int> here;
         bool meant = false;
         for (int i = 0; i < static_cast<int>(asked.among.size()); ++i) {
@@ -73,7 +85,8 @@ std::vector<std::string> Editor::fewest_in_the_way(const EditStep& step, const P
             meant = meant || is_meant(step, placed(here.back()));
         }
         if (!meant && (!found || here.size() < fewest.size())) fewest = here, found = true;
-    }
+        return true;
+    });
     std::vector<std::string> out;
     for (const int i : fewest)
         if (out.size() < kMostNamed) out.push_back(placed(i).id);
@@ -81,47 +94,35 @@ std::vector<std::string> Editor::fewest_in_the_way(const EditStep& step, const P
 }
 
 std::string Editor::fault_at_best(const EditStep& step, const Placed* moving, const std::vector<int>& gone) const {
-    const Standing standing = without(gone);
-    Asked asked = asked_among(standing, step);
-    Random rng(room_.seed, "why", asked.among.size());
-    Layout layout = begin_layout(asked.spec, rng, asked.among, moving);
-    const PromptObject& wish = asked.spec.objects[0];
-    if (!layout.why_not(wish.kind).empty()) return {};
-    Placed p;
-    p.piece = make_piece(layout.request(wish.kind, &wish));
-    if (p.piece.mount != Mount::floor || is_rug(p.piece)) return {};
     const auto kinds = [&](const std::vector<Placed>& all) {
         std::set<std::string> out;
         for (const Fault& f : room_faults(plan(), all, room_.furnished.camera, kNarrow, round_ones(all)))
             out.insert(f.kind);
         return out;
     };
-    std::vector<Placed> all = standing.placed;
-    const std::set<std::string> before = kinds(all);
-    constexpr int kMostLooks_why = 12;
+    const std::set<std::string> before = kinds(without(gone).placed);
+    constexpr int kMostLooks = 12;
     int looks = 0;
-    bool door = false;
-    for (const Candidate& c : candidates_for(layout, step, p.piece, 0)) {
-        p.position = {c.at.x, 0, c.at.y}, p.yaw = c.yaw;
+    std::string why;
+    bool at_opening = false;
+    try_places(step, moving, gone, [&](const Standing& standing, const Asked&, const Placed& p) {
         const Footprint box = footprint_of(p);
+        std::vector<Placed> all = standing.placed;
         if (std::any_of(all.begin(), all.end(), [&](const Placed& other) {
                 return !other.flat && overlap(shrunk(box, 0.01f), footprint_of(other));
             }))
-            continue;
-        if (blocks_opening(plan(), box)) {
-            door = true;
-            continue;
-        }
-        if (++looks > kMostLooks_why) break;
+            return true;
+        if (blocks_opening(plan(), box)) return at_opening = true;
+        if (++looks > kMostLooks) return false;
         all.push_back(p);
         const std::set<std::string> now = kinds(all);
-        all.pop_back();
-        for (const auto& [kind, why] : {std::pair{"way", "no way of 0.45 m would be left past it"},
-                                        {"window", "it would stand before a window"},
-                                        {"door", "it would stand before a door"}})
-            if (now.contains(kind) && !before.contains(kind)) return why;
-    }
-    return door ? "it would stand before a door" : "";
+        for (const auto& [kind, says] : {std::pair{"way", "no way of 0.45 m would be left past it"},
+                                         {"window", "it would stand before a window"},
+                                         {"door", "it would stand before a door"}})
+            if (why.empty() && now.contains(kind) && !before.contains(kind)) why = says;
+        return why.empty();
+    });
+    return why.empty() && at_opening ? "it would stand before a door or a window" : why;
 }
 
 std::string Editor::what_hangs_above(const EditStep& step) const {

@@ -25,8 +25,7 @@ bool is_a(const std::string& kind, const std::string& word) {
     if (kind == word || kind.ends_with("_" + word) || kind.ends_with("_" + word + "s")) return true;
     const std::string all = "_" + kind;
     const auto at = all.find("_" + word + "_");
-    return at != std::string::npos && is_one_of(all.substr(at + word.size() + 2), {"round", "small", "tree", "blocks",
-                                                                                   "single", "tall", "low", "corner"});
+    return at != std::string::npos && is_form_of(all.substr(at + 1), word);
 }
 
 // Things of the kind that words name: of that very kind, else of one that the word is a part of ("table" of a coffee

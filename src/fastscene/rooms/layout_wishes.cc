@@ -66,7 +66,7 @@ Wishes::Wishes(const PromptSpec& spec) : spec_(spec) {
 
 bool is_settled(const PromptSpec& spec, std::string_view kind) {
     return std::any_of(spec.objects.begin(), spec.objects.end(), [&](const PromptObject& o) {
-        return (o.forbidden && o.kind == kind) || (o.counted && kind.starts_with(o.kind));
+        return (o.forbidden && o.kind == kind) || (o.counted && is_form_of(kind, o.kind));
     });
 }
 

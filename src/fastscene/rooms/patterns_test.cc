@@ -58,6 +58,12 @@ TEST(Patterns, ALookWithoutANumberIsThatOfAll) {
     EXPECT_GT(restaurant.count("dining_table"), 2);
 }
 
+// A number of pallets says nothing of the racks, whose name begins alike.
+TEST(Patterns, ANumberIsOfThatKindAlone) {
+    EXPECT_GT(patterned_room("a warehouse with three pallets").count("pallet_rack"), 3);
+    EXPECT_EQ(patterned_room("a living room with two plants").count("plant_tree"), 0);
+}
+
 TEST(Patterns, ANumberIsKept) {
     EXPECT_EQ(patterned_room("a restaurant with four tables").count("dining_table"), 4);
     EXPECT_EQ(patterned_room("a meeting room with a table and six chairs").count("chair"), 6);

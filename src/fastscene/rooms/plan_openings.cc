@@ -144,7 +144,7 @@ RoomWindows as_asked(RoomWindows like, const PromptObject& wish, const Plan& pla
     return like;
 }
 
-// So many of the windows at most, from the middle of the row outwards.
+// So many of the windows at most: the last ones go.
 void keep_windows(Plan& plan, int count) {
     auto& all = plan.openings;
     const auto is_window = [](const Opening& o) { return o.kind == Opening::Kind::window; };

@@ -95,6 +95,10 @@ void qualify_rooms(Matches& m) {
         const std::size_t next = likened ? i + 2 : i + 1;
         if (next >= m.size() || !m[next].is(WordKind::room) || m[next].negated || m[next].comma) continue;
         if (m[next].word->meaning == type->name || !m[next].word->exact) continue;
+        if (!likened && m[next].words == "hall") {  // "a history museum hall" is the museum
+            m[next].word = Word{WordKind::filler, ""};
+            continue;
+        }
         m[i].word = type->house ? style_of_house(m, *type) : Word{WordKind::nuance, "feel", false};
     }
 }

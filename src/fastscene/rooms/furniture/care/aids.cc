@@ -43,12 +43,13 @@ void build_wheelchair(Kit& k) {
 
 // A pair that leans against the wall.
 void build_crutches(Kit& k) {
-    const int wood = k.main(plain("aluminum", {0.5f, 0.51f, 0.52f}, 0.35f)),
+    const int metal = k.main(plain("aluminum", {0.5f, 0.51f, 0.52f}, 0.35f)),
               dark = color(k, "rubber", {0.05f, 0.05f, 0.055f}, 0.7f);
     for (const float s : {-1.f, 1.f}) {
         const std::size_t from = k.piece.meshes.size();
-        for (const float sx : {-1.f, 1.f}) k.rod(wood, {sx * 0.022f, 0.36f, 0}, {sx * 0.055f, 1.26f, 0}, 0.011f, -1, 8);
-        k.rod(wood, {0, 0.04f, 0}, {0, 0.46f, 0}, 0.012f, -1, 8),
+        for (const float sx : {-1.f, 1.f})
+            k.rod(metal, {sx * 0.022f, 0.36f, 0}, {sx * 0.055f, 1.26f, 0}, 0.011f, -1, 8);
+        k.rod(metal, {0, 0.04f, 0}, {0, 0.46f, 0}, 0.012f, -1, 8),
             k.rod(dark, {0, 0, 0}, {0, 0.06f, 0}, 0.022f, 0.017f, 10),
             k.rod(dark, {-0.05f, 0.82f, 0}, {0.05f, 0.82f, 0}, 0.018f, -1, 10);
         k.board(dark, {0, 1.25f, 0}, {0.17f, 0.05f, 0.05f}, 0.022f);

@@ -204,7 +204,7 @@ void build_skull(Kit& k) {
     on_surface(k);
 }
 
-// A pierced bowl on three feet; smoke rises from its lid.
+// A pierced bowl on three feet.
 void build_incense_burner(Kit& k) {
     const int bronze = k.main(*material_named("brass"), false), dark = color(k, "holes", {0.02f, 0.02f, 0.02f}, 0.9f),
               wood = color(k, "incense sticks", {0.25f, 0.12f, 0.06f}, 0.9f),

@@ -120,9 +120,9 @@ void build_horse_stall(Kit& k) {
 void build_wagon_wheel(Kit& k) {
     const int wood = k.main(k.style.wood), iron = k.material(*material_named("iron"));
     constexpr float r = 0.5f;
-    Mesh tyre = shapes::ring(r - 0.01f, 0.03f, 36), felloe = shapes::ring(r - 0.06f, 0.07f, 36);
-    for (Mesh* m : {&tyre, &felloe}) shapes::turn(*m, {1, 0, 0}, 90);
-    k.add(std::move(felloe), wood, {0, r, 0.06f}), k.add(std::move(tyre), iron, {0, r, 0.06f});
+    Mesh tire = shapes::ring(r - 0.01f, 0.03f, 36), felloe = shapes::ring(r - 0.06f, 0.07f, 36);
+    for (Mesh* m : {&tire, &felloe}) shapes::turn(*m, {1, 0, 0}, 90);
+    k.add(std::move(felloe), wood, {0, r, 0.06f}), k.add(std::move(tire), iron, {0, r, 0.06f});
     for (int i = 0; i < 12; ++i) {
         const float a = kTau * static_cast<float>(i) / 12;
         k.rod(wood, {0, r, 0.06f}, {(r - 0.06f) * std::cos(a), r + (r - 0.06f) * std::sin(a), 0.06f}, 0.02f, 0.016f, 8);

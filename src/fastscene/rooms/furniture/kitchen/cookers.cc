@@ -237,7 +237,7 @@ void build_pizza_oven(Kit& k) {
         const float a = kPi * (static_cast<float>(i) + 0.5f) / 13.f;
         Mesh v = shapes::box({0.075f, 0.095f, 0.03f}, 0.004f);
         shapes::turn(v, {0, 0, 1}, a * 180.f / kPi - 90.f);
-        k.add(std::move(v), wall, {-0.0f + 0.32f * std::cos(a), y + 0.1f + 0.32f * std::sin(a), 0.568f});
+        k.add(std::move(v), wall, {0.32f * std::cos(a), y + 0.1f + 0.32f * std::sin(a), 0.568f});
     }
     k.rod(log, {-0.18f, y + 0.03f, 0.572f}, {0.05f, y + 0.04f, 0.572f}, 0.025f, -1, 8);
     for (int i = 0; i < 7; ++i) {

@@ -82,7 +82,7 @@ void build_bread_basket(Kit& k) {
         k.add(hoop(0.19f, 0.016f, 28), cane, {0, 0.05f, 0});
     victual(k, cloth, {0, 0.05f, 0}, {0.39f, 0.07f, 0.39f}, 0, 18);
     for (int i = 0; i < 3; ++i) {  // baguettes, across the rim
-        const float z = -0.11f + 0.06f * static_cast<float>(i), tilt = k.rng.uniform(-0.02f, 0.02f);
+        const float z = -0.11f + 0.06f * static_cast<float>(i), aside = k.rng.uniform(-0.02f, 0.02f);
         Mesh long_loaf = shapes::ball({0, 0, 0}, {0.27f, 0.03f, 0.034f}, 12);
         shapes::turn(long_loaf, {0, 1, 0}, k.rng.uniform(-7, 7));
         shapes::turn(long_loaf, {0, 0, 1}, k.rng.uniform(-3, 3));
@@ -93,7 +93,7 @@ void build_bread_basket(Kit& k) {
             shapes::turn(cut, {0, 1, 0}, 35);
             k.add(std::move(cut), flour,
                   {0.02f * static_cast<float>(i) + 0.055f * static_cast<float>(c),
-                   0.17f + 0.012f * static_cast<float>(i % 2) - 0.0006f * static_cast<float>(c * c), z + tilt});
+                   0.17f + 0.012f * static_cast<float>(i % 2) - 0.0006f * static_cast<float>(c * c), z + aside});
         }
     }
     victual(k, dark, {-0.1f, 0.09f, 0.09f}, {0.17f, 0.11f, 0.14f}, 20, 12),
@@ -224,7 +224,7 @@ void build_cheese_wheel(Kit& k) {
     part({0.02f, 0.02f, 0.03f}, 0.9f, 1.6f, 0.13f, 0.095f, 6);
     for (int i = 0; i < 5; ++i)
         k.add(shapes::ball({-0.03f - 0.004f * static_cast<float>(i), 0.045f + 0.03f * static_cast<float>(i % 2),
-                            0.0f + 0.018f * static_cast<float>(i)},
+                            0.018f * static_cast<float>(i)},
                            {0.008f, 0.008f, 0.006f}, 6),
               hole);
     on_surface(k);

@@ -57,7 +57,7 @@ void build_pipe_organ(Kit& k) {
             block(k, gold, at + Vec3f{0, foot + 0.05f, 0.93f * r}, {0.9f * r, 0.05f, 0.18f * r});
         }
     }
-    // The console: three rows of keys between the stops, a shelf for the notes, pedals.
+    // The console: three rows of keys between the stops, a music desk, pedals.
     const float cw = 0.36f * s.x, cz = front + 0.1f;
     for (const float sx : {-1.f, 1.f}) {
         k.board(wood, {sx * 0.5f * cw, 0, cz}, {0.06f, 1.05f, 0.42f}, 0.015f);

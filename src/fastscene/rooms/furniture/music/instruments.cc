@@ -1,4 +1,4 @@
-// Instruments of orchestras and bands, and a stand for the notes.
+// Instruments of orchestras and bands, and a music stand.
 #include <algorithm>
 #include <array>
 #include <cmath>

@@ -222,9 +222,7 @@ void build_speakerphone(Kit& k) {
               {-0.022f + 0.022f * static_cast<float>(i % 3), 0.034f, 0.075f + 0.019f * static_cast<float>(i / 3)},
               {0.015f, 0.004f, 0.012f});
     for (int i = 0; i < 3; ++i)
-        k.add(shapes::ball(around(kTau * static_cast<float>(i) / 3 + kPi) * 0.0f +
-                               Vec3f{0.155f * std::sin(kTau * static_cast<float>(i) / 3), 0.035f,
-                                     0.155f * std::cos(kTau * static_cast<float>(i) / 3)},
+        k.add(shapes::ball(around(kTau * static_cast<float>(i) / 3) * 0.155f + Vec3f{0, 0.035f, 0},
                            {0.006f, 0.004f, 0.006f}, 6),
               led);
     on_surface(k);

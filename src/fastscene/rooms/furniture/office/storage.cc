@@ -141,7 +141,7 @@ void build_flip_chart(Kit& k) {
     k.piece.clearance_front_m = 0.8f;
 }
 
-// Two slanted rows of books on wheels.
+// Three shelves of books on wheels.
 void build_book_cart(Kit& k) {
     const int frame = k.main(plain("lacquered steel", {0.5f, 0.48f, 0.42f}, 0.4f)),
               dark = color(k, "wheel", {0.03f, 0.03f, 0.03f}, 0.6f);
@@ -157,11 +157,9 @@ void build_book_cart(Kit& k) {
         block(k, frame, {0, y, 0}, {0.84f, 0.16f, 0.012f});
         books(k, {-0.41f, y, 0.01f}, k.rng.uniform(0.6f, 0.8f), 0.26f, 0.17f);
     }
-    for (const float y : {0.47f}) {
-        const std::size_t from = k.piece.meshes.size();
-        books(k, {-0.41f, y, 0.01f}, k.rng.uniform(0.5f, 0.8f), 0.26f, 0.17f);
-        for (std::size_t i = from; i < k.piece.meshes.size(); ++i) shapes::turn(k.piece.meshes[i], {0, 1, 0}, 180);
-    }
+    const std::size_t front = k.piece.meshes.size();  // one row faces the other way
+    books(k, {-0.41f, 0.47f, 0.01f}, k.rng.uniform(0.5f, 0.8f), 0.26f, 0.17f);
+    for (std::size_t i = front; i < k.piece.meshes.size(); ++i) shapes::turn(k.piece.meshes[i], {0, 1, 0}, 180);
     k.piece.clearance_front_m = 0.4f;
 }
 

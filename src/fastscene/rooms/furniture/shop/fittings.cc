@@ -104,7 +104,7 @@ void build_self_service_kiosk(Kit& k) {
 
 void build_shopping_cart(Kit& k) {
     const int wire = k.main(steel()), grip = color(k, "handle", {0.45f, 0.03f, 0.03f}, 0.4f),
-              tyre = color(k, "caster", {0.04f, 0.04f, 0.042f}, 0.7f);
+              tire = color(k, "castor", {0.04f, 0.04f, 0.042f}, 0.7f);
     wire_basket(k, wire, {0, 0.5f, 0.06f}, {0.4f, 0, 0.66f}, {0.54f, 0, 0.86f}, 0.46f, 9, 12);
     for (const float sx : {-1.f, 1.f}) {
         const float x = 0.25f * sx;
@@ -116,7 +116,7 @@ void build_shopping_cart(Kit& k) {
         k.add(shapes::tube(rail, 0.013f, 8), wire),
             k.rod(wire, {0.21f * sx, 0.16f, 0.3f}, {0.19f * sx, 0.5f, 0.3f}, 0.011f, -1, 8);
         for (const float z : {-0.36f, 0.4f})
-            k.rod(tyre, {x * 0.92f - 0.018f, 0.062f, z}, {x * 0.92f + 0.018f, 0.062f, z}, 0.062f, -1, 14),
+            k.rod(tire, {x * 0.92f - 0.018f, 0.062f, z}, {x * 0.92f + 0.018f, 0.062f, z}, 0.062f, -1, 14),
                 k.board(wire, {x * 0.92f, 0.06f, z}, {0.045f, 0.1f, 0.03f}, 0.004f);
     }
     k.rod(grip, {-0.28f, 1.02f, -0.46f}, {0.28f, 1.02f, -0.46f}, 0.018f, -1, 12);
@@ -262,11 +262,11 @@ void build_menu_stand(Kit& k) {
         panel(slate, 0, 0.58f, {0.5f, 0.84f, 0.01f}, 0);
         for (const float x : {-0.27f, 0.27f}) panel(wood, x, 0.56f, {0.05f, 1.1f, 0.025f}, 0);
         for (const float y : {0.15f, 1.03f}) panel(wood, 0, y, {0.5f, 0.05f, 0.025f}, 0);
-        for (int i = 0; i < 8; ++i)
+        for (int i = 0; i < 8; ++i) {
             panel(chalk, i == 0 ? 0.f : -0.05f, 0.92f - (i ? 0.05f : 0.f) - 0.075f * static_cast<float>(i),
-                  {i == 0 ? 0.3f : k.rng.uniform(0.2f, 0.3f), i == 0 ? 0.05f : 0.016f, 0.003f}, 0.0065f),
-                i ? panel(chalk, 0.19f, 0.87f - 0.075f * static_cast<float>(i), {0.05f, 0.016f, 0.003f}, 0.0065f)
-                  : void();
+                  {i == 0 ? 0.3f : k.rng.uniform(0.2f, 0.3f), i == 0 ? 0.05f : 0.016f, 0.003f}, 0.0065f);
+            if (i > 0) panel(chalk, 0.19f, 0.87f - 0.075f * static_cast<float>(i), {0.05f, 0.016f, 0.003f}, 0.0065f);
+        }
     }
     for (const float x : {-0.2f, 0.2f}) k.rod(hinge, {x - 0.03f, 1.1f, 0}, {x + 0.03f, 1.1f, 0}, 0.014f, -1, 8);
 }
@@ -284,7 +284,7 @@ void build_mailbox(Kit& k) {
         block(k, flag, {0.118f, 1.28f, 0.11f}, {0.008f, 0.07f, 0.08f});
 }
 
-// Two benches back to front with a table between.
+// Two benches face to face with a table between.
 void build_booth(Kit& k) {
     const Vec3f s = k.wanted({1.9f, 1.1f, 1.25f});
     Material hide = k.style.leather;

@@ -278,7 +278,7 @@ void build_aeroplane(Kit& k) {
     const int white = k.main(plain("aeroplane paint", {0.68f, 0.68f, 0.66f}, 0.2f)),
               red = color(k, "stripe", {0.55f, 0.04f, 0.03f}, 0.2f),
               pane = color(k, "canopy", {0.02f, 0.025f, 0.03f}, 0.05f), metal = k.material(steel()),
-              tyre = color(k, "tyre", {0.02f, 0.02f, 0.02f}, 0.8f),
+              tire = color(k, "tire", {0.02f, 0.02f, 0.02f}, 0.8f),
               dark = color(k, "propeller", {0.03f, 0.03f, 0.03f}, 0.4f);
     struct Section {
         float z, half, y, high;
@@ -326,7 +326,7 @@ void build_aeroplane(Kit& k) {
         put(shapes::rod({side * 0.4f, 0.8f, 0.6f}, {side * 1.05f, 0.3f, 0.55f}, 0.05f, 0.04f), metal);
         Mesh wheel = shapes::ring(0.2f, 0.13f, 24);
         shapes::turn(wheel, {0, 0, 1}, 90);
-        put(std::move(shapes::move(wheel, {side * 1.08f, 0.265f, 0.55f})), tyre);
+        put(std::move(shapes::move(wheel, {side * 1.08f, 0.265f, 0.55f})), tire);
     }
     Mesh fin = shapes::box({0.07f, 0.95f, 0.75f}, 0.03f);
     shapes::turn(fin, {1, 0, 0}, -18);
@@ -334,7 +334,7 @@ void build_aeroplane(Kit& k) {
     put(shapes::rod({0, 0.8f, 2.4f}, {0, 0.3f, 2.45f}, 0.045f, 0.035f), metal);
     Mesh nose_wheel = shapes::ring(0.17f, 0.11f, 22);
     shapes::turn(nose_wheel, {0, 0, 1}, 90);
-    put(std::move(shapes::move(nose_wheel, {0, 0.225f, 2.45f})), tyre);
+    put(std::move(shapes::move(nose_wheel, {0, 0.225f, 2.45f})), tire);
     put(shapes::rod({0, 1.03f, 3.08f}, {0, 1.03f, 3.34f}, 0.15f, 0.03f, 20), red);
     Mesh blade = shapes::box({1.75f, 0.14f, 0.035f}, 0.015f);
     shapes::turn(blade, {0, 0, 1}, 35);

@@ -135,7 +135,7 @@ void build_basketball_hoop(Kit& k) {
     k.piece.mount = Mount::wall, k.piece.hang_height_m = 1.9f;
 }
 
-// Two shelves of bowling balls.
+// Three shelves of bowling balls.
 void build_bowling_ball_rack(Kit& k) {
     const Vec3f s = k.wanted({1.5f, 0.95f, 0.5f});
     const int frame = k.main(plain("rack lacquer", {0.06f, 0.06f, 0.065f}, 0.35f)),

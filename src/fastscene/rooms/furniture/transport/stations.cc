@@ -300,18 +300,18 @@ void build_check_in_desk(Kit& k) {
 
 // A trolley with bags on it.
 void build_luggage_trolley(Kit& k) {
-    const int metal = k.main(steel()), tyre = color(k, "wheel", {0.02f, 0.02f, 0.02f}, 0.8f),
+    const int metal = k.main(steel()), tire = color(k, "wheel", {0.02f, 0.02f, 0.02f}, 0.8f),
               grip = color(k, "grip", k.accent(), 0.5f);
     for (const float sx : {-1.f, 1.f}) {
         k.rod(metal, {sx * 0.27f, 0.16f, 0.5f}, {sx * 0.24f, 0.2f, -0.42f}, 0.014f);
         k.rod(metal, {sx * 0.24f, 0.2f, -0.42f}, {sx * 0.24f, 1.02f, -0.52f}, 0.016f);
         Mesh wheel = shapes::prism(shapes::circle(0.09f, 20), -0.02f, 0.02f, 0.006f);
         shapes::turn(wheel, {0, 0, 1}, 90);
-        k.add(std::move(wheel), tyre, {sx * 0.25f, 0.09f, -0.38f});
+        k.add(std::move(wheel), tire, {sx * 0.25f, 0.09f, -0.38f});
     }
     Mesh wheel = shapes::prism(shapes::circle(0.08f, 20), -0.02f, 0.02f, 0.006f);
     shapes::turn(wheel, {0, 0, 1}, 90);
-    k.add(std::move(wheel), tyre, {0, 0.08f, 0.44f});
+    k.add(std::move(wheel), tire, {0, 0.08f, 0.44f});
     k.rod(grip, {-0.27f, 1.02f, -0.52f}, {0.27f, 1.02f, -0.52f}, 0.02f);
     for (int i = 0; i < 5; ++i) {
         const float z = -0.38f + 0.2f * static_cast<float>(i);
@@ -325,7 +325,7 @@ void build_luggage_trolley(Kit& k) {
         k.board(bag, {x, y, 0}, size, 0.035f);
         for (int rib = -1; rib <= 1; ++rib)
             k.board(bag, {x + 0.12f * static_cast<float>(rib), y + 0.006f, 0}, {0.04f, size.y, size.z - 0.1f}, 0.01f);
-        k.rod(tyre, {x - 0.09f, y + 0.5f * size.y, 0.5f * size.z + 0.02f},
+        k.rod(tire, {x - 0.09f, y + 0.5f * size.y, 0.5f * size.z + 0.02f},
               {x + 0.09f, y + 0.5f * size.y, 0.5f * size.z + 0.02f}, 0.011f, -1, 8);
         y += size.y;
     }

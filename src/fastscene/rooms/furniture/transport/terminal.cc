@@ -172,7 +172,7 @@ void build_backpack(Kit& k) {
         block(k, metal, {0.09f, 0.145f, 0.149f}, {0.008f, 0.03f, 0.003f});
 }
 
-// Beads of five colors on ten wires.
+// Beads of five colors on eight wires.
 void build_abacus(Kit& k) {
     const int wood = k.main(k.style.wood), metal = k.material(steel());
     const Vec3f tones[5] = {

@@ -133,9 +133,9 @@ std::vector<float> car_steps(float z0, float z1, int steps) {
     return at;
 }
 
-void car_wheel(Kit& k, int tyre, int metal, float sx, Vec3f at) {
+void car_wheel(Kit& k, int tire, int metal, float sx, Vec3f at) {
     constexpr float r = kTyre_m, w = 0.2f, rim = 0.7f * r;
-    // The tyre, and the dark inside of the wheel that its spokes stand before.
+    // The tire, and the dark inside of the wheel that its spokes stand before.
     const std::array<Vec2f, 9> rubber{Vec2f{rim, -0.44f * w}, {0.8f * r, -0.5f * w}, {0.95f * r, -0.47f * w},
                                       {r, -0.33f * w},        {r, 0.33f * w},        {0.95f * r, 0.47f * w},
                                       {0.8f * r, 0.5f * w},   {rim, 0.44f * w},      {0.98f * rim, 0.05f * w}};
@@ -146,7 +146,7 @@ void car_wheel(Kit& k, int tyre, int metal, float sx, Vec3f at) {
         Mesh m = shapes::lathe(profile, sides);
         k.add(std::move(shapes::turn(m, {0, 0, 1}, sx > 0 ? -90.f : 90.f)), material, at);
     };
-    put(rubber, 36, tyre), put(ring, 32, metal), put(cap, 16, metal);
+    put(rubber, 36, tire), put(ring, 32, metal), put(cap, 16, metal);
     const float x = at.x + sx * 0.3f * w;
     for (int i = 0; i < 5; ++i)
         for (const float split : {-0.11f, 0.11f}) {  // double spokes
@@ -163,7 +163,7 @@ void car_wheel(Kit& k, int tyre, int metal, float sx, Vec3f at) {
 void build_car(Kit& k) {
     const int paint = k.main(plain("car paint", k.accent(), 0.12f)),
               pane = color(k, "car window", {0.012f, 0.015f, 0.018f}, 0.04f),
-              tyre = color(k, "tyre", {0.02f, 0.02f, 0.02f}, 0.8f), metal = k.material(steel()),
+              tire = color(k, "tire", {0.02f, 0.02f, 0.02f}, 0.8f), metal = k.material(steel()),
               dark = color(k, "trim", {0.016f, 0.016f, 0.017f}, 0.5f),
               lamp = color(k, "headlight", {0.75f, 0.76f, 0.78f}, 0.06f),
               red = color(k, "tail light", {0.42f, 0.012f, 0.012f}, 0.1f),
@@ -218,7 +218,7 @@ void build_car(Kit& k) {
             }
             k.add(shapes::tube(lip, 0.012f, 6), paint);
             k.board(dark, {sx * 0.42f, 0.2f, axle}, {0.12f, 0.4f, 0.62f}, 0.01f);
-            car_wheel(k, tyre, metal, sx, {sx * (kCarHalf_m - 0.12f), kHub_m, axle});
+            car_wheel(k, tire, metal, sx, {sx * (kCarHalf_m - 0.12f), kHub_m, axle});
         }
         // Mirrors.
         k.rod(dark, {sx * 0.76f, 0.95f, 0.66f}, {sx * 0.9f, 0.99f, 0.64f}, 0.018f, -1, 8);

@@ -10,13 +10,13 @@
 namespace fastscene::furniture {
 void build_bicycle(Kit& k) {
     const int paint = k.main(plain("bicycle paint", k.accent(), 0.15f)),
-              tyre = color(k, "tyre", {0.02f, 0.02f, 0.02f}, 0.8f), metal = k.material(steel()),
+              tire = color(k, "tire", {0.02f, 0.02f, 0.02f}, 0.8f), metal = k.material(steel()),
               leather = color(k, "saddle", {0.12f, 0.05f, 0.02f}, 0.4f);
     const float r = 0.34f, back = -0.5f, front = 0.52f;
     for (const float z : {back, front}) {
         Mesh ring = shapes::ring(r - 0.015f, 0.035f, 36), rim = shapes::ring(r - 0.04f, 0.016f, 36);
         for (Mesh* m : {&ring, &rim}) shapes::turn(*m, {0, 0, 1}, 90);
-        k.add(std::move(ring), tyre, {0, r, z}), k.add(std::move(rim), metal, {0, r, z}),
+        k.add(std::move(ring), tire, {0, r, z}), k.add(std::move(rim), metal, {0, r, z}),
             k.rod(metal, {-0.05f, r, z}, {0.05f, r, z}, 0.018f);
         for (int i = 0; i < 14; ++i) {
             const float a = kTau * static_cast<float>(i) / 14;
@@ -39,7 +39,7 @@ void build_bicycle(Kit& k) {
     for (const float sx : {-1.f, 1.f})
         k.rod(leather, {sx * 0.27f, 1.0f, 0.28f}, {sx * 0.29f, 0.99f, 0.16f}, 0.017f),
             k.rod(metal, crank + Vec3f{sx * 0.06f, 0, 0}, crank + Vec3f{sx * 0.08f, sx * 0.12f, sx * 0.12f}, 0.01f),
-            k.board(tyre, crank + Vec3f{sx * 0.13f, sx * 0.12f - 0.01f, sx * 0.12f}, {0.09f, 0.02f, 0.07f}, 0.004f);
+            k.board(tire, crank + Vec3f{sx * 0.13f, sx * 0.12f - 0.01f, sx * 0.12f}, {0.09f, 0.02f, 0.07f}, 0.004f);
     Mesh ring = shapes::ring(0.09f, 0.012f, 24);
     shapes::turn(ring, {0, 0, 1}, 90);
     k.add(std::move(ring), metal, crank + Vec3f{0.05f, 0, 0}),

@@ -10,9 +10,9 @@
 namespace fastscene::furniture {
 namespace {
 
-void cargo_wheel(Kit& k, int tyre, int hub, Vec3f at, float radius, float width) {
+void cargo_wheel(Kit& k, int tire, int hub, Vec3f at, float radius, float width) {
     const Vec3f half{0.5f * width, 0, 0}, rim{0.5f * width + 0.006f, 0, 0};
-    k.rod(tyre, at - half, at + half, radius, -1, 20), k.rod(hub, at - rim, at + rim, 0.55f * radius, -1, 14);
+    k.rod(tire, at - half, at + half, radius, -1, 20), k.rod(hub, at - rim, at + rim, 0.55f * radius, -1, 14);
 }
 
 int cargo_cloth(Kit& k, Vec3f albedo) {
@@ -27,7 +27,7 @@ int cargo_cloth(Kit& k, Vec3f albedo) {
 void build_forklift(Kit& k) {
     const int body = k.main(plain("machine enamel", {0.72f, 0.38f, 0.02f}, 0.35f)),
               dark = color(k, "mast", {0.035f, 0.036f, 0.038f}, 0.5f),
-              tyre = color(k, "tyre", {0.022f, 0.022f, 0.023f}, 0.85f),
+              tire = color(k, "tire", {0.022f, 0.022f, 0.023f}, 0.85f),
               hub = color(k, "wheel hub", {0.55f, 0.54f, 0.5f}, 0.5f), metal = k.material(steel()),
               seat = color(k, "seat", {0.03f, 0.03f, 0.033f}, 0.6f), lamp = color(k, "lens", {0.7f, 0.7f, 0.66f}, 0.1f),
               red = color(k, "tail light", {0.5f, 0.03f, 0.02f}, 0.2f);
@@ -52,8 +52,8 @@ void build_forklift(Kit& k) {
         strut(k, dark, {x, 1.0f, 0.5f}, {x, 2.05f, 0.3f}, 0.06f, 0.06f),
             strut(k, dark, {x, 0.92f, -0.9f}, {x, 2.05f, -0.74f}, 0.06f, 0.06f);
         k.board(dark, {x, 2.03f, -0.22f}, {0.06f, 0.06f, 1.1f}, 0.01f);
-        cargo_wheel(k, tyre, hub, {sx * 0.47f, 0.29f, 0.5f}, 0.29f, 0.2f),
-            cargo_wheel(k, tyre, hub, {sx * 0.46f, 0.24f, -0.8f}, 0.24f, 0.18f);
+        cargo_wheel(k, tire, hub, {sx * 0.47f, 0.29f, 0.5f}, 0.29f, 0.2f),
+            cargo_wheel(k, tire, hub, {sx * 0.46f, 0.24f, -0.8f}, 0.24f, 0.18f);
         k.rod(lamp, {sx * 0.42f, 1.9f, 0.36f}, {sx * 0.42f, 1.9f, 0.42f}, 0.055f, 0.06f, 14);
         block(k, red, {sx * 0.4f, 0.72f, -1.18f}, {0.12f, 0.08f, 0.05f});
         k.board(dark, {sx * 0.28f, 0.08f, 0.72f}, {0.1f, 2.0f, 0.12f}, 0.006f),
@@ -80,14 +80,14 @@ void build_forklift(Kit& k) {
 void build_hand_truck(Kit& k) {
     const int frame = k.main(plain("enamel", {0.45f, 0.04f, 0.03f}, 0.35f)), metal = k.material(steel()),
               grip = color(k, "grip", {0.03f, 0.03f, 0.032f}, 0.7f),
-              tyre = color(k, "tyre", {0.025f, 0.025f, 0.026f}, 0.85f);
+              tire = color(k, "tire", {0.025f, 0.025f, 0.026f}, 0.85f);
     for (const float sx : {-1.f, 1.f}) {
         const float x = 0.2f * sx;
         const std::array<Vec3f, 4> rail{
             Vec3f{x, 0.02f, 0.02f}, {x, 1.08f, 0.02f}, {x, 1.18f, -0.03f}, {x, 1.22f, -0.14f}};
         k.add(shapes::tube(rail, 0.017f, 10), frame),
             k.rod(grip, {x, 1.215f, -0.12f}, {x, 1.235f, -0.25f}, 0.021f, -1, 10);
-        cargo_wheel(k, tyre, metal, {sx * 0.27f, 0.13f, -0.1f}, 0.13f, 0.06f);
+        cargo_wheel(k, tire, metal, {sx * 0.27f, 0.13f, -0.1f}, 0.13f, 0.06f);
         strut(k, frame, {x, 0.12f, -0.1f}, {x, 0.42f, 0.01f}, 0.02f, 0.03f),
             strut(k, frame, {x, 0.03f, 0.01f}, {x, 0.13f, -0.1f}, 0.02f, 0.03f);
     }
@@ -243,16 +243,16 @@ void build_recycling_bins(Kit& k) {
     k.piece.against_wall = true, k.piece.clearance_front_m = 0.6f;
 }
 
-// A basket of wire on casters, with a rail for hangers and some washing.
+// A basket of wire on castors, with a rail for hangers and some washing.
 void build_laundry_cart(Kit& k) {
-    const int steel_wire = k.main(steel()), tyre = color(k, "caster", {0.03f, 0.03f, 0.032f}, 0.7f),
+    const int steel_wire = k.main(steel()), tire = color(k, "castor", {0.03f, 0.03f, 0.032f}, 0.7f),
               cloth = k.material(tinted(k.style.fabric, {0.7f, 0.69f, 0.66f})),
               towel = k.material(tinted(k.style.fabric, k.accent()));
     const float hx = 0.36f, hz = 0.24f, y0 = 0.36f, y1 = 0.74f;
     for (const float sx : {-1.f, 1.f})
         for (const float sz : {-1.f, 1.f}) {
             k.rod(steel_wire, {sx * hx, 0.1f, sz * hz}, {sx * hx, y1, sz * hz}, 0.013f, -1, 8);
-            k.rod(tyre, {sx * hx - 0.015f, 0.05f, sz * hz}, {sx * hx + 0.015f, 0.05f, sz * hz}, 0.05f, -1, 12);
+            k.rod(tire, {sx * hx - 0.015f, 0.05f, sz * hz}, {sx * hx + 0.015f, 0.05f, sz * hz}, 0.05f, -1, 12);
         }
     for (const float y : {0.14f, y0, 0.5f, y1})
         for (const float s : {-1.f, 1.f})
