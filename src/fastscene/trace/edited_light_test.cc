@@ -73,6 +73,17 @@ TEST(EditedLight, KeptLightGivesTheSamePictures) {
     EXPECT_EQ(gathered.light(), other.light());
 }
 
+// A stop brighter or darker is just that, and light that was kept for another exposure is not taken for it.
+TEST(EditedLight, ExposureIsCompensatedInStops) {
+    const TracedRoom plain = lit(hall());
+    TraceParams darker = coarse();
+    darker.exposure_ev = -1;
+    TracedRoom dim(hall());
+    EXPECT_THROW((void)dim.take_light(darker, plain.light(), "light.bin"), Error);
+    dim.gather_light(darker, {});
+    EXPECT_NEAR(dim.room().look.exposure_ev, plain.room().look.exposure_ev - 1, 1e-4f);
+}
+
 TEST(EditedLight, LightOfAnotherRoomIsRefused) {
     const std::string light = lit(hall()).light();
     TracedRoom other(hall(2.f));

@@ -96,6 +96,7 @@ struct TracedRoom::Impl {
         const ImageColor small = color(panorama_camera({}, {128, 64}), {.pixel_samples = 4}, nullptr, &albedo, quiet);
         Look look = room.look;
         look.transform = transform();
+        if (look.automatic) look.exposure_ev += params.exposure_ev;
         return fastscene::automatic_look(look, room.sky, small, albedo, lights().outdoors().brightness());
     }
     void expose(const Look& look) {
@@ -109,6 +110,7 @@ struct TracedRoom::Impl {
             .add(params.cell_m)
             .add(params.cell_samples)
             .add(params.view_transform)
+            .add(params.exposure_ev)
             .hex();
     }
 

@@ -37,12 +37,13 @@ void visit_fields(TraceBackend& b, V&& v) {
 }
 
 struct TraceParams {
-    float cell_m = 0.03f;         // size of an irradiance cache cell
-    int cell_samples = 192;       // paths gathered per cell
-    int pixel_samples = 16;       // camera rays per pixel
-    bool keep_noise = false;      // leave panoramas undenoised
+    float cell_m = 0.03f;        // size of an irradiance cache cell
+    int cell_samples = 192;      // paths gathered per cell
+    int pixel_samples = 16;      // camera rays per pixel
+    bool keep_noise = false;     // leave panoramas undenoised
     float outside_detail = 8.f;  // pixels per degree of the view through the windows, at the horizon
     std::string view_transform = "photo";
+    float exposure_ev = 0.f;  // added to the automatic exposure, stops
     TraceBackend backend = {};
 };
 // Names of ViewTransform, in its order.
@@ -58,6 +59,8 @@ void visit_fields(TraceParams& p, V&& v) {
     v("view-transform", p.view_transform, Choices{{kViewTransforms.begin(), kViewTransforms.end()}},
       "How scene light becomes display color. photo: a photograph's contrast, with highlights that roll off into "
       "white; soft: less contrast, for editing afterwards; linear: clipped at white.");
+    v("exposure", p.exposure_ev, Bounds{-5, 5},
+      "Exposure compensation in stops: -1 halves the light on the picture, 1 doubles it.");
     visit_fields(p.backend, v);
 }
 
