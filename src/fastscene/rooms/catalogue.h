@@ -69,6 +69,7 @@ enum class Role : std::uint8_t {
     rug_before,          // a rug for it lies before it
     shades_windows,      // too tall to stand near a window
     spread_out,          // lies flat where others work
+    before_seats,        // lies on a table before whoever sits there
     covers_wall,         // a part of the wall: what stands before it does not hide it
     roof,                // over a whole room: its box reaches over the walls of a round one
     two_of_them,         // one piece is a pair: "two escalators" are one

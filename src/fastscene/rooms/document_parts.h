@@ -5,6 +5,7 @@
 #include <string>
 #include <string_view>
 
+#include "fastscene/base/error.h"
 #include "fastscene/rooms/document.h"
 
 namespace fastscene {
@@ -21,6 +22,12 @@ std::optional<Vec3f> color_said(const std::string& text);
 std::optional<Material> surface_named(const std::string& name);
 
 }  // namespace document_fields
+
+// The camera of a document stands inside of a thing.
+class CameraInside : public Error {
+  public:
+    using Error::Error;
+};
 
 // A style with a document's materials, and what of a style is no longer `usual`.
 void dress(const DocumentSurfaces& surfaces, Style& style);

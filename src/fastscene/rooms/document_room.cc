@@ -319,7 +319,7 @@ class Builder {
         for (std::size_t i = 0; i < document_.things.size(); ++i) {
             const auto high = part_above(room.placed[i], room.camera.y - kHead);
             if (high && high->y0 < room.camera.y + kHead && distance_to(*high, flat(room.camera)) == 0.f)
-                throw Error("{}: the camera stands inside {}", place, document_.things[i].id);
+                throw CameraInside("{}: the camera stands inside {}", place, document_.things[i].id);
         }
         const auto& looks = document_.camera->looks;
         room.looks = looks ? level(*looks) : usual_look(room, spec.room);

@@ -9,6 +9,7 @@
 #include "fastscene/base/error.h"
 #include "fastscene/base/is_one_of.h"
 #include "fastscene/base/suggest.h"
+#include "fastscene/rooms/document_parts.h"
 #include "fastscene/rooms/edit_parts.h"
 #include "fastscene/rooms/lexicon.h"
 #include "fastscene/rooms/plan_parts.h"
@@ -19,8 +20,6 @@ namespace editing {
 namespace {
 
 constexpr const char* kName = "room";  // of the document, in messages
-
-bool is_of_camera_inside(std::string_view error) { return error.find("the camera stands inside") != error.npos; }
 
 }  // namespace
 
@@ -45,8 +44,7 @@ Editor::Editor(const RoomDocument& document, std::shared_ptr<const FurniturePack
 void Editor::build() {
     try {
         room_ = furnish_document(result_.document, kName, pack_, run_);
-    } catch (const Error& e) {
-        if (!result_.document.camera || !is_of_camera_inside(e.what())) throw;
+    } catch (const CameraInside&) {
         RoomDocument without = result_.document;
         without.camera.reset();
         const DocumentRoom room = furnish_document(without, kName, pack_, run_);

@@ -103,6 +103,13 @@ void add(Talk& talk, const Words& words) {
         all.insert(all.end(), {"on", "it"});
         return add(talk, all);
     }
+    // "Two chairs around a small round table": with its size or shape it is a new one.
+    if (const std::size_t at = find_word(words, {"around"}, 2);
+        parts_of(words).size() == 1 && at + 3 < words.size() && is_one_of(words[at + 1], {"a", "an"}) &&
+        (is_one_of(words[at + 2], {"small", "little", "large", "big"}) || !shape_said({words[at + 2]}).empty())) {
+        add(talk, part_of(words, at + 1));
+        return add(talk, joined_words(part_of(words, 0, at), {"around", "it"}));
+    }
     // "A vase is missing, put a blue one on the table"
     if (const std::size_t one = find_word(words, {"one", "ones"});
         !talk.lacks.empty() && one < words.size() && one + 1 == next_place(words)) {
@@ -219,6 +226,17 @@ void add(Talk& talk, const Words& words) {
             parts[k - 1].insert(parts[k - 1].end(), parts[k].begin(), parts[k].end());
             parts.erase(parts.begin() + static_cast<std::ptrdiff_t>(k));
         }
+    // "Flowers on the desk and on both tables", "on the desk and the shelf": at each of those places.
+    for (std::size_t k = 1; k < parts.size(); ++k) {
+        const std::size_t place = next_place(parts[k - 1]);
+        if (place >= parts[k - 1].size() || !begins_anew(parts[k - 1])) continue;
+        const Words noun = part_of(parts[k - 1], 0, place), there = part_of(parts[k - 1], place);
+        const auto before = relation_at(there, 0), now = relation_at(parts[k], 0);
+        if (now && now->next < parts[k].size() && parts[k].front() != "with") parts[k] = joined_words(noun, parts[k]);
+        else if (before && before->name == "on" && is_definite(parts[k].front()) &&
+                 next_place(parts[k]) == parts[k].size() && !all_named(talk.editor, text_of(parts[k])).empty())
+            parts[k] = joined_words(joined_words(noun, part_of(there, 0, before->next)), parts[k]);
+    }
     // "A lamp over the table and two chairs at the ends": of the table.
     for (std::size_t k = 1; k < parts.size(); ++k) {
         const Words there = part_of(parts[k - 1], next_place(parts[k - 1]));

@@ -334,7 +334,7 @@ std::vector<std::string> Editor::admit(const std::vector<Placed>& all, const Sta
 
 void Editor::add(const EditStep& step) {
     if (step.wish.relation == "on both sides of" && step.wish.count == 2) check_no_pair(step);
-    if (add_into_row(step) || seat_more(step) || add_on_top(step)) return;
+    if (add_into_row(step) || seat_more(step) || lay_before_seats(step) || add_on_top(step)) return;
     bool smaller = false;
     std::vector<Placed> all;
     const std::size_t stood = result_.document.things.size();

@@ -217,7 +217,7 @@ void add_parts(Talk& talk, const std::vector<Words>& parts, const Words& words) 
                 const bool beside = shared && shared->step.wish.relation == "in the corner" && !together.empty();
                 const auto other = beside ? std::nullopt : at_the_other(talk, all[k]->said, spoken_before);
                 if (!beside && !other) throw;
-                add_wish(talk, first, beside ? beside_those(talk, together) : *other->place);
+                add_or_stand(talk, first, beside ? beside_those(talk, together) : *other->place);
             }
             shape_as_asked(talk, part_of(talk.last, spoken), all[k]->shape);
         });

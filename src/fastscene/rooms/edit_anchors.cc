@@ -76,4 +76,13 @@ Anchor anchor_of(const Editor& editor, std::vector<int> found, const std::string
     return out;
 }
 
+Mount mount_of(const Editor& editor, const std::string& kind) {
+    PromptSpec spec = editor.room().spec;
+    Random rng(0, "mount");
+    Layout layout(editor.plan(), spec, rng);
+    PromptObject wish;
+    wish.kind = kind;
+    return layout.why_not(kind).empty() ? make_piece(layout.request(kind, &wish)).mount : Mount::floor;
+}
+
 }  // namespace fastscene::editing

@@ -27,7 +27,7 @@ class Audit {
           clause_(clause),
           before_(before),
           after_(snapshot_of(talk)),
-          words_(clause.words),
+          words_(seen_in(clause)),
           mentions_(mentions_in(words_)) {
         find_changes();
     }
@@ -51,6 +51,13 @@ class Audit {
     }
 
   private:
+    // "The chair by a bench", "for a bench": that comes for it, and stands by nothing.
+    static Words seen_in(const Clause& clause) {
+        Words out = clause.words;
+        const std::size_t by = find_word(out, {"by", "for", "with"}, 1);
+        if ((clause.verb == Verb::replace || clause.verb == Verb::swap) && by < out.size()) out[by] = "with";
+        return out;
+    }
     void find_changes() {
         for (const Shown& now : after_.things) {
             const Shown* was = before_.find(now.thing.id);
@@ -252,6 +259,8 @@ class Audit {
     std::vector<const Shown*> subjects_of(std::size_t k) const;
     std::vector<Landmark> landmarks_behind(std::size_t k) const;
     bool holds(const Shown& s, std::string relation, const std::vector<Landmark>& at, float slack = 0) const;
+    // Whether the later of two places is that of the same things: "on the desk and on the shelf".
+    bool names_more_places(std::size_t k, std::size_t j) const;
     void check_places();
     static std::string how_far(const Shown& s, const std::vector<Landmark>& at);
     // "And hang a mirror there": where that stood which went.
@@ -293,7 +302,7 @@ class Audit {
     const Clause& clause_;
     const Snapshot& before_;
     const Snapshot after_;
-    const Words& words_;
+    const Words words_;
     const std::vector<Mention> mentions_;
     std::vector<const Shown*> added_, moved_, other_, gone_, along_;
     std::vector<const Material*> surfaces_;

@@ -84,6 +84,11 @@ bool Audit::holds(const Shown& s, std::string relation, const std::vector<Landma
     });
 }
 
+bool Audit::names_more_places(std::size_t k, std::size_t j) const {
+    const std::size_t from = mentions_[std::max(k, j)].from;
+    return from > 0 && is_joint(words_[from - 1]);
+}
+
 void Audit::check_places() {
     if ((clause_.verb == Verb::turn || clause_.verb == Verb::face) && says_any({"slightly", "bit", "little"})) return;
     for (std::size_t k = 0; k < mentions_.size(); ++k) {
@@ -110,6 +115,20 @@ void Audit::check_places() {
             any = any || there;
             if (!there) off.push_back(s);
         }
+        // "On the desk and on both tables", "on the desk and the shelf": some here, some there.
+        const auto is_at_another = [&](const Shown* one) {
+            for (std::size_t j = 0; j < mentions_.size(); ++j) {
+                const Mention& other = mentions_[j];
+                if (j != k && other.kind == Mention::Kind::relation && names_more_places(k, j) &&
+                    holds(*one, other.meaning, landmarks_behind(j)))
+                    return true;
+                const bool listed = j > k && other.kind == Mention::Kind::thing && other.from > 1 &&
+                                    is_definite(words_[other.from - 1]) && is_joint(words_[other.from - 2]);
+                if (listed && holds(*one, m.meaning, landmarks_called(talk_.editor, after_, other))) return true;
+            }
+            return false;
+        };
+        if (any) std::erase_if(off, is_at_another);
         // What shares a corner stands by what is in it.
         if (m.meaning == "in the corner" && off.size() < subjects.size()) {
             constexpr float kBy = 0.8f;  // metres

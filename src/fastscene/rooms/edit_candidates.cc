@@ -153,6 +153,21 @@ bool is_at_foot(const std::vector<Placed>& all, const PromptObject& wish, const 
     });
 }
 
+bool is_before_front(const std::vector<Placed>& all, const PromptObject& wish, const Placed& p) {
+    if (wish.relation != "next to" || p.piece.mount != Mount::floor || p.flat || p.on >= 0 || !p.piece.against_wall)
+        return false;
+    bool before = false;
+    for (const Placed& at : all) {
+        if (&at == &p || (at.piece.kind != wish.relation_to && at.wish.kind != wish.relation_to)) continue;
+        if (!at.piece.against_wall || at.piece.mount != Mount::floor) return false;
+        const Vec2f to = footprint_of(p).center - flat(at.position), front = flat(front_of(at.yaw));
+        if (dot(to, front) < at.piece.size_m.z / 2 || std::abs(dot(to, flat(right_of(at.yaw)))) > at.piece.size_m.x / 2)
+            return false;
+        before = true;
+    }
+    return before;
+}
+
 bool is_off_wall_of_door(const Plan& plan, const PromptObject& wish, const Placed& p) {
     if (wish.relation != "next to" || p.piece.mount != Mount::floor || p.flat || p.on >= 0) return false;
     constexpr float kAtWall_m = 0.2f;
@@ -300,7 +315,7 @@ std::vector<Candidate> Editor::candidates_for(Layout& layout, const EditStep& st
         p.position = {c.at.x, 0, c.at.y}, p.yaw = c.yaw;
         const Footprint box = footprint_of(p);
         if (!plan().holds(box) || is_at_foot(layout.placed(), wish, p)) return true;
-        if (is_before_seat(layout.placed(), wish, p)) return true;
+        if (is_before_seat(layout.placed(), wish, p) || is_before_front(layout.placed(), wish, p)) return true;
         if (wish.relation == "between" && !piece.against_wall && std::isfinite(c.cost) &&
             c.cost > kOffMiddle_m + further)
             return true;

@@ -83,8 +83,7 @@ void trim(Words& words, const Words& all_rooms) {
         again = true;
         const std::size_t n = words.size();
         if (n > 2 && stands_at(words, n - 2, "in here")) words.resize(n - 2);
-        else if (is_joint(words.back()) ||
-                 is_one_of(words.back(), {"too", "instead", "now", "thanks", "there", "here", "again"}))
+        else if (is_joint(words.back()) || is_one_of(words.back(), {"too", "now", "thanks", "there", "here", "again"}))
             words.pop_back();
         else if (n > 2 && (stands_at(words, n - 2, "as well") || stands_at(words, n - 2, "for me") ||
                            stands_at(words, n - 2, "thank you")))
@@ -301,7 +300,13 @@ std::vector<Clause> clauses_of(const std::string& sentence) {
     }
     for (Clause& clause : out) {
         while (!clause.words.empty() && is_joint(clause.words.back())) clause.words.pop_back();
-        if (clause.words.size() > 2 && clause.words.back() == "instead") clause.words.pop_back();
+        const bool instead = clause.words.size() > 1 && clause.words.back() == "instead";
+        if (instead) clause.words.pop_back();
+        // "Remove the chandelier and hang a plain lamp instead": in its place.
+        const bool goes = &clause != &out.front() && (&clause - 1)->verb == Verb::remove;
+        if (instead && goes && (clause.verb == Verb::add || clause.verb == Verb::put) && begins_anew(clause.words) &&
+            next_place(clause.words) == clause.words.size())
+            clause.words.insert(clause.words.end(), {"in", "its", "place"});
         const std::size_t n = clause.words.size();
         clause.there = n > 1 && (clause.words.back() == "there" ||
                                  (n > 3 && (stands_at(clause.words, n - 3, "in its place") ||

@@ -25,6 +25,8 @@ std::string in_words(std::string kind);  // "coffee_table" -> "coffee table"
 // Whether a fault is that the camera stands in the way, and not that nobody could stand anywhere. edit_poses.cc.
 bool is_of_camera(const std::string& fault);
 
+inline constexpr float kSlightTurn = 20 * kPi / 180;  // "slightly", "a bit"
+
 // ---- edit_candidates.cc
 // A place on the floor.
 struct Candidate {
@@ -42,10 +44,15 @@ Footprint leg_room(const Placed& seat);
 bool is_before_seat(const std::vector<Placed>& all, const PromptObject& wish, const Placed& p);
 // Beside it, and yet no part of it at its arm.
 bool is_ahead_of_seat(const std::vector<Placed>& all, const PromptObject& wish, const Placed& p);
+// A cabinet beside a fireplace, and yet before it.
+bool is_before_front(const std::vector<Placed>& all, const PromptObject& wish, const Placed& p);
 // Beside a door, and yet off its wall.
 bool is_off_wall_of_door(const Plan& plan, const PromptObject& wish, const Placed& p);
 // By a bed, along its foot, where nightstands do not stand.
 bool is_at_foot(const std::vector<Placed>& all, const PromptObject& wish, const Placed& p);
+
+// ---- edit_search.cc
+bool sits_before_table(const PromptObject& wish);
 
 // ---- edit_squeeze.cc
 // What is given up for a place.
@@ -69,6 +76,10 @@ struct Squeezed {
     std::vector<int> pushed;
     float off = 0;  // metres from what it was asked at
 };
+
+// ---- edit_tops.cc
+// What is laid on a table before a seat: its place setting.
+std::vector<int> laid_before(const std::vector<Placed>& all, int table, int seat);
 
 // A document while it is edited, with its room. edit.cc; poses in edit_poses.cc, places in edit_layout.cc,
 // exchanges in edit_exchange.cc.
@@ -96,6 +107,8 @@ class Editor {
     void together(const std::function<void()>& change);
     // With all that stands on them.
     std::vector<int> with_riders(const std::vector<int>& roots) const;
+    // Chairs that go with the table at which they stand. edit_poses.cc.
+    std::vector<int> seats_at(int table) const;
 
   private:
     struct Pose {
@@ -128,7 +141,6 @@ class Editor {
     void checked(const std::function<void()>& change, const Passage& passage = {});
     std::string new_fault(const std::vector<Placed>& all) const;
     std::vector<Placed> with_pose(int index, Pose pose, const std::vector<int>& along) const;
-    std::vector<int> seats_at(int table) const;
     // Whether those have room where they go with it.
     bool seats_clear(int table, const Placed& there, const std::vector<int>& seats,
                      const std::vector<int>& along) const;
@@ -212,6 +224,8 @@ class Editor {
     // On a top, as large as usual, where small things move aside for it. False: not so, or there is no need.
     bool add_on_top(const EditStep& step);  // edit_tops.cc
     bool screen_on_desk(Layout& layout) const;
+    // One before each seat of a table that has none yet. False: it is no such thing, or no such table.
+    bool lay_before_seats(const EditStep& step);
     void make_way(const Squeezed& found, const std::string& whom);
     void tell_squeeze(const std::string& id, const EditStep& step, const Squeezed& found, const Squeeze& how);
 

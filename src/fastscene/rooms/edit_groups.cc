@@ -91,9 +91,10 @@ std::vector<Group> groups_of(const Words& words, std::vector<Words>& unshown) {
             continue;
         }
         cut(part, subject, value, by);
-        if (const std::size_t with = find_word(part, {"with"}, 2); value.empty() && by.empty() && with < part.size()) {
-            cut(part_of(part, 0, with), subject, value, by);
-            if (!value.empty()) unshown.push_back(part_of(part, with));
+        if (const std::size_t with = find_word(part, {"with"}, 2); value.empty() && with < part.size()) {
+            Words plain_by;
+            cut(part_of(part, 0, with), subject, value, plain_by);
+            if (!value.empty()) unshown.push_back(part_of(part, with)), by = plain_by;
         }
         if (subject.empty() && open.subjects.empty()) {
             if (out.empty()) throw UsageError("expected what to make \"{}\"", text_of(value));

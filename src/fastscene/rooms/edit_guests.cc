@@ -34,13 +34,8 @@ std::string table_meant(Talk& talk, const Words& words) {
     std::string best;
     float most = 0;
     for (const Placed& p : talk.editor.room().furnished.placed) {
-        const auto seats = std::count_if(
-            talk.editor.room().furnished.placed.begin(), talk.editor.room().furnished.placed.end(),
-            [&](const Placed& s) {
-                return s.with >= 0 && has_role(s.piece.kind, Role::seat) &&
-                       talk.editor.document().things[static_cast<std::size_t>(s.with)].id == p.id;
-            });
-        const float size = p.piece.size_m.x * p.piece.size_m.z + static_cast<float>(seats);
+        const std::vector<int> seats = talk.editor.seats_at(talk.editor.index_of(p.id));
+        const float size = p.piece.size_m.x * p.piece.size_m.z + static_cast<float>(seats.size());
         if (is_sat_at(p.piece.kind) && !has_role(p.piece.kind, Role::work_place) && size > most)
             most = size, best = p.id;
     }
@@ -88,12 +83,12 @@ int guests_said(const Words& words) {
 
 void seat_guests(Talk& talk, const Words& words, int guests) {
     const std::string table = table_meant(talk, words);
-    std::string kind;
-    int there = 0;
-    const std::vector<Placed>& all = talk.editor.room().furnished.placed;
-    for (const Placed& p : all)
-        if (p.with >= 0 && has_role(p.piece.kind, Role::seat) && all[static_cast<std::size_t>(p.with)].id == table)
-            ++there, kind = asked_kind(p);
+    const std::vector<int> seats = talk.editor.seats_at(talk.editor.index_of(table));
+    const int there = static_cast<int>(seats.size());
+    const std::string kind = seats.empty()
+                                 ? ""
+                                 : asked_kind(
+                                       talk.editor.room().furnished.placed[static_cast<std::size_t>(seats.back())]);
     if (there >= guests) throw AlreadySo(fmt::format("{}: {} people can sit there already", table, there));
     EditStep step;
     step.kind = EditStep::Kind::add;

@@ -75,7 +75,7 @@ bool is_where_asked(const Plan& plan, const std::vector<Placed>& all, const Plac
         !is_drawn_up(all, piece, wish.relation_to))
         return false;
     if (!is_beside(all, piece, wish) || is_at_foot(all, wish, piece) || is_before_seat(all, wish, piece)) return false;
-    if (is_off_wall_of_door(plan, wish, piece)) return false;
+    if (is_off_wall_of_door(plan, wish, piece) || is_before_front(all, wish, piece)) return false;
     // Between two chairs is not at the side of both.
     if (wish.relation == "between" && piece.piece.mount == Mount::floor && !piece.flat && !piece.piece.against_wall)
         if (const float off = off_middle(all, wish, footprint_of(piece).center, &piece);
@@ -147,15 +147,17 @@ void fill_gap(Layout& layout, const PromptObject& wish, bool moving, bool full_s
     for (const float scale : {1.f, 0.8f, 0.65f, 0.5f})
         for (int draw = 0; draw < (fixed ? 1 : kDraws); ++draw) {
             if ((fixed || full_size) && scale < 1) return;
-            PieceRequest request = layout.request(wish.kind, &wish);
-            if (const Thing* thing = find_thing(request.kind); thing && !request.model && !thing->small_form.empty())
-                request.kind = thing->small_form;
+            const Thing* known = find_thing(wish.kind);
+            PieceRequest request = layout.request(
+                known && !known->small_form.empty() && !fixed ? known->small_form : wish.kind, &wish);
             // On a small top a vase is a small one.
             const auto& classes = piece_classes();
             if (const std::string small = request.kind + "_small";
                 !fixed && scale < 1 && !request.model && std::binary_search(classes.begin(), classes.end(), small))
                 request.kind = small;
             request.size_factor *= scale;
+            // No bench is made so small that it would stand on a table.
+            if (scale < 1 && make_piece(request).mount == Mount::floor) return;
             for (int i = 0; i < static_cast<int>(layout.placed().size()); ++i) {
                 const Placed& top = layout.placed()[static_cast<std::size_t>(i)];
                 if ((top.piece.kind == wish.relation_to || top.wish.kind == wish.relation_to) &&
@@ -341,7 +343,8 @@ std::vector<Placed> Editor::laid_out(const Standing& standing, const EditStep& s
             done = hang_above(layout, wish) || hang_in_row(layout) || pair_before(layout) || seats_in_row(layout) ||
                    on_flat(layout) || on_top_beside(layout) || at_the_ends(layout) ||
                    in_the_middle(layout, step, moving) || on_the_floor(layout, step) || screen_on_desk(layout);
-        if (!done && wish.relation != kAtTheEnds && !step.on_floor) place_asked(layout);
+        if (!done && wish.relation != kAtTheEnds && !step.on_floor && !sits_before_table(step.wish))
+            place_asked(layout);
         if (layout.mark() == before || !is_where_asked(plan(), layout.placed(), layout.placed().back(), wish)) {
             layout.undo(before);
             fill_gap(layout, wish, moving != nullptr, full_size_);

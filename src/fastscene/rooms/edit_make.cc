@@ -46,6 +46,10 @@ bool speaks_of_shell(const Words& subject) {
                               word->kind == WordKind::structure);
 }
 
+bool is_worktop(const std::string& word) {
+    return is_one_of(word, {"worktop", "worktops", "countertop", "countertops"});
+}
+
 // Of a kitchen counter the top alone.
 void of_the_top(PromptObject& looks) {
     looks.holder_color = std::exchange(looks.color, "");
@@ -135,7 +139,7 @@ std::vector<std::string> make_one(Talk& talk, const Words& subject, const Value&
     if (lamps && value.shines)
         step.kind = EditStep::Kind::shine, step.value = value.brighter > 1 ? "brighter" : "darker";
     suit_cloth(talk, step);
-    if (has_word(subject, {"worktop", "worktops", "countertop", "countertops"})) of_the_top(step.wish);
+    if (std::any_of(subject.begin(), subject.end(), is_worktop)) of_the_top(step.wish);
     if (value.by == Vec3f{}) {
         apply_shaded(talk, step);
         tell_stand_ins(talk, step, value);
@@ -278,41 +282,6 @@ bool each_on_or_off(const Words& words) {
     return parts.size() > 1 && std::all_of(parts.begin(), parts.end(), says_on_or_off);
 }
 
-namespace {
-
-// "The table into a round one with four chairs", "the sofa green with two cushions": those come to it; false: no such
-// words.
-bool made_with(Talk& talk, const Words& words) {
-    const std::size_t with = find_word(words, {"with"}, 3);
-    Words comes = part_of(words, with + 1);
-    const std::size_t n = comes.size();
-    const bool on_it = n > 2 && comes[n - 2] == "on" && is_one_of(comes[n - 1], {"top", "it", "them", "each"});
-    const bool on_each = on_it && comes[n - 1] == "each";
-    if (on_it) comes.resize(n - 2);
-    if (comes.size() < 2 || parts_of(words).size() > 1 || !number_said(comes.front()) ||
-        next_place(comes) < comes.size() || is_a_part(comes.back()))
-        return false;
-    auto noun = look_up(text_of(comes, 1));
-    if (!noun) noun = look_up(comes.back());
-    if (!noun || noun->kind != WordKind::object || noun->far) return false;
-    const Words first = part_of(words, 0, with);
-    const bool into = find_word(first, {"into"}, 1) < first.size();
-    bool value = into;
-    for (std::size_t i = 1; i < first.size(); ++i) value = value || value_of(part_of(first, i));
-    if (!value) return false;
-    do_each(
-        talk.editor, 2,
-        [&](std::size_t k) {
-            if (k == 0) make(talk, first);
-            else if (on_each) add(talk, joined_words(comes, {"on", "each", "of", "them"}));
-            else add(talk, joined_words(comes, {on_it ? "on" : "to", "it"}));
-        },
-        [&](std::size_t k) { return text_of(k == 0 ? first : comes); });
-    return true;
-}
-
-}  // namespace
-
 void make(Talk& talk, const Words& words) {
     // "the ceiling lights off and the desk lamp on"
     if (each_on_or_off(words)) {
@@ -338,6 +307,16 @@ void make(Talk& talk, const Words& words) {
             talk.editor, 2,
             [&](std::size_t k) { make(talk, k == 0 ? part_of(words, 0, with) : part_of(words, with + 1)); },
             [&](std::size_t k) { return text_of(k == 0 ? part_of(words, 0, with) : part_of(words, with + 1)); });
+    // "The cabinets green with a wooden worktop"
+    if (const std::size_t with = find_word(words, {"with"}, 2);
+        with + 3 < words.size() && is_worktop(words.back()) && says_look(part_of(words, 0, with)))
+        if (const std::size_t look = is_one_of(words[with + 1], {"a", "an"}) ? with + 2 : with + 1;
+            value_of(part_of(words, look, words.size() - 1))) {
+            const Words top = joined_words({"the", words.back()}, part_of(words, look, words.size() - 1));
+            return do_each(
+                talk.editor, 2, [&](std::size_t k) { make(talk, k == 0 ? part_of(words, 0, with) : top); },
+                [&](std::size_t k) { return text_of(k == 0 ? part_of(words, 0, with) : top); });
+        }
     // "it darker, with candles on the tables"
     for (std::size_t with = 2; with + 2 < words.size(); ++with)
         if (words[with] == "with" && words[with - 1] == "," && begins_anew(part_of(words, with + 1)))
@@ -349,6 +328,11 @@ void make(Talk& talk, const Words& words) {
                 },
                 [&](std::size_t k) { return text_of(k == 0 ? part_of(words, 0, with - 1) : part_of(words, with)); });
     if (made_with(talk, words)) return;
+    // "Cover the tables with white cloths": those come, or there is no such thing.
+    if (const std::size_t with = find_word(words, {"with"}, 2);
+        talk.said == "cover" && with + 1 < words.size() && !value_of(part_of(words, with + 1)))
+        return add(talk, joined_words(joined_words(part_of(words, with + 1), {"on"}), part_of(words, 0, with)));
+    if (made_and_wanted(talk, words)) return;
     // "it darker and more romantic"
     if (const std::vector<Words> parts = parts_of(words);
         words.front() == "it" && talk.last.empty() && parts.size() > 1 && next_place(words) == words.size())

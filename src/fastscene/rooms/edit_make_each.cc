@@ -111,4 +111,61 @@ bool resurfaced(Talk& talk, const Words& old, const Words& by) {
     return true;
 }
 
+// "The table into a round one with four chairs", "the sofa green with two cushions": those come to it; false: no such
+// words.
+bool made_with(Talk& talk, const Words& words) {
+    const std::size_t with = find_word(words, {"with"}, 3);
+    Words comes = part_of(words, with + 1);
+    const std::size_t n = comes.size();
+    const bool on_it = n > 2 && comes[n - 2] == "on" && is_one_of(comes[n - 1], {"top", "it", "them", "each"});
+    const bool on_each = on_it && comes[n - 1] == "each";
+    if (on_it) comes.resize(n - 2);
+    if (comes.size() < 2 || parts_of(words).size() > 1 || !number_said(comes.front()) ||
+        next_place(comes) < comes.size() || is_a_part(comes.back()))
+        return false;
+    auto noun = look_up(text_of(comes, 1));
+    if (!noun) noun = look_up(comes.back());
+    if (!noun || noun->kind != WordKind::object || noun->far) return false;
+    const Words first = part_of(words, 0, with);
+    const bool into = find_word(first, {"into"}, 1) < first.size();
+    bool value = into;
+    for (std::size_t i = 1; i < first.size(); ++i) value = value || value_of(part_of(first, i));
+    if (!value) return false;
+    do_each(
+        talk.editor, 2,
+        [&](std::size_t k) {
+            if (k == 0) make(talk, first);
+            else if (on_each) add(talk, joined_words(comes, {"on", "each", "of", "them"}));
+            else add(talk, joined_words(comes, {on_it ? "on" : "to", "it"}));
+        },
+        [&](std::size_t k) { return text_of(k == 0 ? first : comes); });
+    return true;
+}
+
+// "The walls black and red curtains": what is there already is made so, what is not comes; false: no such words.
+bool made_and_wanted(Talk& talk, const Words& words) {
+    const std::vector<Words> parts = parts_of(words);
+    if (parts.size() < 2) return false;
+    const Words& last = parts.back();
+    const Words look = part_of(last, 0, last.size() - 1);
+    const Words first = part_of(words, 0, words.size() - last.size() - 1);
+    if (look.empty() || is_definite(last.front()) || number_said(last.front()) || value_of(last) || !value_of(look) ||
+        first.empty())
+        return false;
+    bool says = false;
+    for (std::size_t i = 1; i < first.size(); ++i) says = says || value_of(part_of(first, i));
+    const auto noun = look_up(last.back());
+    if (!says || !noun || noun->kind != WordKind::object) return false;
+    const bool there = !all_named(talk.editor, "all " + last.back()).empty();
+    do_each(
+        talk.editor, 2,
+        [&](std::size_t k) {
+            if (k == 0) make(talk, first);
+            else if (there) make(talk, joined_words({"the", last.back()}, look));
+            else add(talk, last);
+        },
+        [&](std::size_t k) { return text_of(k == 0 ? first : last); });
+    return true;
+}
+
 }  // namespace fastscene::editing

@@ -161,6 +161,10 @@ bool put_at(Talk& talk, const std::vector<std::string>& ids, const Words& said,
     }
     if (!place && !why_not.empty()) throw Error("{}", why_not);
     if (!place) return false;
+    // "The cushions on the armchairs": one here, one there.
+    if (place->each_at.empty() && ids.size() > 1 && place->step.wish.relation == "on" && words.back().ends_with("s"))
+        if (const auto there = things_at(talk.editor, place->step); there.size() > 1)
+            for (const std::string& id : there) place->each_at.push_back({id});
     const auto put_all = [&] {
         place->step.kind = EditStep::Kind::place;
         do_each(talk.editor, ids.size(), [&](std::size_t k) {

@@ -71,4 +71,10 @@ Words by_kind_there(const Editor& editor, const Words& said) {
     return out;
 }
 
+std::string singular(const std::string& word) {
+    for (const std::string& form : base_forms(word))
+        if (form != word && look_up(form)) return form;
+    return word;
+}
+
 }  // namespace fastscene::editing

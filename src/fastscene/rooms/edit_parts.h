@@ -189,6 +189,11 @@ bool each_on_or_off(const Words& words);
 bool make_by_turns(Talk& talk, const Words& words);
 // "each wall a different color", "the chairs in various colors": one after the other; false: no such words.
 bool make_various(Talk& talk, const Words& words);
+// "The table into a round one with four chairs", "the sofa green with two cushions": those come to it; false: no such
+// words.
+bool made_with(Talk& talk, const Words& words);
+// "The walls black and red curtains": what is there already is made so, what is not comes; false: no such words.
+bool made_and_wanted(Talk& talk, const Words& words);
 // "Every desk a plant": one at each; false: no such words.
 bool given(Talk& talk, const Words& words);
 // "The floor" by "checkered tiles": how it is to look; false: the words are about no surface.

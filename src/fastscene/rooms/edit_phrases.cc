@@ -13,7 +13,7 @@ struct Phrase {
     std::string_view said, means;
 };
 // Longer ones before those that they begin with.
-constexpr std::array<Phrase, 114> kPhrases{{
+constexpr std::array<Phrase, 122> kPhrases{{
     {"with the fire burning", ", light the fire"},
     {"with the fire lit", ", light the fire"},
     {"with the fire on", ", light the fire"},
@@ -122,6 +122,14 @@ constexpr std::array<Phrase, 114> kPhrases{{
     {"sitting on", "on"},
     {"lying on", "on"},
     {"located", ""},
+    {"end chairs", "chairs at the ends"},
+    {"wall with the window", "window wall"},
+    {"wall with the windows", "window wall"},
+    {"wall with the door", "door wall"},
+    {"so it runs the other way", "by 90 degrees"},
+    {"so that it runs the other way", "by 90 degrees"},
+    {"long side of", "side of"},
+    {"long sides of", "sides of"},
     {"the whole lot", "them all"},
     {"kind of", ""},
     {"sort of", ""},
@@ -290,12 +298,23 @@ void as_it(Words& words) {
             words[i] = "it";
 }
 
+// "The beds side by side with a nightstand in between": and that between them.
+void as_between_them(Words& words) {
+    const std::size_t n = words.size(), with = find_word(words, {"with"}, 2);
+    if (n < 6 || with + 3 >= n || words[n - 2] != "in" || words[n - 1] != "between") return;
+    if (!is_one_of(words[with + 1], {"a", "an"}) || is_joint(words[with - 1])) return;
+    words.resize(n - 2);
+    words.insert(words.end(), {"between", "them"});
+    words[with] = "and";
+    words.insert(words.begin() + static_cast<std::ptrdiff_t>(with) + 1, "put");
+}
+
 }  // namespace
 
 Words in_plain_words(Words words) {
     for (const Phrase& p : kPhrases) say(words, p.said, p.means);
     if (words.empty()) return words;
-    as_keeping(words), as_corner(words), as_one_each(words), as_it(words);
+    as_keeping(words), as_corner(words), as_one_each(words), as_it(words), as_between_them(words);
     words = with_sides(words);
     words = as_swap(as_wishes(words));
     // "How about moving the sofa and adding a lamp"

@@ -78,7 +78,18 @@ void pick(const std::vector<std::string>& words, const PromptObject& said, const
         extreme([&](int i) { return volume_of(editor.placed(all(i).id)); }, has_word(words, {"biggest", "largest"}));
     else if (has_word(words, {"tallest", "shortest"}))
         extreme([&](int i) { return editor.placed(all(i).id).piece.size_m.y; }, has_word(words, {"tallest"}));
-    else if (left != right) extreme([&](int i) { return to_the_right(editor.room(), all(i)); }, right);
+    else if (left != right && says_several(words, said) && !has_word(words, {"leftmost", "rightmost"})) {
+        // "The chairs on the left side": of the middle between the outermost.
+        const auto [low, high] = std::minmax_element(found.begin(), found.end(), [&](int a, int b) {
+            return to_the_right(editor.room(), all(a)) < to_the_right(editor.room(), all(b));
+        });
+        const float middle = (to_the_right(editor.room(), all(*low)) + to_the_right(editor.room(), all(*high))) / 2;
+        constexpr float kMiddle = 0.15f;  // metres: on neither side
+        std::erase_if(found, [&](int i) {
+            const float off = to_the_right(editor.room(), all(i)) - middle;
+            return right ? off < kMiddle : off > -kMiddle;
+        });
+    } else if (left != right) extreme([&](int i) { return to_the_right(editor.room(), all(i)); }, right);
     else if (said.size == "large" && says_several(words, said) && !has_word(words, {"biggest", "largest"})) {
         float most = 0;
         for (const int i : found) most = std::max(most, volume_of(editor.placed(all(i).id)));

@@ -58,6 +58,8 @@ void Editor::place_one(int index, const std::vector<int>& along, EditStep step) 
     wish.size_m = was.piece.size_m, step.yaw = was.yaw;
     if (std::find(step.at.begin(), step.at.end(), id) != step.at.end())
         throw UsageError("{}: it cannot stand{}", id, place_in_words(step));
+    if (was.sill >= 0 && wish.relation == "next to" && noun_of(wish.relation_to) == "window" && !step.position)
+        throw AlreadySo(id + ": it stands there already");
     const std::vector<Placed> all = laid_out(standing, step, &was);
     constexpr float kThere = 0.02f, kNudge = 0.25f;  // metres
     if (all.size() != standing.placed.size() + 1) {

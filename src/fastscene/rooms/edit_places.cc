@@ -184,6 +184,8 @@ class Reader {
         } else if (!rest.empty() && rest.front() != "of") near = point_of(rest);
         if (near && !rest.empty() && rest.front() == "opposite") near = *near * -1.f;
         if (!rest.empty() && rest.front() != "of" && !near) return {};
+        if (near && !rest.empty() && room_part(rest, 1).has_value())
+            near = freer_of_two_corners(editor_, *near, mover_);
         if (near) {
             const auto corners = corners_of_room(editor_.plan());
             out.step.position = *std::min_element(corners.begin(), corners.end(), [&](Vec2f a, Vec2f b) {
@@ -288,6 +290,8 @@ class Reader {
         const bool top = furnishing::is_small(kind_) && !first.piece.surfaces.empty() &&
                          !has_role(first.piece.kind, Role::seat) && !has_role(first.piece.kind, Role::bed);
         if (name == "on both sides of") out.count = 2;
+        const bool sat_at = has_role(kind_, Role::seat) && has_role(first.piece.kind, Role::laid);
+        if (name == "on both sides of" && !moving_ && sat_at) out.step.wish.relation = "around";
         if (name == "on both sides of" && top) out.step.wish.relation = kAtTheEnds;
         // "Each desk": of whatever kind.
         const auto suits = [&](int i) {
@@ -301,18 +305,24 @@ class Reader {
         return out;
     }
 
-    // Left or right of a thing: the side at which fewer things stand, or it does not stand itself.
+    // Left or right of a thing: the side where what moves does not stand itself; where it stands at neither, that with
+    // fewer of its kind.
     void free_side(Place& place) const {
         const auto anchors = things_at(editor_, place.step);
         if (anchors.size() != 1) return;
         const Placed& at = editor_.placed(anchors.front());
-        float balance = 0;
         constexpr float kNear = 1.2f;  // metres from its edge
-        for (const Placed& p : editor_.room().furnished.placed) {
-            const bool counts = moving_ ? p.id == mover_ : asked_kind(p) == kind_;
-            if (!counts || distance_to(footprint_of(at), footprint_of(p).center) > kNear) continue;
-            balance += dot(p.position - at.position, right_of(at.yaw)) > 0 ? 1.f : -1.f;
-        }
+        const auto balance_of = [&](bool own) {
+            float balance = 0;
+            for (const Placed& p : editor_.room().furnished.placed) {
+                const bool counts = own ? p.id == mover_ : asked_kind(p) == kind_ && p.id != mover_;
+                if (!counts || distance_to(footprint_of(at), footprint_of(p).center) > kNear) continue;
+                balance += dot(p.position - at.position, right_of(at.yaw)) > 0 ? 1.f : -1.f;
+            }
+            return balance;
+        };
+        float balance = moving_ ? balance_of(true) : 0.f;
+        if (balance == 0) balance = balance_of(false);
         if (balance != 0) place.step.wish.relation = balance > 0 ? "left of" : "right of";
     }
 
@@ -381,15 +391,6 @@ class Reader {
 };
 
 }  // namespace
-
-Mount mount_of(const Editor& editor, const std::string& kind) {
-    PromptSpec spec = editor.room().spec;
-    Random rng(0, "mount");
-    Layout layout(editor.plan(), spec, rng);
-    PromptObject wish;
-    wish.kind = kind;
-    return layout.why_not(kind).empty() ? make_piece(layout.request(kind, &wish)).mount : Mount::floor;
-}
 
 std::optional<Place> place_of(const Editor& editor, const Words& words, const std::string& kind,
                               const std::string& mover, const std::vector<std::string>& spoken) {

@@ -194,7 +194,6 @@ bool Editor::seats_clear(int table, const Placed& there, const std::vector<int>&
     });
 }
 
-// Chairs go with the table that they stand at.
 std::vector<int> Editor::seats_at(int table) const {
     const std::string& kind = placed(table).piece.kind;
     std::vector<int> out;
@@ -247,6 +246,23 @@ void Editor::shift_one(int i, const EditStep& step) {
             }
             if (seats.empty()) break;
         }
+    // What stands at a wall goes along it, where the way that was said leads into the wall: as whoever looks at it sees
+    // left and right, where that is straight into the wall or off it.
+    if (const Placed& p = placed(i); p.piece.against_wall && step.by.y == 0 && wall_behind(plan(), p) >= 0) {
+        constexpr float kAlong = 0.25f, kSideways = 0.9f;  // of the way
+        const Vec3f up{0, 1, 0};
+        const float all = length(step.by), sideways = dot(step.by, cross(room_.furnished.looks, up));
+        Vec3f along = right_of(p.yaw);
+        if (std::abs(dot(step.by, along)) >= kAlong * all) along = along * std::copysign(1.f, dot(step.by, along));
+        else along = cross(front_of(p.yaw) * -1.f, up) * std::copysign(1.f, sideways);
+        const bool known = std::abs(dot(step.by, along)) >= kAlong * all || std::abs(sideways) > kSideways * all;
+        for (const float part : {1.f, 0.75f, 0.5f, 0.35f, 0.2f}) {
+            if (!known || (part < 1 && step.exactly)) break;
+            const Pose to{p.position + along * (all * part), p.yaw};
+            if (!new_fault(with_pose(i, to, seats)).empty()) continue;
+            return checked([&] { set_pose(i, to, seats); });
+        }
+    }
     throw Error("{}: there is no room for it there: {}", thing(i).id, fault);
 }
 
@@ -322,12 +338,11 @@ void Editor::face_one(int i, const EditStep& step) {
         std::string fault;
         bool done = false;
         if (step.slightly) {
-            constexpr float kSlightly = 25 * kPi / 180;
             const Vec2f way = *target - flat(p.position);
             const float by = std::remainder(std::atan2(way.x, way.y) - p.yaw, 2 * kPi);
             EditStep turn;
             turn.kind = EditStep::Kind::turn;
-            turn.ids = {id}, turn.yaw = std::clamp(by, -kSlightly, kSlightly);
+            turn.ids = {id}, turn.yaw = std::clamp(by, -kSlightTurn, kSlightTurn);
             return turn_one(i, turn);
         }
         const std::vector<int> seats = seats_at(i);

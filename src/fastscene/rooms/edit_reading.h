@@ -104,7 +104,7 @@ void take_back(Talk& talk, const Clause& clause);
 
 // ---- edit_words.cc: which things of the room words mean
 
-std::string singular(const std::string& word);  // "chair" of "chairs"
+std::string singular(const std::string& word);  // "chair" of "chairs"; edit_nouns.cc
 // The words as a prompt about such a room.
 PromptSpec read_in_room(const Editor& editor, const std::string& words);
 // All that they may mean; none if nothing is like it.
@@ -250,10 +250,12 @@ bool has_opening(const Plan& plan, const std::string& kind);
 std::string opening_there(const Plan& plan, const std::string& kind);
 // "The left window", "the far door", of several: a point before it.
 std::optional<Vec2f> which_opening(const Editor& editor, const Part& part, const std::string& kind);
-// Before the middle of the only such opening, a step off its wall, for what stands on the floor without a back.
+// Before the middle of the nearest such opening, a step off its wall, for what stands on the floor without a back.
 std::optional<Vec2f> before_opening(const Editor& editor, const std::string& kind, const std::string& mover);
 // Of the two corners that lie that way, the one with more free floor before it.
 Vec2f freer_corner(const Editor& editor, Vec2f way, const std::string& mover);
+// Of two corners that are about as near to a point, the one with more free floor before it; else the point.
+Vec2f freer_of_two_corners(const Editor& editor, Vec2f near, const std::string& mover);
 // Where it would be on the other side of the nearest such opening.
 std::optional<Vec2f> beyond_opening(const Editor& editor, const std::string& kind, const std::string& mover);
 // "The brick wall": the one that looks so; nothing: all do, or it was not said how it looks.

@@ -159,6 +159,11 @@ Words with_its(const Words& words) {
             i = next;
             continue;
         }
+        // "The back row of tables and chairs"
+        if (words[i] == "and" && i + 2 == words.size() && is_seats(words[i + 1]) && has_word(out, {"row", "rows"})) {
+            out.push_back(","), out.push_back("its");
+            continue;
+        }
         const bool together = i > 0 && is_one_of(words[i - 1], {"together", "along"});
         if (joint && together) out.back() = ",";
         else out.push_back(words[i]);

@@ -4,7 +4,9 @@
 
 #include "fastscene/base/error.h"
 #include "fastscene/base/is_one_of.h"
+#include "fastscene/rooms/catalogue.h"
 #include "fastscene/rooms/edit_parts.h"
+#include "fastscene/rooms/lexicon.h"
 
 namespace fastscene::editing {
 
@@ -50,6 +52,19 @@ bool replaced_by_its_like(Talk& talk, const Words& old, const Words& by) {
 }  // namespace
 
 namespace {
+
+// A plain lamp in place of what hangs from the ceiling hangs there as well.
+void as_it_hangs(const Editor& editor, EditStep& step) {
+    const auto hangs = [&](const std::string& id) { return editor.placed(id).piece.mount == Mount::ceiling; };
+    if (!has_role(step.wish.kind, Role::light) || !std::all_of(step.ids.begin(), step.ids.end(), hangs) ||
+        mount_of(editor, step.wish.kind) == Mount::ceiling)
+        return;
+    const std::string noun = singular(step.wish.words.substr(step.wish.words.rfind(' ') + 1));
+    const auto form = look_up("hanging " + noun);
+    if (step.wish.words.find(noun) == 0 && noun != in_words(step.wish.kind) && form &&
+        mount_of(editor, form->meaning) == Mount::ceiling)
+        step.wish.kind = form->meaning;
+}
 
 Words without_article(Words words) {
     if (words.size() > 1 && is_definite(words.front())) words.erase(words.begin());
@@ -125,6 +140,7 @@ void replace(Talk& talk, const Words& old, const Words& by) {
             });
     }
     step.wish = wishes_of(talk.editor, parts.front()).front();
+    as_it_hangs(talk.editor, step);
     const bool each = is_one_of(old.front(), {"every", "each"});  // "every chair with a stool"
     const bool one = is_one_of(parts.front().front(), {"a", "an", "another", "one"}) && !each;
     if ((!step.wish.counted || each) && !one) step.wish.count = static_cast<int>(step.ids.size());
@@ -153,7 +169,9 @@ void replace(Talk& talk, const Words& old, const Words& by) {
             continue;
         }
         PromptObject wish = wishes_of(talk.editor, parts[k]).front();
-        wish.relation = "next to", wish.relation_to = step.wish.kind;
+        // "A small table and two chairs": the chairs come to the table.
+        wish.relation = fresh.empty() ? "next to" : suited("to", wish.kind, talk.editor.placed(fresh.front()));
+        wish.relation_to = step.wish.kind;
         add_wish(talk, wish, {});
     }
 }

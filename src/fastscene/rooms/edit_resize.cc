@@ -27,18 +27,57 @@ bool is_among_those(int i, const std::vector<int>& those) {
 
 }  // namespace
 
-// What stands on a thing of another size keeps its place on the top.
+namespace {
+
+// The spot on a top nearest to where a thing is to stand at which it reaches into none of those that stand there.
+Vec2f free_spot(const Placed& top, const Footprint& box, const std::vector<Footprint>& taken) {
+    constexpr float kStep = 0.04f;  // metres
+    const Footprint under = footprint_of(top);
+    const auto axes = axes_of(under);
+    const float wide = under.half.x - extent(box, axes[0]), deep = under.half.y - extent(box, axes[1]);
+    const auto is_free = [&](Vec2f at) {
+        return std::none_of(taken.begin(), taken.end(), [&](const Footprint& t) {
+            return overlap(t, Footprint{at, box.half, box.yaw, t.y0, t.y1});
+        });
+    };
+    Vec2f best = box.center;
+    float nearest = is_free(best) ? 0.f : 1e9f;
+    for (float x = -wide; x <= wide && nearest > 0; x += kStep)
+        for (float z = -deep; z <= deep; z += kStep) {
+            const Vec2f at = under.center + axes[0] * x + axes[1] * z;
+            if (const float far = length(at - box.center); far < nearest && is_free(at)) nearest = far, best = at;
+        }
+    return best;
+}
+
+}  // namespace
+
+// What stands on a thing of another size keeps its place on the top; on a smaller one, as far as there is room.
 void Editor::carry_riders(int index, const Placed& before, Vec3f factor) {
     const Placed& after = placed(index);
     const Vec3f right = right_of(before.yaw), front = front_of(before.yaw);
-    for (const int i : with_riders({index})) {
-        if (placed(i).on != index) continue;
+    std::vector<int> riders;
+    for (const int i : with_riders({index}))
+        if (placed(i).on == index) riders.push_back(i);
+    // What is laid before seats has its place there.
+    std::stable_partition(riders.begin(), riders.end(),
+                          [&](int i) { return has_role(placed(i).piece.kind, Role::before_seats); });
+    std::vector<Footprint> taken;
+    for (const int i : riders) {
         const Vec3f d = placed(i).position - before.position;
         Vec3f to = after.position + right * (dot(d, right) * factor.x) + front * (dot(d, front) * factor.z);
         to.y = placed(i).position.y;
         const auto& tops = before.piece.surfaces;
         for (std::size_t k = 0; k < std::min(tops.size(), after.piece.surfaces.size()); ++k)
             if (std::abs(tops[k].center.y - d.y) < 0.02f) to.y = after.position.y + after.piece.surfaces[k].center.y;
+        Footprint box = footprint_of(placed(i));
+        const Vec2f off = box.center - flat(placed(i).position);
+        box.center = flat(to) + off;
+        if (factor.x < 1 || factor.z < 1) {
+            box.center = free_spot(after, box, taken);
+            to.x = box.center.x - off.x, to.z = box.center.y - off.y;
+        }
+        taken.push_back(box);
         const Vec3f step = to - placed(i).position;
         for (const int k : with_riders({i})) thing(k).position += step;
     }
@@ -61,7 +100,7 @@ void Editor::keep_seats(int index, const Placed& before) {
         const Vec3f d = placed(i).position - before.position;
         const float x = dot(d, right), z = dot(d, front);
         const auto moved = [](float at, float half, float by) {
-            return std::abs(at) > half ? std::copysign(by, at) : at * by / half;
+            return std::abs(at) > half ? std::copysign(1.f, at) * by : at * by / half;
         };
         Vec3f by = after.position - before.position + right * moved(x, old.x, more.x) + front * moved(z, old.z, more.z);
         // What stands at the same wall stays at it.
@@ -82,7 +121,9 @@ std::string Editor::resize_to(int index, Vec3f factor) {
     // Some builders keep an extent: a sofa is as deep as sofas are.
     PieceRequest request = *before.piece.made_from;
     if (!request.style) request.style = &plan().style;
-    request.size_m = size, request.size_factor = 1;
+    // As high as it is usual: of a desk with a screen the height is not that of its top.
+    const bool same_height = factor.y == 1 && request.size_m.y == 0 && request.size_factor == 1;
+    request.size_m = same_height ? Vec3f{size.x, 0, size.z} : size, request.size_factor = 1;
     const Vec3f made = make_piece(request).size_m;
     std::string fault;
     constexpr int kMostTries = 8;  // each builds the room
@@ -91,7 +132,9 @@ std::string Editor::resize_to(int index, Vec3f factor) {
         for (const float ahead : {0.f, 0.1f, -0.1f, 0.2f, -0.2f, 0.3f, -0.3f}) {
             const bool here = aside == 0 && ahead == 0;
             if (!here && before.flat) return fault;
-            if (ahead != 0 && (before.piece.mount != Mount::floor || before.piece.against_wall)) continue;
+            if (ahead != 0 && before.piece.mount != Mount::floor) continue;
+            constexpr float kOffWall_m = 0.1f;
+            if (before.piece.against_wall && (ahead < 0 || ahead > kOffWall_m)) continue;
             const Vec3f at = after_resize(before, made) + right_of(before.yaw) * aside + front_of(before.yaw) * ahead;
             Placed larger = before;
             larger.position = at, larger.piece.size_m = made;
@@ -101,8 +144,10 @@ std::string Editor::resize_to(int index, Vec3f factor) {
             if (++tries > kMostTries) return fault;
             try {
                 checked([&] {
-                    thing(index).size_m = size;
-                    thing(index).position = at;
+                    DocumentThing& t = thing(index);
+                    t.size_m = same_height ? made : size;
+                    if (same_height) t.asked_size_m = request.size_m, t.size_factor = 1;
+                    t.position = at;
                     build();
                     carry_riders(index, before, factor);
                     keep_seats(index, before);

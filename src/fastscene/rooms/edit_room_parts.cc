@@ -62,12 +62,13 @@ std::optional<Vec2f> before_opening(const Editor& editor, const std::string& kin
     if (p.piece.mount != Mount::floor || p.piece.against_wall || p.flat || p.on >= 0) return {};
     constexpr float kOffWall_m = 0.15f;
     std::optional<Vec2f> out;
+    const Vec2f here = footprint_of(p).center;
     for (const Opening& o : editor.plan().openings) {
         if (!is_opening_of(o, kind)) continue;
-        if (out) return {};
         const WallFace face = editor.plan().wall(o.wall);
         const float deep = extent(footprint_of(p), flat(face.inward));
-        out = flat(face.point((o.u0 + o.u1) / 2, 0) + face.inward * (deep + kOffWall_m));
+        const Vec2f before = flat(face.point((o.u0 + o.u1) / 2, 0) + face.inward * (deep + kOffWall_m));
+        if (!out || length(before - here) < length(*out - here)) out = before;
     }
     return out;
 }
@@ -103,6 +104,14 @@ Vec2f freer_corner(const Editor& editor, Vec2f way, const std::string& mover) {
         return least;
     };
     return free(corners[0]) >= free(corners[1]) ? corners[0] : corners[1];
+}
+
+Vec2f freer_of_two_corners(const Editor& editor, Vec2f near, const std::string& mover) {
+    constexpr float kAlike = 0.8f;  // metres
+    std::vector<Vec2f> corners = corners_of_room(editor.plan());
+    std::sort(corners.begin(), corners.end(), [&](Vec2f a, Vec2f b) { return length(a - near) < length(b - near); });
+    if (corners.size() < 2 || length(corners[1] - near) - length(corners[0] - near) > kAlike) return near;
+    return freer_corner(editor, corners[0] + corners[1], mover);
 }
 
 std::optional<int> wall_that_looks(const Plan& plan, const Part& part) {

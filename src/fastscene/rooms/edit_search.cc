@@ -40,6 +40,13 @@ int wall_behind(const Plan& plan, const Placed& p) {
     return -1;
 }
 
+// A stool in front of a vanity stands close to it; what is worked at has the layout's own place for a chair.
+bool sits_before_table(const PromptObject& wish) {
+    return wish.relation == "in front of" && wish.count < 2 && is_sat_at(wish.relation_to) &&
+           !has_role(wish.relation_to, Role::work_place) && !has_role(wish.relation_to, Role::centerpiece) &&
+           has_role(wish.kind, Role::work_seat);
+}
+
 // For one thing that stands on the floor; the nearest place first.
 bool Editor::search_finely(Layout& layout, const EditStep& step) const {
     const PromptObject& wish = layout.spec().objects[0];
@@ -52,7 +59,8 @@ bool Editor::search_finely(Layout& layout, const EditStep& step) const {
     const Piece piece = make_piece(request);
     if (piece.mount != Mount::floor) return false;
     // A chair before a table is drawn up to it, or it is not at the table.
-    if (wish.relation == "in front of" && has_role(wish.kind, Role::work_seat)) return false;
+    if (wish.relation == "in front of" && has_role(wish.kind, Role::work_seat) && !sits_before_table(step.wish))
+        return false;
     const std::vector<Candidate> all = candidates_for(layout, step, piece, 0);
     if (is_rug(piece))
         return std::any_of(all.begin(), all.end(), [&](const Candidate& c) {
@@ -65,8 +73,11 @@ bool Editor::search_finely(Layout& layout, const EditStep& step) const {
         });
     const std::set<std::string> before = fault_texts(layout.placed());
     int checks = 0;
+    // The free floor before what one sits at is for the seat.
+    const bool seat = sits_before_table(step.wish);
     for (const bool with_clearance : {true, false})
         for (const Candidate& c : all) {
+            if (seat && with_clearance) break;
             const std::size_t mark = layout.mark();
             if (!layout.stand_at(piece, c.at, c.yaw, wish, {}, with_clearance)) continue;
             const auto now = fault_texts(layout.placed());

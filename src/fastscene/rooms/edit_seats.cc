@@ -210,22 +210,6 @@ std::vector<Seat> seats_around(const Placed& table, Vec3f middle, int count, Vec
     return out;
 }
 
-// What is laid on a table before a seat: its place setting.
-std::vector<int> laid_before(const std::vector<Placed>& all, int table, int seat) {
-    constexpr float kAside_m = 0.12f, kAhead_m = 0.45f, kTurned = 0.05f;  // radians: square to the seat
-    std::vector<int> out;
-    const Placed& s = all[static_cast<std::size_t>(seat)];
-    for (int i = 0; i < static_cast<int>(all.size()); ++i) {
-        const Placed& p = all[static_cast<std::size_t>(i)];
-        const Vec3f d = p.position - s.position;
-        const bool square = std::abs(std::remainder(p.yaw - s.yaw, kPi)) < kTurned;
-        if (p.on == table && square && std::abs(dot(d, right_of(s.yaw))) < kAside_m &&
-            dot(d, front_of(s.yaw)) < s.piece.size_m.z / 2 + kAhead_m && dot(d, front_of(s.yaw)) > 0)
-            out.push_back(i);
-    }
-    return out;
-}
-
 // So many of these angles, which ascend, as far apart as may be; how far.
 std::pair<std::vector<float>, float> spread(const std::vector<float>& free, int count) {
     constexpr float kStep = kPi / 36;
@@ -332,6 +316,14 @@ bool Editor::seat_at(int table, const EditStep& step, int count) {
         return false;
     };
 
+    // Off its wall, where that is what they lack.
+    std::vector<Vec3f> shifts{{}};
+    for (const float by : {0.15f, 0.25f, 0.3f, 0.4f, 0.5f, 0.6f})
+        for (int w = 0; w < 4; ++w) {
+            const WallFace face = plan().wall(w);
+            const float off = dot(t.position - face.origin, face.inward) - extent(footprint_of(t), flat(face.inward));
+            if (off < size.z + 0.3f && there.empty()) shifts.push_back(face.inward * by);
+        }
     if (!round) {
         const auto sides = sides_of(t);
         Shares now{};
@@ -342,9 +334,7 @@ bool Editor::seat_at(int table, const EditStep& step, int count) {
         }
         constexpr float kFarther_m = 0.12f;  // where something is in the way under the top
         const std::vector<Shares> shares = shares_of(t, now, total, size.x);
-        for (std::size_t n = 0; n < 2 * shares.size(); ++n) {
-            const Shares& share = shares[n / 2];
-            const float off = n % 2 == 0 ? kDrawnUp_m : kFarther_m;
+        const auto seats_for = [&](const Shares& share, float off, Vec3f by) {
             std::vector<Seat> seats;
             for (std::size_t s = 0; s < 4; ++s) {
                 // Where none comes, they stay as they are.
@@ -354,24 +344,24 @@ bool Editor::seat_at(int table, const EditStep& step, int count) {
                     const float at = ((static_cast<float>(k) + 0.5f) / static_cast<float>(share[s]) - 0.5f) * 2 *
                                      sides[s].half;
                     seats.push_back(
-                        seat_of(t.position + sides[s].along * at, sides[s].out, sides[s].off + off + size.z / 2));
+                        seat_of(t.position + by + sides[s].along * at, sides[s].out, sides[s].off + off + size.z / 2));
                 }
             }
-            if (stand(seats, {})) return true;
+            return seats;
+        };
+        for (const Vec3f by : shifts) {
+            Placed moved = t;
+            moved.position += by;
+            if (length(by) > 0.01f && !stands_clear(table, footprint_of(moved), {})) continue;
+            for (std::size_t n = 0; n < 2 * shares.size(); ++n)
+                if (stand(seats_for(shares[n / 2], n % 2 == 0 ? kDrawnUp_m : kFarther_m, by), by)) return true;
         }
         return false;
     }
-    // Round: as they stand, else turned; off its wall, where that is what they lack.
+    // Round: as they stand, else turned.
     const float first = there.empty() ? t.yaw
                                       : std::atan2(from.front().x - t.position.x, from.front().z - t.position.z);
     const float step_around = 2 * kPi / static_cast<float>(total);
-    std::vector<Vec3f> shifts{{}};
-    for (const float by : {0.15f, 0.25f, 0.3f, 0.4f, 0.5f, 0.6f})
-        for (int w = 0; w < 4; ++w) {
-            const WallFace face = plan().wall(w);
-            const float off = dot(t.position - face.origin, face.inward) - t.piece.size_m.x / 2;
-            if (off < size.z + 0.3f && there.empty()) shifts.push_back(face.inward * by);
-        }
     for (const Vec3f by : shifts) {
         Placed moved = t;
         moved.position += by;

@@ -124,6 +124,29 @@ bool at_what_comes(Talk& talk, const Clause& clause) {
     return true;
 }
 
+// "The armchair by the window with a small side table": that comes beside it; false: no such words.
+bool moved_with_new(Talk& talk, const Clause& clause) {
+    const Words& words = clause.words;
+    const std::size_t with = find_word(words, {"with"}, 3);
+    if ((clause.verb != Verb::put && clause.verb != Verb::move) || with + 2 >= words.size() ||
+        !is_definite(words.front()) || !is_one_of(words[with + 1], {"a", "an"}) || parts_of(words).size() > 1 ||
+        next_place(words) >= with || next_place(part_of(words, with + 1)) < words.size() - with - 1)
+        return false;
+    const auto noun = look_up(words.back());
+    if (!noun || noun->kind != WordKind::object || noun->far || is_a_part(words.back())) return false;
+    do_each(
+        talk.editor, 2,
+        [&](std::size_t k) {
+            Clause first = clause;
+            first.words = part_of(words, 0, with);
+            if (k == 0) return talk.act(first);
+            talk.said = "add";
+            add(talk, joined_words(part_of(words, with + 1), {"next", "to", "it"}));
+        },
+        [&](std::size_t k) { return k == 0 ? text_of(words, 0, with) : text_of(words, with); });
+    return true;
+}
+
 }  // namespace
 
 void Talk::act(const Clause& whole) {
@@ -149,6 +172,22 @@ void Talk::act(const Clause& whole) {
         editor.note("room", fmt::format("\"{}\" is taken as a reason: it changes nothing", text_of(whole.words, why)));
         clause.words.resize(why);
     }
+    // "The table round for six people": that, and seats for as many.
+    if (const std::size_t whom = find_word(whole.words, {"for"}, 2);
+        clause.verb == Verb::make && whom + 1 < whole.words.size() && says_value(part_of(whole.words, 0, whom)))
+        if (const int guests = guests_said(joined_words({"seating"}, part_of(whole.words, whom))); guests > 0)
+            return do_each(
+                editor, 2,
+                [&](std::size_t k) {
+                    Clause first = clause;
+                    first.words = part_of(whole.words, 0, whom);
+                    if (k == 0) act(first);
+                    else seat_guests(*this, first.words, guests);
+                },
+                [&](std::size_t k) {
+                    return k == 0 ? text_of(whole.words, 0, whom) : text_of(part_of(whole.words, whom));
+                });
+    if (moved_with_new(*this, whole)) return;
     // "Remove the shelf and put a plant in that corner": where it stood.
     if (const std::size_t n = clause.words.size(); n > 4 && last_gone &&
                                                    text_of(clause.words, n - 3, n - 1) == "in that" &&
@@ -176,6 +215,11 @@ void Talk::act(const Clause& whole) {
             clause.words = joined_words(joined_words(part_of(clause.words, 0, words.size() - 1), {"away", "from"}),
                                         std::exchange(too_near, {}));
     }
+    // "Clear the table and put a bowl in the middle": of what was cleared.
+    if (const std::size_t n = words.size(); n > 4 && (clause.verb == Verb::put || clause.verb == Verb::add) &&
+                                            begins_anew(words) && !last_gone_from.empty() &&
+                                            text_of(words, n - 3) == "in the middle" && next_place(words) == n - 3)
+        clause.words.insert(clause.words.end(), {"of", last_gone_from});
     // "Rearrange the chairs in a circle" says how.
     if (clause.said == "rearrange" && (says_so_that(words) || next_place(words) < words.size()))
         clause.verb = Verb::put, clause.said = "arrange";

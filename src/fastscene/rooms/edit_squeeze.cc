@@ -304,7 +304,8 @@ void Editor::make_way(const Squeezed& found, const std::string& whom) {
 void Editor::tell_squeeze(const std::string& id, const EditStep& step, const Squeezed& found, const Squeeze& how) {
     if (how.scale < 1) tell_smaller(id);
     if (how.further == 0) tell_distance(id, step);
-    if (how.further > 0)
+    constexpr float kUnknown = 1e8f;  // metres: it was asked at no thing
+    if (how.further > 0 && found.off < kUnknown)
         tell(id, fmt::format("as near as there was room:{}, {:.1f} m off", place_in_words(step), found.off));
     std::vector<Placed> all = room_.furnished.placed;
     Ways usual(plan());

@@ -42,7 +42,7 @@ float height_above(const Placed& top, const Surface& s) {
 }
 
 // Where a screen stands on a desk: at the back, before its middle, towards whoever sits there.
-struct ScreenPlace {
+struct TopPlace {
     Vec2f at;
     float yaw = 0;
 };
@@ -50,8 +50,7 @@ bool has_screen(const Piece& piece) {
     return std::any_of(piece.materials.begin(), piece.materials.end(),
                        [](const Material& m) { return m.pattern == Pattern::screen; });
 }
-std::optional<ScreenPlace> screen_place(const std::vector<Placed>& all, int desk, const Surface& s,
-                                        const Piece& screen) {
+std::optional<TopPlace> screen_place(const std::vector<Placed>& all, int desk, const Surface& s, const Piece& screen) {
     const Placed& top = all[static_cast<std::size_t>(desk)];
     if (!has_role(top.piece.kind, Role::work_place) || !has_screen(screen)) return {};
     const Vec3f front = front_of(top.yaw);
@@ -62,7 +61,7 @@ std::optional<ScreenPlace> screen_place(const std::vector<Placed>& all, int desk
     constexpr float kFromBack_m = 0.03f;
     const float back = std::max(0.f, s.half.y - screen.size_m.z / 2 - kFromBack_m);
     const Vec3f at = top.position + right_of(top.yaw) * s.center.x + front * (s.center.z - side * back);
-    return ScreenPlace{flat(at), yaw_of(front * side)};
+    return TopPlace{flat(at), yaw_of(front * side)};
 }
 
 class Top {
@@ -74,12 +73,14 @@ class Top {
             if (p.flat || i == top) continue;
             const bool rides = p.on == top && std::abs(p.position.y - level) < 0.01f;
             const bool carries = std::any_of(all.begin(), all.end(), [&](const Placed& q) { return q.on == i; });
-            (rides && !carries ? riders_ : others_).push_back(i);
+            const bool stays = carries || has_role(p.piece.kind, Role::before_seats);
+            (rides && !stays ? riders_ : others_).push_back(i);
         }
     }
 
-    // With `p` on it, and what is in its way moved by as little as may be; nothing: it has no room.
-    std::optional<Squeezed> with(Placed p, const std::optional<ScreenPlace>& rather = {}) const {
+    // With `p` on it, and what is in its way moved by as little as may be; nothing: it has no room. `aside`: metres off
+    // the place, further off which it is not before whoever sits there.
+    std::optional<Squeezed> with(Placed p, const std::optional<TopPlace>& rather = {}, float aside = 0.3f) const {
         constexpr std::size_t kMostMoved = 3;
         p.on = top_;
         p.position.y = at().position.y + s_.center.y;
@@ -88,11 +89,10 @@ class Top {
         constexpr int kMostTries = 200;
         int tries = 0;
         std::vector<Vec2f> spots = spots_on(at(), s_, footprint_of(p), 0.04f);
-        constexpr float kBeside_m = 0.3f;  // further off it is not before whoever sits there
         if (rather) {
             spots.insert(spots.begin(), rather->at);
             const auto off = [&](Vec2f spot) { return length(spot - rather->at); };
-            std::erase_if(spots, [&](Vec2f spot) { return off(spot) > kBeside_m; });
+            std::erase_if(spots, [&](Vec2f spot) { return off(spot) > aside; });
             std::stable_sort(spots.begin(), spots.end(), [&](Vec2f a, Vec2f b) { return off(a) < off(b); });
         }
         for (const Vec2f spot : spots) {
@@ -178,9 +178,9 @@ std::optional<Squeezed> Editor::squeezed_on_top(Layout& layout, const Placed* mo
     const std::set<std::string> before = fault_texts(layout.placed());
     for (const float scale : {1.f, 0.8f, 0.65f}) {
         if ((fixed || full_size_) && scale < 1) break;
-        PieceRequest request = layout.request(wish.kind, &wish);
-        if (const Thing* known = find_thing(request.kind); known && !request.model && !known->small_form.empty())
-            request.kind = known->small_form;
+        const Thing* known = find_thing(wish.kind);
+        PieceRequest request = layout.request(
+            known && !known->small_form.empty() && !moving ? known->small_form : wish.kind, &wish);
         request.size_factor *= scale;
         Placed p;
         p.piece = make_piece(request);
@@ -228,7 +228,8 @@ bool Editor::add_on_top(const EditStep& step) {
         request.size_m = {desk.piece.size_m.x, 0, desk.piece.size_m.z}, request.size_factor = 1;
         const Piece made = make_piece(request);
         constexpr float kSame_m = 0.01f;
-        if (made.surfaces.empty() ||
+        const Vec3f more = made.size_m - desk.piece.size_m;
+        if (made.surfaces.empty() || std::max(std::abs(more.x), std::abs(more.z)) > kSame_m ||
             std::abs(made.surfaces.front().half.x - desk.piece.surfaces.front().half.x) < kSame_m ||
             std::abs(made.surfaces.front().center.y - desk.piece.surfaces.front().center.y) > kSame_m)
             continue;  // its builder knows no screens
@@ -265,6 +266,78 @@ bool Editor::add_on_top(const EditStep& step) {
     }
     if (!found) return false;
     admit_squeezed(step, *found);
+    return true;
+}
+
+std::vector<int> laid_before(const std::vector<Placed>& all, int table, int seat) {
+    constexpr float kAside_m = 0.12f, kAhead_m = 0.45f, kTurned = 0.05f;  // radians: square to the seat
+    std::vector<int> out;
+    const Placed& s = all[static_cast<std::size_t>(seat)];
+    for (int i = 0; i < static_cast<int>(all.size()); ++i) {
+        const Placed& p = all[static_cast<std::size_t>(i)];
+        const Vec3f d = p.position - s.position;
+        const bool square = std::abs(std::remainder(p.yaw - s.yaw, kPi)) < kTurned;
+        if (p.on == table && has_role(p.piece.kind, Role::before_seats) && square &&
+            std::abs(dot(d, right_of(s.yaw))) < kAside_m && dot(d, front_of(s.yaw)) < s.piece.size_m.z / 2 + kAhead_m &&
+            dot(d, front_of(s.yaw)) > 0)
+            out.push_back(i);
+    }
+    return out;
+}
+
+bool Editor::lay_before_seats(const EditStep& step) {
+    if (step.wish.relation != "on" || !has_role(step.wish.kind, Role::before_seats)) return false;
+    std::vector<std::pair<int, int>> bare;  // a table, and a seat at it
+    bool seats = false;
+    for (int i = 0; i < static_cast<int>(room_.furnished.placed.size()); ++i) {
+        const Placed& table = placed(i);
+        const bool meant = step.at.empty()
+                               ? asked_kind(table) == step.wish.relation_to || table.piece.kind == step.wish.relation_to
+                               : is_among(table.id, step.at);
+        if (!meant || table.piece.surfaces.empty()) continue;
+        for (const int seat : drawn_up_to(i)) {
+            seats = true;
+            if (laid_before(room_.furnished.placed, i, seat).empty()) bare.emplace_back(i, seat);
+        }
+    }
+    if (!seats) return false;
+    const int count = std::max(1, step.wish.count);
+    int done = 0;
+    for (const auto& [table, seat] : bare) {
+        if (done == count) break;
+        EditStep one = step;
+        one.wish.count = 1;
+        const Standing standing = without({});
+        Asked asked = asked_among(standing, one);
+        Random rng(room_.seed, "laid:" + step.wish.kind, standing.placed.size());
+        Layout layout = begin_layout(asked.spec, rng, standing.placed, nullptr);
+        if (!layout.why_not(step.wish.kind).empty()) return false;
+        const Placed& s = placed(seat);
+        const Placed& top = placed(table);
+        Placed fresh;
+        fresh.wish = step.wish, fresh.wish.count = 1;
+        std::optional<Squeezed> found;
+        for (const float scale : {1.f, 0.8f, 0.65f}) {
+            if (found) break;
+            PieceRequest request = layout.request(step.wish.kind, &asked.spec.objects[0]);
+            request.size_factor *= scale;
+            fresh.piece = make_piece(request);
+            constexpr float kInside_m = 0.02f, kAside_m = 0.1f;  // of the table's edge; off the middle of the seat
+            const float reach = distance_to(footprint_of(top), flat(s.position)) + kInside_m + fresh.piece.size_m.z / 2;
+            const TopPlace place{flat(s.position) + flat(front_of(s.yaw)) * reach,
+                                 std::remainder(s.yaw + kPi, 2 * kPi)};
+            fresh.yaw = place.yaw;
+            found = Top(standing.placed, table, top.piece.surfaces.front()).with(fresh, place, kAside_m);
+        }
+        if (!found) continue;
+        admit_squeezed(one, *found);
+        ++done;
+    }
+    if (bare.empty()) throw Error("{}: before each seat there is one already", step.wish.words);
+    if (done == 0) throw Error("{}: there is no room for it before a seat", step.wish.words);
+    if (done < count)
+        note(kNotDone, fmt::format("{}: there is room for {} of {} before the seats that have none", step.wish.words,
+                                   done, count));
     return true;
 }
 

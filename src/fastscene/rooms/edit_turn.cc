@@ -12,7 +12,7 @@ namespace {
 
 // "left", "by 45 degrees", "a bit", "around": radians; nothing: none of those. `end`: where the words of that begin.
 std::optional<float> angle_said(const Words& words, std::size_t& end) {
-    constexpr float kDegree = kPi / 180, kSlightly = 20;
+    constexpr float kDegree = kPi / 180;
     std::optional<float> degrees;
     float sign = 1;
     end = words.size();
@@ -24,7 +24,7 @@ std::optional<float> angle_said(const Words& words, std::size_t& end) {
         const bool side = is_one_of(w, {"left", "right"}) && (ends || !is_definite(words[i - 1]));
         const auto number = number_said(w);
         if (is_one_of(w, {"around", "round", "backwards", "about"})) degrees = 180.f;
-        else if (is_one_of(w, {"slightly", "bit", "little"})) degrees = kSlightly;
+        else if (is_one_of(w, {"slightly", "bit", "little"})) degrees = kSlightTurn / kDegree;
         else if (is_one_of(w, {"quarter"})) degrees = 90.f;
         else if (w == "half" && i + 1 < words.size() && words[i + 1] == "turn") degrees = 180.f;
         else if (is_one_of(w, {"clockwise", "right"}) && (side || w == "clockwise")) sign = -1;
@@ -67,9 +67,10 @@ void turn(Talk& talk, const Words& words) {
         Words all = part_of(words, 0, so);
         // "so that the chair faces the door" is no turn of the desk.
         if (const std::size_t that = find_word(words, {"so"}, 1);
-            that < so && so - that > 2 && !is_one_of(words[so - 1], {"it", "they", "that"}))
+            that < so && so - that > 2 && !is_one_of(words[so - 1], {"it", "they", "that", "i", "we", "you", "one"}))
             throw UsageError("expected what is turned to face something itself, found \"{}\"", text_of(words));
-        while (all.size() > 1 && is_one_of(all.back(), {"so", "that", "it", "they", "and"})) all.pop_back();
+        while (all.size() > 1 && is_one_of(all.back(), {"so", "that", "it", "they", "and", "i", "we", "you", "one"}))
+            all.pop_back();
         all.push_back("facing");
         const Words to = part_of(words, so + 1);
         all.insert(all.end(), to.begin(), to.end());

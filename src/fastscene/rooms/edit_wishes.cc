@@ -73,9 +73,12 @@ Words hung_up(const Talk& talk, Words words) {
         return mount == Mount::ceiling || (!from_ceiling && mount == Mount::wall);
     };
     if (hangs(words)) return words;
-    Words hanging = words;
-    hanging.insert(hanging.begin() + (number_said(words.front()) ? 1 : 0), "hanging");
-    if (hangs(hanging)) return hanging;
+    // "A hanging plant", "a simple hanging lamp"
+    for (const std::size_t at : {number_said(words.front()) ? std::size_t{1} : 0, next_place(words) - 1}) {
+        Words hanging = words;
+        hanging.insert(hanging.begin() + static_cast<std::ptrdiff_t>(at), "hanging");
+        if (hangs(hanging)) return hanging;
+    }
     // "Hang a reading lamp" is a wall lamp.
     const std::size_t end = next_place(words);
     Words at_wall = part_of(words, 0, 1);

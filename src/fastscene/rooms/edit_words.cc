@@ -41,6 +41,12 @@ std::vector<int> alike(const RoomDocument& document, const PromptObject& said, b
         if (is || is_a(t.kind, last) || (!asked.empty() && is_a(asked, last))) near.push_back(static_cast<int>(i));
         if (t.kind.ends_with(last)) ending.push_back(static_cast<int>(i));
     }
+    // Where chairs stand, "the chairs" are no rows of seats.
+    if (!exact.empty())
+        std::erase_if(near, [&](int i) {
+            const std::string& kind = document.things[static_cast<std::size_t>(i)].kind;
+            return kind != said.kind && kind.ends_with("_" + last + "s");
+        });
     // "A table" is any, "a chair" first of all a chair; "all plants" are trees as well, "console tables" nothing else.
     const bool by_name = plain_name(said.kind) == plain_name(singular(said.words));
     const bool one_word = said.words.find(' ') == std::string::npos;
@@ -156,7 +162,8 @@ void with_place(const Editor& editor, const PromptSpec& spec, std::vector<int>& 
     // "The two tables by the window", where one is close to it: the two nearest.
     const PromptObject& said = spec.objects.front();
     const auto count = static_cast<std::size_t>(said.counted ? std::max(1, said.count) : 1);
-    if (where.relation == "next to" && (there.empty() ? !several : several && there.size() < count))
+    const bool close = where.relation == "next to" || (where.relation == "in front of" && said.counted);
+    if (close && (there.empty() ? !several || count > 1 : several && there.size() < count))
         nearest_to(editor, where.relation_to, found, count);
     else if (!there.empty()) found = there;
     if (several && where.relation == "next to" && is_shell(where.relation_to))
@@ -299,12 +306,6 @@ bool says_several(const std::vector<std::string>& words, const PromptObject& sai
     return has_word(words, {"all", "both", "every", "each"}) || said.count > 1 || said.words.ends_with("s");
 }
 
-std::string singular(const std::string& word) {
-    for (const std::string& form : base_forms(word))
-        if (form != word && look_up(form)) return form;
-    return word;
-}
-
 PromptSpec read_in_room(const Editor& editor, const std::string& words) {
     PromptSpec spec = understand_prompt("a " + room_title(editor.document().type) + " with " + words, false,
                                         editor.pack());
@@ -364,17 +365,19 @@ std::vector<std::string> named(const Editor& editor, const std::string& words) {
                                                                            : 0;
     if (tokens.front() == "half" && found.size() % 2 != 0)
         throw UsageError("half of {} things is no number of them, in \"{}\"", found.size(), words);
+    std::vector<int> exact = found;
+    std::erase_if(exact,
+                  [&](int i) { return editor.document().things[static_cast<std::size_t>(i)].kind != said.kind; });
     // "The two plants", where there are two, and trees: those.
     if (count > 1 && count < found.size() && tokens.front() == "the" && !has_word(tokens, {"first", "last"})) {
-        std::vector<int> exact = found;
-        std::erase_if(exact,
-                      [&](int i) { return editor.document().things[static_cast<std::size_t>(i)].kind != said.kind; });
         if (exact.size() != count) refuse_many(said.words, editor, found);
         found = exact;
     }
     if (count > found.size())
         throw UsageError("there {} only {} of \"{}\" in the room", found.size() == 1 ? "is" : "are", found.size(),
                          words);
+    // Of chairs and an office chair "two chairs" are chairs.
+    if (count > 0 && exact.size() >= count) found = exact;
     if (count > 0) found.erase(found.begin(), found.end() - static_cast<std::ptrdiff_t>(count));
     else if (found.size() > 1 && !all && !near) {
         const std::vector<int> main = is_bare(tokens) ? main_of(editor, found) : std::vector<int>{};

@@ -51,6 +51,8 @@ void twin_table(Kit& k, Vec3f s) {
 void build_coffee_table(Kit& k) {
     using enum CoffeeTableForm;
     const Vec3f s = k.wanted({1.1f, 0.4f, 0.6f});
+    if (k.request.pattern == "round")
+        return round_table(k, k.request.size_m.x > 0 ? std::min(s.x, s.z) : 0.8f * s.x, s.y, 0.03f);
     switch (form_for(k, k.style.forms.coffee_table)) {
         case round: return round_table(k, 0.8f * s.x, s.y, 0.03f);
         case drum: return drum_table(k, 0.75f * s.x, s.y);
