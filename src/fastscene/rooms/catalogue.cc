@@ -30,8 +30,8 @@ constexpr std::array<std::string_view, static_cast<std::size_t>(Role::count_)> k
     "vase",           "person",         "prefers_model", "in_groups",     "beside_window",
     "garland",        "nothing_above",  "on_mantels",    "under_windows", "between_beds",
     "shows_motif",    "climbed",        "may_be_round",  "pet",           "drawn_up",
-    "rug_before",     "shades_windows", "spread_out",    "before_seats",    "covers_wall",   "roof",
-    "two_of_them"};
+    "rug_before",     "shades_windows", "spread_out",    "before_seats",  "covers_wall",
+    "roof",           "two_of_them"};
 
 constexpr std::array<std::string_view, 41> kNyu40{"outside",
                                                   "wall",

@@ -16,7 +16,7 @@ struct Link {
 
 constexpr float kStep_s = 1.f / 60, kGravity = 9.81f;
 constexpr int kSteps = 80;                              // 1.3 s: cloth has fallen and come to rest
-constexpr int kIterations = 6;                          // of the links, each step: cloth stretches by about one percent
+constexpr int kIterations = 6;                          // of the links, each step: cloth stretches by a few percent
 constexpr float kDamping = 0.97f, kLastDamping = 0.7f;  // of the velocity, each step; over the last third
 constexpr float kFriction = 0.7f;                       // share of the way along a solid that a step loses
 
