@@ -25,10 +25,6 @@ bool is_among_those(int i, const std::vector<int>& those) {
     return std::find(those.begin(), those.end(), i) != those.end();
 }
 
-}  // namespace
-
-namespace {
-
 // The spot on a top nearest to where a thing is to stand at which it reaches into none of those that stand there.
 Vec2f free_spot(const Placed& top, const Footprint& box, const std::vector<Footprint>& taken) {
     constexpr float kStep = 0.04f;  // metres

@@ -42,9 +42,9 @@ class FilmCurve {
     float slope_;
 };
 
-// Luminance that an average surface of the room gets; 0.18 is middle gray. By day this gives pictures the brightness of
-// photographs of rooms, whose mean display value is 0.5 (0.36 to 0.61 in 38 panoramas by photographers) and whose
-// shade is truly dark; what is lighter washes out walls and sun patches.
+// The luminance to which an average surface is exposed; 0.18 is middle gray. By day pictures are then about as bright
+// as photographs of rooms, whose mean display value is 0.5 (0.36 to 0.61 in 38 panoramas); a higher key washes out
+// walls and sun patches.
 constexpr float kDayKey = 0.22f, kFireKey = 0.2f, kDuskKey = 0.22f, kNightKey = 0.19f;
 
 struct Weighted {

@@ -60,7 +60,7 @@ void visit_fields(TraceParams& p, V&& v) {
       "How scene light becomes display color. photo: a photograph's contrast, with highlights that roll off into "
       "white; soft: less contrast, for editing afterwards; linear: clipped at white.");
     v("exposure", p.exposure_ev, Bounds{-5, 5},
-      "Exposure compensation in stops: -1 halves the light on the picture, 1 doubles it.");
+      "Exposure compensation in stops, added to the automatic exposure; negative: darker.");
     visit_fields(p.backend, v);
 }
 
