@@ -33,7 +33,10 @@ void sleeping_place_along(Placement& p, const std::string& kind) {
 
 void sleeping_place(Placement& p, const std::string& kind) {
     if (has_role(kind, Role::along_wall)) return sleeping_place_along(p, kind);
-    const auto found = p.main_at_wall(kind, {.center_pull = 1.2f, .window_pull = -0.8f});
+    // Where there is a wall with room for a nightstand on both sides, clear of the door, that one.
+    constexpr float kForNightstand = 0.56f;
+    const auto found = p.main_at_wall(
+        kind, {.center_pull = 1.2f, .window_pull = -0.8f, .spare = {.left = kForNightstand, .right = kForNightstand}});
     if (!found) return;
     const int bed = *found;
     for (const int side : {-1, 1})

@@ -74,7 +74,10 @@ std::optional<int> Placement::main_at_wall(const std::string& kind, Layout::Wall
 }
 
 std::optional<int> Placement::at_wall(const PieceRequest& r, Layout::WallWish w, const PromptObject& o) {
-    w.spare = spare_for(o.kind.empty() ? r.kind : o.kind);
+    const Spare asked = spare_for(o.kind.empty() ? r.kind : o.kind);
+    w.spare = {std::max(w.spare.left, asked.left), std::max(w.spare.right, asked.right),
+               std::max(w.spare.front, asked.front), std::max(w.spare.behind, asked.behind),
+               w.spare.above || asked.above};
     if (const auto i = l_.against_wall(r, w, o)) return i;
     if (r.pattern == "corner") {
         PieceRequest straight = r;

@@ -343,6 +343,19 @@ TEST(Layout, OnlyTheHeadOfABedIsHigh) {
     EXPECT_FALSE(part_above(*bed, 2.5f));
 }
 
+// A double bed takes a wall with room for a nightstand on both sides, where there is one: by a door or in a corner it
+// would have one or none. Unasked, the second comes to three of four beds.
+TEST(Layout, DoubleBedsHaveNightstandsOnBothSides) {
+    int stands = 0, beds = 0;
+    for (const char* text : {"a bedroom", "a modern bedroom with a desk"})
+        for (std::uint64_t seed = 1; seed <= 12; ++seed, ++beds) {
+            const LaidOut f = laid_out(text, seed);
+            stands += static_cast<int>(std::count_if(f.placed.begin(), f.placed.end(),
+                                                     [](const Placed& p) { return p.piece.kind == "nightstand"; }));
+        }
+    EXPECT_GE(stands, 3 * beds / 2);
+}
+
 // Beds and seats that were asked for by their form stand there, are seen, and have the air above them that their use
 // wants.
 TEST(Layout, BedsAndSeatsAskedForByNameStandAndAreSeen) {

@@ -42,6 +42,28 @@ void bed_post(Kit& k, int mat, Vec3f foot, float top) {
     k.add(shapes::lathe(p, 14, true), mat, foot);
 }
 
+// Where a four-poster has its posts and its low rails: x of both, z of the head and of the foot.
+struct PostPlaces {
+    float x, head, foot;
+};
+PostPlaces post_places(float width, float length) {
+    return {0.5f * width + 0.1f, -0.5f * length - 0.06f, 0.5f * length + 0.13f};
+}
+
+// What keeps the bedding of a four-poster from hanging out between its posts.
+std::vector<DrapeSolid> around_posts(float width, float length) {
+    const PostPlaces at = post_places(width, length);
+    constexpr float kPost = 0.045f, kRail = 0.02f, kRailTop = 0.3f, kHigh = 1.f;
+    std::vector<DrapeSolid> out;
+    for (const float sx : {-1.f, 1.f}) {
+        out.push_back({{sx * at.x, 0.5f * kHigh, at.foot}, {kPost, 0.5f * kHigh, kPost}, 0.01f});
+        out.push_back({{sx * at.x, 0.5f * kRailTop, 0.5f * (at.head + at.foot)},
+                       {kRail, 0.5f * kRailTop, 0.5f * (at.foot - at.head)},
+                       0.01f});
+    }
+    return out;
+}
+
 // Posts with rails between their heads, a headboard and a low foot; `draped`: a roof of cloth, and cloth tied to the
 // posts.
 void four_posts(Kit& k, Posts over, float width, float length, int duvet) {
@@ -49,9 +71,8 @@ void four_posts(Kit& k, Posts over, float width, float length, int duvet) {
                rich = k.style.mouldings == Mouldings::rich;
     const int frame = k.material(metal ? k.style.metal : k.style.wood);
     // Outside of what hangs from the mattress.
-    const float top = turned && over == bare_posts ? 2.02f : 2.1f, px = 0.5f * width + 0.1f,
-                hz = -0.5f * length - 0.06f, fz = 0.5f * length + 0.13f, mid = 0.5f * (hz + fz),
-                t = metal ? 0.034f : 0.05f;
+    const auto [px, hz, fz] = post_places(width, length);
+    const float top = turned && over == bare_posts ? 2.02f : 2.1f, mid = 0.5f * (hz + fz), t = metal ? 0.034f : 0.05f;
     for (const float sx : {-1.f, 1.f})
         for (const float z : {hz, fz}) {
             bed_post(k, frame, {sx * px, 0, z}, top);
@@ -148,12 +169,17 @@ void bed_of(Kit& k, float width, Posts over) {
     k.board(wood, {0, 0.15f, 0}, {width + 0.06f, base_y - 0.13f, length + 0.04f}, 0.012f);
     const Vec3f mattress{width, 0.52f, length};
     k.soft(linen, {0, base_y - 0.03f, 0}, {width, 0.26f, length}, {0.06f, 0.015f, 0.001f, 8});
-    k.add_soft(blanket(mattress, 0.26f, -0.42f, 0.5f * length + 0.24f, 0.006f, 0.03f, k.seed(), 0.012f), duvet,
-               kBlanketCrease);
+    Bedding bedding{mattress};
+    if (over != no_posts) bedding.more = around_posts(width, length);
+    const DrapedCloth cover = over_mattress(bedding, -0.42f, 0.5f * length + 0.26f, {.drop_m = 0.26f}, k.seed());
+    k.add_soft(cloth_mesh(cover, 0.03f), duvet, kBlanketCrease);
     // The folded edge of the duvet, then a throw across the foot.
     k.soft(linen, {0, 0.545f, -0.36f}, {width + 0.06f, 0.05f, 0.3f}, {0.02f, 0.01f, 0.004f, 18});
-    k.add_soft(blanket(mattress, 0.3f, 0.38f, 0.38f + k.rng.uniform(0.35f, 0.48f), 0.06f, 0.016f, k.seed(), 0.012f),
-               throw_cloth, kBlanketCrease);
+    const float throw_z = 0.38f, throw_end = throw_z + k.rng.uniform(0.35f, 0.48f);
+    Covers across{.drop_m = 0.3f, .thick_m = 0.016f, .slack = 0.015f};
+    lay_over(bedding, cover, throw_z, throw_end, across);
+    k.add_soft(cloth_mesh(over_mattress(bedding, throw_z, throw_end, across, k.seed()), 0.016f), throw_cloth,
+               kBlanketCrease);
     if (over == no_posts) headboard(k, form, width, length, wood, head);
     else four_posts(k, over, width, length, duvet);
     // Pillows: a row that leans, a row before it, cushions.

@@ -6,35 +6,31 @@
 
 namespace fastscene::furniture {
 
-// Cloth over a mattress: flat on top, hanging at the sides, with folds.
-Mesh blanket(Vec3f mattress, float drop, float from_z, float to_z, float lift, float thick, std::uint32_t seed,
-             float fold) {
-    const float hx = 0.5f * mattress.x + 0.02f + lift;
-    Mesh cloth = shapes::slab(44, 30, thick, [=](float u, float v) {
-        const float arc = (u - 0.5f) * 2.f * (hx + drop), z = from_z + (to_z - from_z) * v;
-        const float over = std::max(0.f, std::fabs(arc) - hx + 0.05f), sx = arc < 0 ? -1.f : 1.f;
-        const float bend = std::min(over / 0.1f, 1.f), hang = std::max(0.f, over - 0.1f * 0.6f);
-        const float ripple = shapes::wobble({arc * 3.f, 2.f, z * 3.1f}, seed) +
-                             0.5f * shapes::wobble({arc * 7.f, 5.f, z * 7.5f}, seed + 1) +
-                             0.22f * shapes::wobble({arc * 15.f, 8.f, z * 15.f}, seed + 2);
-        const float wave = std::sin(z * 15.f + 2.f * shapes::wobble({z * 2.f, sx, 0}, seed + 3));
-        float x = std::fabs(arc) < hx - 0.05f ? arc
-                                              : sx * (hx - 0.05f + 0.05f * std::sin(1.5708f * bend) +
-                                                      0.025f * hang / std::max(drop, 0.01f) * (1.f + wave));
-        float y = mattress.y + lift + thick - 0.05f * (1.f - std::cos(1.5708f * bend)) - hang +
-                  fold * (1.f + 0.6f * ripple) * (1.f - 0.7f * bend);
-        // The foot end hangs too.
-        const float past = z - 0.5f * mattress.z;
-        if (past > 0.f) {
-            y -= std::max(past - hang, 0.f);  // at the corner the longer of both falls
-            return Vec3f{x, y, 0.5f * mattress.z + 0.03f + lift + 0.012f * (1.f + std::sin(arc * 14.f))};
-        }
-        return Vec3f{x, std::max(y, 0.06f), z};
-    });
-    // Stripes run from side to side, whatever the folds.
-    for (std::size_t i = 0; i < cloth.positions.size(); ++i)
-        cloth.coords[i] = {cloth.positions[i].z, cloth.positions[i].x, cloth.positions[i].y};
-    return cloth;
+DrapedCloth over_mattress(const Bedding& b, float from_z, float to_z, Covers covers, std::uint32_t seed) {
+    constexpr float kBillow_m = 0.03f;  // of its folds beyond the mattress
+    // The frame stands out below the mattress; what lies on it already makes it higher and wider.
+    const Vec3f half{0.5f * b.mattress.x + b.frame_m + covers.beside_m, 0.5f * (b.mattress.y + covers.lift_m),
+                     0.5f * b.mattress.z + b.frame_m};
+    std::vector<DrapeSolid> solids{{{0, half.y, 0}, half, kMattressEdge_m}};
+    solids.insert(solids.end(), b.more.begin(), b.more.end());
+    Cloth cloth;
+    const float reach = half.x + covers.drop_m, over = covers.thick_m + kBillow_m;
+    cloth.low = {-reach, from_z}, cloth.high = {reach, to_z};
+    cloth.most = {half.x + over, half.z + over};
+    cloth.from_y = 2 * half.y + covers.thick_m + 0.01f;
+    cloth.slack = covers.slack;
+    cloth.stiffness = covers.stiffness;
+    cloth.clear_m = covers.thick_m;
+    cloth.seed = seed;
+    return drape(cloth, solids);
+}
+
+void lay_over(const Bedding& b, const DrapedCloth& below, float from_z, float to_z, Covers& covers) {
+    float high = 0, wide = 0;
+    for (const Vec3f p : below.points)
+        if (p.z >= from_z && p.z <= to_z) high = std::max(high, p.y), wide = std::max(wide, std::fabs(p.x));
+    covers.lift_m = std::max(0.f, high - b.mattress.y);
+    covers.beside_m = std::max(0.f, wide - 0.5f * b.mattress.x - b.frame_m);
 }
 
 }  // namespace fastscene::furniture
