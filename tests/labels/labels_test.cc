@@ -2,6 +2,7 @@
 // compared with the room itself.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "fastscene/export/splat_labels.h"
@@ -29,6 +30,26 @@ void add_points(std::vector<SurfacePoint>& points, const TracedRoom& room, Vec3f
         }
 }
 
+// The share of pixels whose class is found in the truth there or one pixel beside: untrained discs are a pixel wide, so
+// outlines may be off by one.
+double agreement_within_a_pixel(const Image<std::uint16_t>& seen, const Image<std::uint16_t>& truth,
+                                const std::vector<int>& class_of) {
+    const auto class_at = [&](const Image<std::uint16_t>& labels, int x, int y) {
+        const std::size_t label = labels.at(x, y);
+        return label < class_of.size() ? class_of[label] : -1;
+    };
+    int same = 0;
+    for (int y = 0; y < truth.height; ++y)
+        for (int x = 0; x < truth.width; ++x) {
+            bool found = false;
+            for (int v = std::max(0, y - 1); v <= std::min(y + 1, truth.height - 1); ++v)
+                for (int u = std::max(0, x - 1); u <= std::min(x + 1, truth.width - 1); ++u)
+                    found = found || class_at(seen, x, y) == class_at(truth, u, v);
+            same += found;
+        }
+    return static_cast<double>(same) / truth.width / truth.height;
+}
+
 TEST(Labels, OfSplatsShowTheRoomsClasses) {
     PromptSpec spec = understand_prompt("a bedroom with two chairs and a desk", false);
     const TracedRoom room(make_room(spec, kSilent));
@@ -47,7 +68,7 @@ TEST(Labels, OfSplatsShowTheRoomsClasses) {
     const auto seen = seen_labels(splats, splat_labels(splats, room, eyes, {}), views, {}, {});
     for (std::size_t v = 0; v < views.size(); ++v) {
         const ViewMaps truth = view_maps(room, camera, views[v].world_from_camera, {});
-        EXPECT_GT(agreement(seen[v], truth.instance, class_of), 0.93) << "view " << v;
+        EXPECT_GT(agreement_within_a_pixel(seen[v], truth.instance, class_of), 0.97) << "view " << v;
     }
 }
 

@@ -105,8 +105,9 @@ bool holds(const std::string& relation, const Footprint& box, Vec2f front, const
     if (relation == "opposite")
         return ahead > at.box.half.y + 0.4f && dot(front, at.front) < -0.7f &&
                std::abs(aside) < at.box.half.x + extent(box, right_of_viewer(at.front)) + 0.2f;
-    if (relation == "left of") return aside < -0.1f && far < 1.8f;
-    if (relation == "right of") return aside > 0.1f && far < 1.8f;
+    // Its middle lies beyond that side: what stands across the room, a little to one side, is not beside it.
+    if (relation == "left of") return aside < -at.box.half.x && far < 1.8f;
+    if (relation == "right of") return aside > at.box.half.x && far < 1.8f;
     if (relation == "around") return far < 0.9f;
     return far < (opening ? 0.85f : 0.65f);  // next to
 }

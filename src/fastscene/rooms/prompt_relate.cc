@@ -368,6 +368,18 @@ bool says_when(const Reading& r, std::size_t at) {
     return when && (k == r.m.size() || !is_noun(r.m[k]));
 }
 
+// A main piece chooses its wall first, what is said with it follows: "a bed between two nightstands" is flanked by
+// them, and "a bed opposite a wardrobe" has the wardrobe opposite it. Not so "a bed between a nightstand and a
+// dresser", nor "a side table between two sofas".
+bool says_it_of_the_other(Reading& r, const std::string& relation, std::size_t subject, std::size_t target) {
+    const PromptObject &one = r.object_of(subject), &two = r.object_of(target);
+    const auto is_main = [](const PromptObject& o) {
+        return has_role(o.kind, Role::main_piece) || has_role(o.kind, Role::opening);
+    };
+    if (!is_main(one) || one.count > 1 || is_main(two) || !two.relation.empty()) return false;
+    return (relation == "between" && two.counted && two.count == 2) || (relation == "opposite" && two.count == 1);
+}
+
 void relate_one(Reading& r, std::size_t at) {
     std::string relation = r.m[at].word->meaning;
     if (says_when(r, at)) return;
@@ -456,7 +468,7 @@ void relate_one(Reading& r, std::size_t at) {
     if (!subject && at > 0 && r.m[at - 1].is(WordKind::detail) && target && r.m[at - 1].about == r.m[*target].object)
         return r.tell(at, "where the " + r.m[at - 1].words + " lies", r.m[*target].object);
     if (!subject) return r.tell_near(at, "where: of nothing that was named");
-    if (is_passive(r.m[at]) && target) {
+    if (target && (is_passive(r.m[at]) || says_it_of_the_other(r, relation, *subject, *target))) {
         const std::string turned = relation == "between" ? "on both sides of" : relation;
         return attach(r, at, *target, subject, turned);
     }
