@@ -1,8 +1,8 @@
 # An edited scene begins from the run before, and is the same however often it is made.
 . "$(dirname "$0")/lib.sh"
 
-# Enough pixels that something of the picture stays.
-small=("${tiny[@]}" --panorama-width 256 --views-size 64)
+# Enough pixels that something of the picture stays, and cells fine enough for sun patches.
+small=("${tiny[@]}" --panorama-width 256 --panorama-cell 0.15 --views-size 64)
 expect 0 "$fastscene" make "$prompt" -o one "${small[@]}"
 has one/panorama/light.bin
 # about STAGE KEY: what a stage of the edited run says of itself.
@@ -51,7 +51,7 @@ says "--plan-only"
 expect 2 "$fastscene" edit --room place.json "remove the bed"
 says '--room: expected beside the folder of a run, found "remove the bed"'
 cp -r two half && cp -r three half/.edit.unfinished
-expect 0 "$fastscene" edit half "remove the bench" --in-place
+expect 0 "$fastscene" edit half "remove the dresser" --in-place
 lacks half/.edit.unfinished
 cp -r one late && cp -r two late/.edit.unfinished
 python3 - late/.edit.unfinished <<'PYTHON'
