@@ -99,6 +99,7 @@ class Layout {
         float at_most_from_near = 1e9f;  // metres
         float apart_pull = 0.f;          // how much it seeks distance from all that stands
         Spare spare{};                   // kept if any slot has it
+        bool needs_spare = false;        // … or else the piece does not stand
     };
     std::optional<int> against_wall(const PieceRequest& request, const WallWish& wish, const PromptObject& from = {});
     std::optional<int> in_front_of(int anchor, const PieceRequest& request, float gap_m, bool facing,

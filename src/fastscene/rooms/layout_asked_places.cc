@@ -104,18 +104,26 @@ std::optional<int> Furnisher::where_asked(const PromptObject& wish, const PieceR
 
 // A run of units fills a wall as far as windows and the door leave it; a short one is better than none. Below a window
 // it has no cupboards.
-std::optional<int> kitchen_units(Layout& layout, PieceRequest r, const PromptObject& wish) {
-    constexpr float kLow = 0.92f;
+std::optional<int> kitchen_units(Layout& layout, PieceRequest r, const PromptObject& wish, float beside_m) {
+    constexpr float kLow = 0.92f, kFromCorners = 0.1f, kLeast = 1.8f;
     const bool at_window = wish.relation_to == "window" && wish.relation != "opposite" && wish.relation != "between";
     std::vector<float> heights{0.f};
     if (at_window) heights = {kLow, 0.f};
+    // With room beside them on some wall, rather than without on the first.
+    std::vector<Spare> spares{Spare{}};
+    if (beside_m > 0) spares = {Spare{.right = beside_m}, Spare{.left = beside_m}, Spare{}};
     for (const float height : heights)
-        for (const int w : {0, 1, 3, 2}) {
-            const float length = layout.plan().wall(w).length;
-            for (const float width : {length - 0.1f, length - 0.8f, length * 0.6f, 2.2f, 1.8f}) {
-                r.size_m = {width, height, 0};
-                if (const auto i = layout.against_wall(r, {.wall = w, .window_pull = height > 0 ? 2.f : 0.f}, wish))
-                    return i;
+        for (const Spare& spare : spares) {
+            const float beside = spare.left + spare.right;
+            for (const int w : {0, 1, 3, 2}) {
+                const float length = layout.plan().wall(w).length - beside;
+                for (const float width : {length - kFromCorners, length - 0.8f, length * 0.6f, 2.2f, 1.8f}) {
+                    if (beside > 0 && width < kLeast) continue;
+                    r.size_m = {width, height, 0};
+                    const Layout::WallWish at{
+                        .wall = w, .window_pull = height > 0 ? 2.f : 0.f, .spare = spare, .needs_spare = beside > 0};
+                    if (const auto i = layout.against_wall(r, at, wish)) return i;
+                }
             }
         }
     return {};

@@ -34,7 +34,7 @@ std::optional<int> Layout::against_wall(const PieceRequest& request, const WallW
         bool spare, clearance;
     };
     for (const Strictness must : {Strictness{true, true}, {true, false}, {false, true}, {false, false}}) {
-        if (must.spare && !spares) continue;
+        if ((must.spare && !spares) || (wish.needs_spare && !must.spare)) continue;
         const float off_wall = must.spare ? want.behind : 0.f;
         std::optional<Placed> best;
         float best_score = -std::numeric_limits<float>::infinity();

@@ -178,6 +178,26 @@ void seating_group(Placement& p) {
     if (!small && p.wishes().has("loveseat")) p.wall("loveseat", 1);
 }
 
+// A mat, a plate and cutlery before every chair, where the table is laid: at the ends there is not always room, but
+// nobody lays for one where five may sit.
+void lay_table(Placement& p, const std::string& what, int table) {
+    constexpr float kAtTable = 0.45f, kFromEdge = 0.2f;  // metres: of a chair from the top, of a plate inside its edge
+    Layout& l = p.layout();
+    const PieceRequest setting = l.request(what);
+    const std::size_t count = l.placed().size(), before = l.mark();
+    const Footprint top = footprint_of(p.at(table));
+    int chairs = 0, laid = 0;
+    for (std::size_t i = 0; i < count; ++i) {
+        const Placed chair = l.placed()[i];
+        const float far = distance_to(top, flat(chair.position));
+        if (!is_seat(chair.piece.kind) || far > kAtTable) continue;
+        ++chairs;
+        const Vec2f at = flat(chair.position + front_of(chair.yaw) * (far + kFromEdge));
+        laid += l.on_top_at(table, setting, at, chair.yaw + kPi).has_value();
+    }
+    if (2 * laid < chairs) l.undo(before);
+}
+
 void eating_place(Placement& p, int seats) {
     const char* kind = !p.wishes().asked("dining_table") && p.wishes().asked("dining_table_round")
                            ? "dining_table_round"
@@ -199,6 +219,12 @@ void eating_place(Placement& p, int seats) {
         p.layout().placed().begin(), p.layout().placed().end(),
         [&](const Placed& other) { return other.with == table && other.piece.kind == "chair"; });
     p.seats_around(table, "chair", has_chairs ? 0 : seats, 1);
+    p.later([=, &p] {
+        constexpr float kLaid = 0.6f;
+        for (const std::string& what : kinds_with(Role::before_seats))
+            if (!is_settled(p.layout().spec(), what) && p.chance(kLaid * (0.35f + 1.3f * p.clutter())))
+                lay_table(p, what, table);
+    });
     const bool flowers = p.wishes().asked("bouquet");  // they stand there
     p.top(table, !flowers && p.chance(0.6f) ? "vase" : "bowl", 0.9f);
     p.later([=, &p] {
@@ -214,6 +240,18 @@ void eating_place(Placement& p, int seats) {
         if (p.wishes().asked(lamp)) over = lamp;
     p.put(over, std::string_view(over) == "pendant_lamp" ? 0.8f : 0.f, over_it);
     p.rug(table, 0.5f, p.size(table).x + 1.3f, p.size(table).z + 1.3f, 0);
+}
+
+// Units, with room at an end for the first of what follows.
+void units_along_wall(Placement& p, const RecipeStep& step) {
+    constexpr float kJoint = 0.02f;
+    float beside = 0;
+    if (!step.then.empty() && !p.wishes().forbids(step.then[0].thing))
+        beside = make_piece(p.layout().request(step.then[0].thing)).size_m.x + kJoint;
+    const auto units = p.main("kitchen_counter", [&](const PieceRequest& r, const PromptObject& o) {
+        return kitchen_units(p.layout(), r, o, beside);
+    });
+    if (units) follow_steps(step.then, p, *units);
 }
 
 }  // namespace
@@ -246,13 +284,10 @@ std::span<const StepKind> group_kinds() {
          {"armchair"},
          [](Placement& p, const RecipeStep& step, int) { reading_corner(p, step.probability); }},
         {"kitchen_units",
-         {},
+         {"then"},
          false,
          {"kitchen_counter"},
-         [](Placement& p, const RecipeStep&, int) {
-             p.main("kitchen_counter",
-                    [&p](const PieceRequest& r, const PromptObject& o) { return kitchen_units(p.layout(), r, o); });
-         }},
+         [](Placement& p, const RecipeStep& step, int) { units_along_wall(p, step); }},
     }};
     return all;
 }

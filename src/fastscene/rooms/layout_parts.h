@@ -82,8 +82,9 @@ class Wishes {
     std::vector<Ask> asks_;
 };
 
-// Units along the first wall that has room for them, as long as fit.
-std::optional<int> kitchen_units(Layout& layout, PieceRequest request, const PromptObject& wish);
+// Units along the first wall that has room for them, as long as fit. `beside_m`: where there is room, so much stays
+// free at one of their ends.
+std::optional<int> kitchen_units(Layout& layout, PieceRequest request, const PromptObject& wish, float beside_m = 0);
 // Beside the other monitors at the back of a desk, the outer ones turned to who sits there.
 std::optional<int> next_screen(Layout& layout, int desk, const PieceRequest& request, const PromptObject& wish);
 // On the wall above its stand; smaller where that has a window beside it.

@@ -119,7 +119,11 @@ void carry_out(const RecipeStep& step, Placement& p, int anchor) {
 void follow(const std::vector<RecipeStep>& steps, Placement& p, int anchor) {
     for (const RecipeStep& step : steps) {
         if (!is_due(step, p)) continue;
-        if (step.late) p.later([&step, &p, anchor] { carry_out(step, p, anchor); });
+        // By then more may stand than now.
+        if (step.late)
+            p.later([&step, &p, anchor] {
+                if (is_due(step, p)) carry_out(step, p, anchor);
+            });
         else carry_out(step, p, anchor);
     }
 }

@@ -60,6 +60,8 @@ std::optional<int> Layout::on_top(int anchor, const PieceRequest& request, const
     const Vec3f front = front_of(a.yaw), right = right_of(a.yaw), size = p.piece.size_m;
     // One machine on the other: what is no larger than what carries it may reach beyond the free part of its top.
     const bool stacks = asked && size.x <= a.piece.size_m.x + 0.02f && size.z <= a.piece.size_m.z + 0.02f;
+    // At a table people sit: what stands there keeps to its middle line.
+    const bool keeps_middle = !asked && has_role(a.piece.kind, Role::laid);
     for (const Surface& s : a.piece.surfaces) {
         float slack_x = s.half.x - size.x / 2 - 0.01f, slack_z = s.half.y - size.z / 2 - 0.005f;
         const bool over = slack_x < 0 || slack_z < 0;
@@ -68,11 +70,13 @@ std::optional<int> Layout::on_top(int anchor, const PieceRequest& request, const
         const bool middle_of_all = over && s.center.y > a.piece.size_m.y - 0.02f;
         if (over && !middle_of_all && !(asked && a.piece.size_m.y < s.center.y + 0.6f)) continue;
         slack_x = std::max(0.f, slack_x), slack_z = std::max(0.f, slack_z);
+        constexpr float kMiddle = 0.2f;
+        if (keeps_middle) (slack_x < slack_z ? slack_x : slack_z) *= kMiddle;
         // Out of reach only vases and baskets are kept.
         if (!asked && s.center.y > 1.5f && p.piece.kind != "vase" && p.piece.kind != "basket") continue;
         for (int tries = 0; tries < (asked ? 30 : 14); ++tries) {
             // Televisions and the like stand in the middle, small things anywhere; pictures lean at the back.
-            const bool middle = over || (size.x > 0.55f && tries == 0);
+            const bool middle = over || ((size.x > 0.55f || keeps_middle) && tries == 0);
             const float x = middle ? 0.f : rng_.uniform(-slack_x, slack_x), z = leans ? -slack_z
                                                                                 : middle
                                                                                     ? 0.f

@@ -1,10 +1,11 @@
-// What makes a room lived in: small things on tops, a laid table, radiators, and more on walls and floors that are
+// What makes a room lived in: small things on tops, radiators, and more on walls and floors that are
 // bare.
 #include <algorithm>
 #include <array>
 #include <cmath>
 
 #include "fastscene/rooms/layout_parts.h"
+#include "fastscene/rooms/layout_wall_art.h"
 #include "fastscene/rooms/room_type.h"
 #include "fastscene/rooms/catalogue.h"
 
@@ -26,7 +27,6 @@ class Touches {
         radiators();
         fill_floor();
         if (type_.lived_in) walls();
-        lay_tables();
         small_things();
         if (type_.lived_in) sills();
         toys();
@@ -71,41 +71,19 @@ class Touches {
 
     void walls() {
         const bool wet = type_.wet;
-        if (!wet && wants("picture_ledge", 0.4f)) l_.on_wall(l_.request("picture_ledge"), {});
+        if (!wet && wants("picture_ledge", 0.15f)) l_.on_wall(l_.request("picture_ledge"), {});
         for (int i = 0; i < 2; ++i)
             if (!wet && wants("shelf", type_.wall_shelf_probability)) l_.on_wall(l_.request("shelf"), {});
         if (!wet && wants("mirror", type_.mirror_probability) && l_.count("mirror") == 0)
             l_.on_wall(l_.request("mirror"), {});
         if (wants("clock", type_.clock_probability) && l_.count("clock") == 0) l_.on_wall(l_.request("clock"), {});
-        // What is still bare gets pictures, with the size of the gap in mind.
+        // What is still bare gets pictures.
         const float around = 2 * (l_.plan().width + l_.plan().depth);
-        const int wanted = static_cast<int>(around * (is_sparse() ? 0.05f : wet ? 0.1f : 0.16f + 0.16f * clutter_));
-        for (int i = l_.count("picture") + l_.count("mirror") + l_.count("shelf") + l_.count("picture_ledge");
-             i < wanted && !is_settled("picture"); ++i) {
-            PieceRequest r = l_.request("picture");
-            const float w = l_.rng().uniform(0.35f, 0.95f);
-            r.size_m = {w, w * l_.rng().uniform(0.65f, w < 0.6f ? 1.4f : 0.95f), 0};
-            if (type_.for_children) r.pattern = furnishing::picture_for_a_child(l_);
-            if (!l_.on_wall(r, {})) return;
-        }
-    }
-
-    // A mat, a plate and cutlery before every chair, where the table is laid.
-    void lay_tables() {
-        if (!wants("place_setting", 0.6f)) return;
-        const auto table = l_.find("dining_table");
-        if (!table) return;
-        const PieceRequest r = l_.request("place_setting");
-        const std::size_t count = l_.placed().size();
-        for (std::size_t i = 0; i < count; ++i) {
-            const Placed chair = l_.placed()[i];
-            if (chair.piece.kind != "chair") continue;
-            const Footprint top = footprint_of(l_.placed()[static_cast<std::size_t>(*table)]);
-            if (distance_to(top, flat(chair.position)) > 0.45f) continue;
-            // From the chair towards the table, a hand inside its edge.
-            const float reach = distance_to(top, flat(chair.position)) + 0.2f;
-            l_.on_top_at(*table, r, flat(chair.position + front_of(chair.yaw) * reach), chair.yaw + 3.14159265f);
-        }
+        const int wanted = static_cast<int>(around * (is_sparse() ? 0.05f
+                                                      : wet       ? 0.1f
+                                                                  : 0.16f + 0.16f * clutter_)),
+                  there = l_.count("picture") + l_.count("mirror") + l_.count("shelf") + l_.count("picture_ledge");
+        if (!is_settled("picture")) furnishing::hang_art(l_, "picture", wanted - there);
     }
 
     void small_things() {

@@ -1,4 +1,4 @@
-// Walls of rooms that are no homes: what hangs there, and how much is left bare.
+// What hangs on walls, how much of them is left bare, and what stands in line along them.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -8,7 +8,9 @@
 
 #include "fastscene/rooms/furniture/print.h"
 #include "fastscene/rooms/furniture/wall/motifs.h"
+#include "fastscene/rooms/furniture/wall/panels.h"
 #include "fastscene/rooms/layout.h"
+#include "fastscene/rooms/layout_relations.h"
 #include "fastscene/rooms/room_type.h"
 #include "fastscene/rooms/rooms.h"
 
@@ -102,6 +104,78 @@ TEST(Walls, SayInLettersWhatTheRecipeSays) {
     EXPECT_GT(letters->position.y, 1.8f);
     // Wide, flat and as high as a letter of that width is.
     EXPECT_NEAR(letters->piece.size_m.x / letters->piece.size_m.y, 5.4f, 1.f);
+}
+
+// A picture over several frames: all of its panels hang side by side, in their order for who looks at the wall.
+TEST(WallArt, PanelsAreOnePicture) {
+    int groups = 0;
+    for (const std::string text : {"a living room", "a modern bedroom", "a study", "a dining room"})
+        for (std::uint64_t seed = 1; seed <= 12; ++seed) {
+            SCOPED_TRACE(text + ", seed " + std::to_string(seed));
+            const WalledRoom room = walled(text, seed);
+            const Placed* before = nullptr;
+            int expected = 0;
+            for (const Placed& p : room.placed) {
+                const auto panel = p.piece.made_from ? furniture::panel_of(p.piece.made_from->pattern) : std::nullopt;
+                if (!panel) continue;
+                EXPECT_EQ(panel->number, expected);
+                if (expected > 0) {
+                    const Vec3f step = p.position - before->position;
+                    EXPECT_NEAR(dot(step, right_of(p.yaw)), p.piece.size_m.x + furniture::kPanelGap_m, 1e-3f);
+                    EXPECT_NEAR(step.y, 0, 1e-4f);
+                    EXPECT_EQ(p.yaw, before->yaw);
+                    EXPECT_EQ(p.piece.made_from->seed, before->piece.made_from->seed);
+                }
+                groups += expected == 0;
+                expected = panel->number + 1 == panel->of ? 0 : expected + 1;
+                before = &p;
+            }
+            EXPECT_EQ(expected, 0) << "a panel is missing";
+        }
+    EXPECT_GT(groups, 4);
+}
+
+TEST(WallArt, HangsAtTheHeightOfEyes) {
+    int looked = 0;
+    for (std::uint64_t seed = 1; seed <= 12; ++seed)
+        for (const Placed& p : walled("a living room", seed).placed)
+            if (p.piece.kind == "picture" && p.with < 0 && p.on < 0 && p.piece.mount == Mount::wall) {
+                EXPECT_NEAR(p.position.y + p.piece.size_m.y / 2, 1.52f, 0.2f) << "seed " << seed;
+                ++looked;
+            }
+    EXPECT_GT(looked, 12);
+}
+
+TEST(Kitchens, HaveOneFridgeAtAnEndOfTheUnits) {
+    int rooms = 0, in_line = 0;
+    for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+        const WalledRoom room = walled("a kitchen", seed);
+        const Placed *units = nullptr, *fridge = nullptr;
+        for (const Placed& p : room.placed) {
+            if (p.piece.kind == "kitchen_counter" && !units) units = &p;
+            if (p.piece.kind != "fridge") continue;
+            EXPECT_EQ(fridge, nullptr) << "seed " << seed << " has two";
+            fridge = &p;
+        }
+        if (!units || !fridge) continue;
+        ++rooms;
+        in_line += gap_between(footprint_of(*units), footprint_of(*fridge)) < 0.2f && units->yaw == fridge->yaw;
+    }
+    EXPECT_GE(rooms, 15);
+    EXPECT_GE(in_line, 0.75 * rooms);
+}
+
+TEST(Tables, AreLaidForMostOrNotAtAll) {
+    int laid_tables = 0;
+    for (std::uint64_t seed = 1; seed <= 16; ++seed) {
+        int chairs = 0, settings = 0;
+        for (const Placed& p : walled("a dining room", seed).placed)
+            chairs += p.piece.kind == "chair", settings += p.piece.kind == "place_setting";
+        EXPECT_TRUE(settings == 0 || 2 * settings >= chairs)
+            << "seed " << seed << ": " << settings << " for " << chairs;
+        laid_tables += settings > 0;
+    }
+    EXPECT_GE(laid_tables, 5);
 }
 
 }  // namespace

@@ -16,8 +16,9 @@ namespace fastscene::furniture {
 using shapes::Limb;
 using shapes::Soft;
 
-// Depth of creases in metres: of tight upholstery, of pillows, of blankets that lie loose.
-inline constexpr float kUpholsteryCrease = 0.003f, kPillowCrease = 0.005f, kBlanketCrease = 0.008f;
+// Depth of creases in metres: of tight upholstery, of pillows, of hides that lie loose, of cloth whose folds are its
+// shape already.
+inline constexpr float kUpholsteryCrease = 0.003f, kPillowCrease = 0.005f, kHideCrease = 0.008f, kDrapedCrease = 0.002f;
 
 // What a builder may use: its request, its style, its rng and the piece under construction.
 struct Kit {

@@ -172,14 +172,14 @@ void bed_of(Kit& k, float width, Posts over) {
     Bedding bedding{mattress};
     if (over != no_posts) bedding.more = around_posts(width, length);
     const DrapedCloth cover = over_mattress(bedding, -0.42f, 0.5f * length + 0.26f, {.drop_m = 0.26f}, k.seed());
-    k.add_soft(cloth_mesh(cover, 0.03f), duvet, kBlanketCrease);
+    k.add_soft(cloth_mesh(cover, 0.03f), duvet, kDrapedCrease);
     // The folded edge of the duvet, then a throw across the foot.
     k.soft(linen, {0, 0.545f, -0.36f}, {width + 0.06f, 0.05f, 0.3f}, {0.02f, 0.01f, 0.004f, 18});
     const float throw_z = 0.38f, throw_end = throw_z + k.rng.uniform(0.35f, 0.48f);
     Covers across{.drop_m = 0.3f, .thick_m = 0.016f, .slack = 0.015f};
     lay_over(bedding, cover, throw_z, throw_end, across);
     k.add_soft(cloth_mesh(over_mattress(bedding, throw_z, throw_end, across, k.seed()), 0.016f), throw_cloth,
-               kBlanketCrease);
+               kDrapedCrease);
     if (over == no_posts) headboard(k, form, width, length, wood, head);
     else four_posts(k, over, width, length, duvet);
     // Pillows: a row that leans, a row before it, cushions.

@@ -48,7 +48,7 @@ void build_floor_bed(Kit& k) {
     k.soft(linen, {0, base, 0}, {width, thick, length}, {0.06f, 0.014f, 0.003f, 12});
     const Bedding bedding{{width, top, length}, 0.f};
     const DrapedCloth cover = over_mattress(bedding, -0.36f, 0.5f * length + 0.1f, {.drop_m = thick - 0.03f}, k.seed());
-    k.add_soft(cloth_mesh(cover, 0.03f), duvet, kBlanketCrease);
+    k.add_soft(cloth_mesh(cover, 0.03f), duvet, kDrapedCrease);
     k.soft(linen, {0, top + 0.034f, -0.31f}, {width + 0.06f, 0.065f, 0.32f}, {0.028f, 0.012f, 0.004f, 18});
     for (const float s : {-1.f, 1.f}) {
         put_pillow(k, linen, {s * 0.34f, top + 0.01f, -0.5f * length + 0.32f}, {0.66f, 0.44f, 0.18f}, 66.f,
@@ -60,8 +60,7 @@ void build_floor_bed(Kit& k) {
     const float throw_z = 0.4f, throw_end = 0.78f;
     Covers across{.drop_m = thick - 0.04f, .thick_m = 0.014f, .slack = 0.015f};
     lay_over(bedding, cover, throw_z, throw_end, across);
-    k.add_soft(cloth_mesh(over_mattress(bedding, throw_z, throw_end, across, k.seed()), 0.014f), second,
-               kBlanketCrease);
+    k.add_soft(cloth_mesh(over_mattress(bedding, throw_z, throw_end, across, k.seed()), 0.014f), second, kDrapedCrease);
     k.top(top + 0.06f, 0, 0.1f, 0.36f * width, 0.22f);
     k.piece.clearance_front_m = 0.5f;
     k.piece.clearance_side_m = 0.4f;

@@ -44,7 +44,7 @@ void fur(Kit& k, int material, Vec3f at, float w, float d, float thick) {
         p.x += p.x > 0 ? edge : -edge, p.z += p.z > 0 ? edge : -edge;
     }
     shapes::smooth_normals(m);
-    k.add_soft(std::move(m), material, kBlanketCrease, at + Vec3f{0, thick / 2, 0});
+    k.add_soft(std::move(m), material, kHideCrease, at + Vec3f{0, thick / 2, 0});
 }
 Material pelt(Vec3f color) {
     Material m = plain("fur", color, 0.95f);

@@ -5,6 +5,7 @@
 
 #include "fastscene/rooms/furniture/kit.h"
 #include "fastscene/rooms/furniture/wall/motifs.h"
+#include "fastscene/rooms/furniture/wall/panels.h"
 
 namespace fastscene::furniture {
 
@@ -24,7 +25,10 @@ void build_picture(Kit& k) {
     m.color_a = k.style.palette[i % 6];
     m.color_b = k.style.palette[(i + 1) % 6];
     m.color_c = k.style.palette[(i + 2) % 6];
-    m.scale_m = w;
+    // A panel shows its part of a picture as wide as all of them.
+    const Panel panel = panel_of(k.request.pattern).value_or(Panel{});
+    const float step = s.x + kPanelGap_m;
+    m.scale_m = w + step * static_cast<float>(panel.of - 1);
     m.seed = k.seed();
     m.variant = static_cast<std::uint8_t>(k.rng.index(kArtDesigns));
     const bool motif = is_motif(k.request.pattern);
@@ -38,10 +42,14 @@ void build_picture(Kit& k) {
     k.board(mat_board, {0, f, 0.007f}, {s.x - 2 * f, s.y - 2 * f, 0.012f}, 0.001f);
     Mesh canvas = shapes::box({w, h, 0.003f}, 0.0006f);
     canvas.coords = canvas.positions;
-    for (Vec3f& c : canvas.coords) c = {c.x + 0.5f * w, 0.5f * h - c.y, c.z};  // from the picture's upper left corner
+    for (Vec3f& c : canvas.coords)
+        c = {c.x + 0.5f * w + step * static_cast<float>(panel.number), 0.5f * h - c.y,
+             c.z};  // from the picture's upper left corner
     if (!motif) k.add(std::move(canvas), art, {0, 0.5f * s.y, 0.0135f});
     k.piece.mount = Mount::wall;
-    k.piece.hang_height_m = 1.35f;
+    // Its middle at the height of eyes, as galleries hang them.
+    constexpr float kMiddle_m = 1.52f;
+    k.piece.hang_height_m = kMiddle_m - 0.5f * s.y;
 }
 
 }  // namespace fastscene::furniture
