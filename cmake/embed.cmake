@@ -1,7 +1,17 @@
 # Writes a C++ source with the text of a file as one string: cmake -DINPUT=… -DOUTPUT=… -DNAME=… -P embed.cmake
 # With -DINPUTS=a|b|… instead: an array NAME of (file name without ending, text), and how many there are in COUNT.
+# With -DBINARY=ON the files' bytes, whatever they are, in place of text.
 # Split into pieces, because compilers promise no more than 64 KiB for one literal.
 function(literal_of file out)
+  if(BINARY)
+    file(SIZE ${file} bytes)
+    file(READ ${file} hex HEX)
+    string(REGEX REPLACE "(..)" "\\\\x\\1" escaped "${hex}")
+    string(REGEX REPLACE "(................................................................)" "\"\\1\"\n" pieces "${escaped}")
+    string(REGEX REPLACE "\n([^\"\n]+)$" "\n\"\\1\"" pieces "${pieces}")
+    set(${out} "std::string_view(\n${pieces}, ${bytes})" PARENT_SCOPE)
+    return()
+  endif()
   file(READ ${file} text)
   string(LENGTH "${text}" length)
   set(literal "")
