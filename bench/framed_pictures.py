@@ -9,6 +9,7 @@ WIDTH, HEIGHT = 720, 480
 PHOTOS = ["sea_dusk", "city_night", "peaks_evening", "garden"]
 PRINTS = ["sea_day", "peaks", "peaks_winter", "misty_firs", "rooftops", "birches"]
 PAINTINGS = ["peaks_evening", "birches", "garden", "street", "sea_storm", "peaks"]
+BRIGHTEST = 0.915  # of paper and paint, sRGB
 QUALITY = 82  # of WebP: 20 to 40 kB a picture
 
 
@@ -20,7 +21,7 @@ def read(name):
 
 
 def write(name, picture):
-    raw = (np.clip(picture, 0, 1) * 255 + 0.5).astype(np.uint8).tobytes()
+    raw = (np.clip(picture, 0, BRIGHTEST) * 255 + 0.5).astype(np.uint8).tobytes()
     subprocess.run(
         ["ffmpeg", "-nostdin", "-v", "error", "-y", "-f", "rawvideo", "-pix_fmt", "rgb24", "-s", f"{WIDTH}x{HEIGHT}",
          "-i", "-", "-c:v", "libwebp", "-quality", str(QUALITY), name], input=raw, check=True)
@@ -37,7 +38,7 @@ def black_and_white(picture):
     gray = stretched(picture @ np.float32([0.38, 0.54, 0.08]), 0.02, 0.96)
     gray = np.clip(gray, 0, 1)
     gray = 0.35 * gray + 0.65 * gray * gray * (3 - 2 * gray)
-    return gray[..., None] * np.float32([1, 0.985, 0.955])
+    return 0.92 * gray[..., None] * np.float32([1, 0.985, 0.955])  # paper is no brighter
 
 
 def box_mean(a, radius):
@@ -75,7 +76,7 @@ def painted(picture, radius=4):
 
 
 def main(folder):
-    for names, kind, change in ((PHOTOS, "photo", lambda p: stretched(p, 0.03, 0.95)), (PRINTS, "print", black_and_white),
+    for names, kind, change in ((PHOTOS, "photo", lambda p: stretched(p, 0.03, 0.91)), (PRINTS, "print", black_and_white),
                                 (PAINTINGS, "painting", painted)):
         for name in names:
             write(f"{folder}/{kind}_{name}.webp", change(read(f"{folder}/{name}.png")))

@@ -21,13 +21,13 @@ Genre genre_for(Kit& k) {
     return at < painted ? Genre::painting : at < painted + 0.6f * (1 - painted) ? Genre::print : Genre::photo;
 }
 
-// Coordinates of a picture that covers a rectangle `width` by `height`, of which the canvas begins at `from_left`; what
+// Coordinates of a picture that covers a rectangle of this size, of which the canvas begins at `from_left`; what
 // does not fit is cut off at the sides, `shift` in [0, 1] of it at the left.
 void cover(Mesh& canvas, const ImageRgb8& image, Vec2f size, float from_left, float shift) {
     const float aspect = static_cast<float>(image.width) / static_cast<float>(image.height),
                 share_x = std::min(1.f, size.x / size.y / aspect), share_y = std::min(1.f, aspect * size.y / size.x);
     for (Vec3f& c : canvas.coords)
-        c = {shift * (1 - share_x) + share_x * (c.x + from_left) / size.x, 0.5f + share_y * (c.y / size.y - 0.5f), 0};
+        c = {shift * (1 - share_x) + share_x * (c.x + from_left) / size.x, 0.5f + share_y * c.y / size.y, 0};
 }
 
 }  // namespace
