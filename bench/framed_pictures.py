@@ -9,7 +9,7 @@ WIDTH, HEIGHT = 720, 480
 PHOTOS = ["sea_dusk", "city_night", "peaks_evening", "garden"]
 PRINTS = ["sea_day", "peaks", "peaks_winter", "misty_firs", "rooftops", "birches"]
 PAINTINGS = ["peaks_evening", "birches", "garden", "street", "sea_storm", "peaks"]
-BRIGHTEST = 0.915  # of paper and paint, sRGB
+BRIGHTEST = 0.89  # of paper and paint, sRGB
 QUALITY = 82  # of WebP: 20 to 40 kB a picture
 
 
@@ -38,7 +38,7 @@ def black_and_white(picture):
     gray = stretched(picture @ np.float32([0.38, 0.54, 0.08]), 0.02, 0.96)
     gray = np.clip(gray, 0, 1)
     gray = 0.35 * gray + 0.65 * gray * gray * (3 - 2 * gray)
-    return 0.92 * gray[..., None] * np.float32([1, 0.985, 0.955])  # paper is no brighter
+    return 0.9 * gray[..., None] * np.float32([1, 0.985, 0.955])  # paper is no brighter
 
 
 def box_mean(a, radius):
