@@ -1,6 +1,7 @@
 // Labels of splats and maps of views, of a room whose surfaces are known.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <set>
@@ -28,6 +29,10 @@ TEST(SplatLabels, AreThoseOfTheSurfaceThatASplatLiesOn) {
             const auto corner = [&](std::size_t k) {
                 return room.meshes[m].positions[room.meshes[m].triangles[t + k]];
             };
+            // Slivers of leaves and pages are narrower than a splat.
+            constexpr float kNarrowest = 0.006f;
+            const Vec3f ab = corner(1) - corner(0), bc = corner(2) - corner(1), ca = corner(0) - corner(2);
+            if (length(cross(ab, ca)) < kNarrowest * std::max({length(ab), length(bc), length(ca)})) continue;
             Vec3f p = (corner(0) + corner(1) + corner(2)) / 3.f;
             for (std::size_t a = 0; a < 3; ++a) p[a] += random.uniform(-0.002f, 0.002f);
             if (!traced.sees({}, p)) continue;
@@ -48,8 +53,7 @@ TEST(SplatLabels, AreThoseOfTheSurfaceThatASplatLiesOn) {
     std::size_t equal = 0;
     for (std::size_t i = 0; i < found.size(); ++i) equal += found[i] == wanted[i];
     EXPECT_GT(wanted.size(), 1000u);
-    // Most of these triangles are slivers of plants and books, a splat wide.
-    EXPECT_GT(static_cast<double>(equal), 0.88 * static_cast<double>(wanted.size()))
+    EXPECT_GT(static_cast<double>(equal), 0.9 * static_cast<double>(wanted.size()))
         << equal << " of " << wanted.size();
     EXPECT_EQ(wanted.back(), 0);
     EXPECT_EQ(found.back(), 0);
