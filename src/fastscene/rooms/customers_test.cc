@@ -340,6 +340,34 @@ TEST(Customers, TableclothsLieOnTables) {
         }
 }
 
+// Nowhere does a rectangular top show through its cloth: between its rims all of the cloth is above it.
+TEST(Customers, TheRimOfATableIsBelowItsCloth) {
+    constexpr float kRounded = 0.004f;  // metres: edges of tops are rounded
+    for (const std::string& style : styles()) {
+        PieceRequest r = request_of("dining_table", style);
+        r.size_m = {1.7f, 0, 0.9f};
+        r.holder_material = kTableCloth;
+        const Piece laid = make_piece(r);
+        Vec3f wood{};  // half as wide, its height, half as deep
+        for (const Mesh& m : laid.meshes)
+            if (laid.materials[static_cast<std::size_t>(m.material)].name != "tablecloth")
+                for (const Vec3f p : m.positions)
+                    wood = {std::max(wood.x, std::fabs(p.x)), std::max(wood.y, p.y), std::max(wood.z, std::fabs(p.z))};
+        EXPECT_GT(wood.y, 0.7f) << style;
+        for (const Mesh& m : laid.meshes) {
+            if (laid.materials[static_cast<std::size_t>(m.material)].name != "tablecloth") continue;
+            for (std::size_t t = 0; t + 2 < m.triangles.size(); t += 3) {
+                const Vec3f middle = (m.positions[m.triangles[t]] + m.positions[m.triangles[t + 1]] +
+                                      m.positions[m.triangles[t + 2]]) /
+                                     3.f;
+                if (std::fabs(middle.x) < wood.x - kRounded && std::fabs(middle.z) < wood.z - kRounded) {
+                    ASSERT_GT(middle.y, wood.y) << style;
+                }
+            }
+        }
+    }
+}
+
 TEST(Customers, RoomsWithoutWindowsHaveTheirLampsLit) {
     for (const char* text : {"a bathroom without a window", "a study with no windows"}) {
         Asked a = asked_room(text, 1);

@@ -40,13 +40,16 @@ void build_dining_table(Kit& k) {
     const bool sized = k.request.size_m.x > 0.f || k.request.size_m.z > 0.f;
     const Vec3f s = k.wanted({1.7f, 0.75f, 0.9f});
     const bool round = form == pedestal && !sized;
-    if (form == trestle) trestle_table(k, s);
+    // Under a cloth, whose corners are stretched, nobody sees how large the top is.
+    constexpr Vec3f kHidden{0.07f, 0.014f, 0.07f};
+    const Vec3f board = has_cloth(k) ? s - kHidden : s;
+    if (form == trestle) trestle_table(k, board);
     else if (round) round_table(k, 0.75f * s.x, s.y, 0.035f);
-    else plain_table(k, s, 0.04f);
+    else plain_table(k, board, 0.04f);
     constexpr float kDown = 0.24f;
-    if (has_cloth(k))
-        lay_cloth_on(k, round ? shapes::circle(0.375f * s.x, 72) : shapes::rounded_rectangle(s.x, s.z, 0.03f, 4), s.y,
-                     kDown);
+    if (!has_cloth(k)) return;
+    if (round) lay_cloth_on(k, shapes::circle(0.375f * s.x, 72), s.y, kDown);
+    else drape_cloth_over(k, s, kDown);
 }
 
 void build_dining_table_round(Kit& k) {

@@ -9,11 +9,28 @@
 #include <utility>
 #include <vector>
 
+#include "fastscene/rooms/drape.h"
+
 namespace fastscene::furniture {
 namespace {
 
 int leg_material(Kit& k, int wood) {
     return k.style.legs == LegType::metal_frame || k.style.legs == LegType::hairpin ? k.material(k.style.metal) : wood;
+}
+
+int table_linen(Kit& k) {
+    Material cloth = k.style.fabric;
+    const bool said = !k.request.holder_color.empty();
+    const Vec3f color = said ? *color_named(k.request.holder_color) : Vec3f{0.74f, 0.72f, 0.68f};
+    cloth.color_a = cloth.color_c = color, cloth.color_b = color * 0.85f;
+    cloth.name = "tablecloth";
+    k.print(cloth, said ? std::optional(color) : std::nullopt);
+    return k.material(cloth);
+}
+
+// What stands on the table stands on its cloth.
+void raise_tops(Kit& k, float to) {
+    for (Surface& s : k.piece.surfaces) s.center.y = std::max(s.center.y, to);
 }
 
 }  // namespace
@@ -54,14 +71,39 @@ void round_table(Kit& k, float d, float y, float thick) {
     k.top(y, 0, 0, 0.33f * d, 0.33f * d);
 }
 
+void drape_cloth_over(Kit& k, Vec3f s, float down) {
+    constexpr float kThick = 0.003f, kBillow = 0.03f, kEdge = 0.012f;  // metres; kBillow: of folds beyond the top
+    // Between the points that are simulated cloth takes a short cut: it stays this far from the top, farther from its
+    // rim.
+    constexpr float kCell = 0.035f, kAbove = 0.014f, kBeside = 0.028f;
+    const int linen = table_linen(k);
+    const Vec3f half{0.5f * s.x + kBeside, 0.5f * (s.y + kAbove), 0.5f * s.z + kBeside};
+    const DrapeSolid table{{0, half.y, 0}, half, kEdge};
+    Cloth cloth;
+    cloth.low = {-half.x - down, -half.z - down}, cloth.high = {half.x + down, half.z + down};
+    cloth.most = {half.x + kThick + kBillow, half.z + kThick + kBillow};
+    cloth.from_y = 2 * half.y + 0.01f;
+    cloth.slack = 0;  // it lies flat on the top
+    cloth.stiffness = 0.12f;
+    cloth.clear_m = kThick;
+    cloth.cell_m = kCell;
+    cloth.seed = k.seed();
+    Mesh mesh = cloth_mesh(drape(cloth, {&table, 1}), kThick, 0.03f);
+    // At the corners cloth is stretched: what is still inside comes out through the nearest side.
+    for (Vec3f& p : mesh.positions) {
+        const float top = 2 * half.y - p.y, x = half.x - std::fabs(p.x), z = half.z - std::fabs(p.z);
+        if (top <= 0 || x <= 0 || z <= 0) continue;
+        if (top <= x && top <= z) p.y += top;
+        else if (x <= z) p.x += std::copysign(x, p.x);
+        else p.z += std::copysign(z, p.z);
+    }
+    shapes::smooth_normals(mesh);
+    k.add(std::move(mesh), linen);
+    raise_tops(k, s.y + kAbove + kThick);
+}
+
 void lay_cloth_on(Kit& k, std::span<const Vec2f> rim, float y, float down) {
-    Material cloth = k.style.fabric;
-    const bool said = !k.request.holder_color.empty();
-    const Vec3f color = said ? *color_named(k.request.holder_color) : Vec3f{0.74f, 0.72f, 0.68f};
-    cloth.color_a = cloth.color_c = color, cloth.color_b = color * 0.85f;
-    cloth.name = "tablecloth";
-    k.print(cloth, said ? std::optional(color) : std::nullopt);
-    const int linen = k.material(cloth);
+    const int linen = table_linen(k);
     std::vector<float> along{0.f};  // metres along the rim
     for (std::size_t i = 0; i < rim.size(); ++i)
         along.push_back(along.back() + length(rim[(i + 1) % rim.size()] - rim[i]));
@@ -104,7 +146,7 @@ void lay_cloth_on(Kit& k, std::span<const Vec2f> rim, float y, float down) {
     for (int row = 0; row <= 1; ++row)
         for (int c = 0; c <= columns; ++c) m.normals[id(c, row)] = {0, 1, 0};
     k.add(std::move(m), linen);
-    for (Surface& s : k.piece.surfaces) s.center.y = std::max(s.center.y, y + kLift);
+    raise_tops(k, y + kLift);
 }
 
 bool has_cloth(const Kit& k) { return k.request.holder_material == kTableCloth; }
