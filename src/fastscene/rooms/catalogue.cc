@@ -31,7 +31,7 @@ constexpr std::array<std::string_view, static_cast<std::size_t>(Role::count_)> k
     "garland",        "nothing_above",  "on_mantels",    "under_windows", "between_beds",
     "shows_motif",    "climbed",        "may_be_round",  "pet",           "drawn_up",
     "rug_before",     "shades_windows", "spread_out",    "before_seats",  "covers_wall",
-    "roof",           "two_of_them"};
+    "roof",           "two_of_them",    "cozy"};
 
 constexpr std::array<std::string_view, 41> kNyu40{"outside",
                                                   "wall",
@@ -202,6 +202,11 @@ const Thing* find_thing(std::string_view kind) {
 bool has_role(std::string_view kind, Role role) {
     const Thing* thing = find_thing(kind);
     return thing != nullptr && thing->has(role);
+}
+
+std::string small_form_of(const std::string& kind) {
+    const Thing* thing = find_thing(kind);
+    return thing && !thing->small_form.empty() ? thing->small_form : kind;
 }
 
 bool is_form_of(std::string_view kind, std::string_view plain) {

@@ -73,6 +73,7 @@ enum class Role : std::uint8_t {
     covers_wall,         // a part of the wall: what stands before it does not hide it
     roof,                // over a whole room: its box reaches over the walls of a round one
     two_of_them,         // one piece is a pair: "two escalators" are one
+    cozy,                // comes where a room that is to be cozier has none
     count_               // not a role
 };
 
@@ -107,6 +108,8 @@ std::span<const Thing> things();
 const Thing* find_thing(std::string_view kind);
 bool has_role(std::string_view kind, Role role);
 std::vector<std::string> kinds_with(Role role);
+// What stands in its place on a table or a shelf: "plant_small" of "plant"; itself, where it has no such form.
+std::string small_form_of(const std::string& kind);
 // Whether a kind is that one in a form of its own: "plant_tree" is a "plant", "pallet_rack" is no "pallet".
 bool is_form_of(std::string_view kind, std::string_view plain);
 

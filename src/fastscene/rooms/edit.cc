@@ -266,6 +266,7 @@ void Editor::act(const EditStep& step) {
         case EditStep::Kind::line: return line_up(step);
         case EditStep::Kind::circle: return encircle(step);
         case EditStep::Kind::rows: return in_rows_of(step);
+        case EditStep::Kind::join: return join(step);
         case EditStep::Kind::space: return space_out(step);
         case EditStep::Kind::add: return add(step);
         case EditStep::Kind::replace: return replace(step);

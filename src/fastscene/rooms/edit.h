@@ -26,6 +26,8 @@ struct EditStep {
         circle,   // `ids` in a circle, or a `value` semicircle, that looks inwards: about `at`, `position`, or
                   // themselves
         rows,     // `ids` in `wish.count` rows that look along `yaw`, about `position` or the middle of the room
+        join,     // two tables of `ids` together: side by side, end to end by `value` long, back to
+                  // back by facing; about `position`
         space,    // `ids` with even gaps: along their row, or around their table
         add,      // `wish`, where it says, near `position`, or where such things stand
         replace,  // by `wish`, as many as it says, each where one of `ids` stood

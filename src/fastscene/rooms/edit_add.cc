@@ -92,6 +92,13 @@ void add(Talk& talk, const Words& words) {
         add(talk, part_of(words, 0, facing));
         return face(talk, {"them", "facing", "each", "other"});
     }
+    // "A sofa there facing the window"
+    if (const std::size_t facing = find_word(words, {"facing"}, 2);
+        facing + 1 < words.size() && words[facing - 1] == "there" && next_place(words) == facing) {
+        talk.there = true;
+        add(talk, part_of(words, 0, facing - 1));
+        return face(talk, joined_words({"them"}, part_of(words, facing)));
+    }
     // "A coffee machine on a small table in the corner": first the table, where there is none.
     if (const std::size_t on = find_word(words, {"on"}, 2);
         parts_of(words).size() == 1 && on + 2 < words.size() && is_one_of(words[on + 1], {"a", "an"}) &&

@@ -54,13 +54,14 @@ std::string side_of_seats(const Editor& editor, int table) {
 }
 
 // A chair where others stand at a table: at that table, if it has room for one more.
-bool drawn_up(Talk& talk, EditStep step) {
+bool drawn_up(Talk& talk, EditStep step, std::string& full) {
     if (!has_role(step.wish.kind, Role::seat) || !step.wish.relation.empty() || step.position) return false;
     const std::vector<Placed>& all = talk.editor.room().furnished.placed;
     for (const Placed& p : all) {
         if (asked_kind(p) != step.wish.kind || p.with < 0) continue;
         const Placed& table = all[static_cast<std::size_t>(p.with)];
         if (!has_role(table.piece.kind, Role::lamp_above)) continue;
+        const std::string id = table.id;
         step.wish.relation_to = asked_kind(table);
         // At a bar on the side where the others are.
         std::vector<const char*> relations{"around"};
@@ -72,6 +73,7 @@ bool drawn_up(Talk& talk, EditStep step) {
                 return true;
             } catch (const Error&) {
             }
+        full = id;
         return false;
     }
     return false;
@@ -136,13 +138,17 @@ std::optional<PromptObject> standing_form(const PromptObject& wish, const std::o
 // "I want eight chairs at the table", where six stand: two more.
 void fill_up(Talk& talk, EditStep& step) {
     const bool in_all = is_one_of(talk.said, {"i want", "we want", "i need", "we need", "there should be", "have"});
-    if (!in_all || talk.more || step.wish.relation != "around" || !has_role(step.wish.kind, Role::seat)) return;
+    const bool as_many = is_one_of(talk.said, {"put", "place", "set", "arrange"}) && step.wish.counted;
+    if ((!in_all && !as_many) || talk.more || step.wish.relation != "around" || !has_role(step.wish.kind, Role::seat))
+        return;
     int there = 0;
     for (const Placed& p : talk.editor.room().furnished.placed)
         if (p.with >= 0 && asked_kind(p) == step.wish.kind &&
             asked_kind(talk.editor.room().furnished.placed[static_cast<std::size_t>(p.with)]) == step.wish.relation_to)
             ++there;
-    if (there == 0 || there >= step.wish.count) return;
+    if (as_many && there == step.wish.count)
+        throw AlreadySo(fmt::format("{} {} stand there already", there, step.wish.words));
+    if (!in_all || there == 0 || there >= step.wish.count) return;
     talk.editor.note("room",
                      fmt::format("{} of the {} {} stand there already", there, step.wish.count, step.wish.words));
     step.wish.count -= there;
@@ -163,6 +169,7 @@ void add_wish(Talk& talk, const PromptObject& wish, const std::optional<Place>& 
     if (step.each) step.wish.count = std::max(4, wish.count), step.wish.counted = false;
     if (place && place->if_uncounted && !wish.counted && !place->each_at.empty()) step.wish.count = 1;
     fill_up(talk, step);
+    std::string full;  // the table at which there was no room
     if (!place && talk.there) stand_there(talk, step);
     if (place && place->each_wall) {
         constexpr std::size_t kWalls = 4;
@@ -171,12 +178,14 @@ void add_wish(Talk& talk, const PromptObject& wish, const std::optional<Place>& 
         do_each(
             talk.editor, kWalls, [&](std::size_t k) { step.wall = static_cast<int>(k), talk.editor.apply(step); },
             [&](std::size_t k) { return fmt::format("{} at wall {}", wish.words, k); });
-    } else if (!place && (drawn_up(talk, step) || with_its_like(talk, step) || by_the_same(talk, step))) {
+    } else if (!place && (drawn_up(talk, step, full) || with_its_like(talk, step) || by_the_same(talk, step))) {
         // with its like, at their table
     } else if (place && !place->each_at.empty() && !(place->if_uncounted && wish.counted))
         do_each(talk.editor, place->each_at.size(),
                 [&](std::size_t k) { step.at = place->each_at[k], talk.editor.apply(step); });
     else talk.editor.apply(step);
+    if (!full.empty())
+        talk.editor.note(kNotDone, fmt::format("{}: there was no room at {}: elsewhere, then", wish.words, full));
     const auto& things = talk.editor.document().things;
     for (std::size_t i = before; i < things.size(); ++i) talk.last.push_back(things[i].id);
     talk.noun = singular(wish.words);  // "the one nearest the door" is one of those

@@ -48,7 +48,8 @@ std::optional<Addition> at_the_other(const Talk& talk, const Words& words, const
     constexpr float kCarries = 0.08f;  // metres deep
     const bool carrier = std::any_of(spoken.begin(), spoken.end(), [&](const std::string& id) {
         const Placed& p = talk.editor.placed(id);
-        return p.piece.size_m.z > kCarries && !p.flat && !has_role(p.piece.kind, Role::seat);
+        const bool holds = carries(p) || (p.piece.mount == Mount::wall && p.piece.size_m.z > kCarries);
+        return holds && !p.flat && !has_role(p.piece.kind, Role::seat);
     });
     if (carrier && words.size() > 1 && words[words.size() - 2] == "on") return {};
     Addition out = addition_of(talk, words, others);

@@ -85,4 +85,30 @@ Mount mount_of(const Editor& editor, const std::string& kind) {
     return layout.why_not(kind).empty() ? make_piece(layout.request(kind, &wish)).mount : Mount::floor;
 }
 
+std::vector<std::string> all_but_nearest(const Editor& editor, const std::string& kind, const std::string& mover) {
+    const Vec2f here = footprint_of(editor.placed(mover)).center;
+    std::vector<std::string> out;
+    for (const DocumentThing& t : editor.document().things)
+        if (t.kind == kind || kind_of(t) == kind) out.push_back(t.id);
+    const auto far = [&](const std::string& id) { return distance_to(footprint_of(editor.placed(id)), here); };
+    if (out.size() > 1)
+        out.erase(std::min_element(out.begin(), out.end(),
+                                   [&](const std::string& a, const std::string& b) { return far(a) < far(b); }));
+    return out;
+}
+
+std::string lacking_one(const Editor& editor, const Words& noun, const std::string& kind) {
+    const std::vector<int> all = all_named(editor, "all " + text_of(noun));
+    const std::vector<Placed>& things = editor.room().furnished.placed;
+    std::vector<int> lacking;
+    for (const int i : all)
+        if (std::none_of(things.begin(), things.end(), [&](const Placed& p) {
+                const bool seats = has_role(kind, Role::seat) && has_role(p.piece.kind, Role::seat);
+                return (p.on == i || p.with == i) && (asked_kind(p) == kind || seats);
+            }))
+            lacking.push_back(i);
+    if (all.size() < 2 || lacking.size() != 1) throw UsageError("which other {}? none was named before", text_of(noun));
+    return things[static_cast<std::size_t>(lacking.front())].id;
+}
+
 }  // namespace fastscene::editing

@@ -6,6 +6,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "fastscene/base/is_one_of.h"
 #include "fastscene/rooms/catalogue.h"
@@ -35,6 +36,7 @@ Snapshot snapshot_of(const Talk& talk) {
 void audit(Talk& talk, const Clause& clause, const Snapshot& before) {
     constexpr Verb kUnseen[] = {Verb::remark, Verb::keep, Verb::refuse, Verb::tidy};
     if (std::find(std::begin(kUnseen), std::end(kUnseen), clause.verb) != std::end(kUnseen)) return;
+    if (std::exchange(talk.vague, false)) return;
     const auto& changes = talk.editor.result().changes;
     const bool told = std::any_of(changes.begin() + static_cast<std::ptrdiff_t>(before.changes), changes.end(),
                                   [](const EditChange& c) { return c.id == kNotDone; });

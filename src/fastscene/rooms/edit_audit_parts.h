@@ -284,7 +284,7 @@ class Audit {
             for (std::size_t i = k; i-- > 0 && mentions_[i].to == at && mentions_[i].kind != Mention::Kind::thing;)
                 at = mentions_[i].from;
             while (at > 1 && (value_of({words_[at - 1]}) || look_up(words_[at - 1])) && !number_said(words_[at - 1]) &&
-                   !is_definite(words_[at - 1]) && !relation_at(words_, at - 1))
+                   !is_definite(words_[at - 1]) && !relation_at(words_, at - 1) && !is_joint(words_[at - 1]))
                 --at;  // "two large paintings"
             const auto number = at > 0 && !is_one_of(words_[at - 1], {"a", "an", "one", "half", "quarter", "couple"})
                                     ? number_said(words_[at - 1])

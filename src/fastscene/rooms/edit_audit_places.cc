@@ -89,6 +89,18 @@ bool Audit::names_more_places(std::size_t k, std::size_t j) const {
     return from > 0 && is_joint(words_[from - 1]);
 }
 
+namespace {
+
+// "Closer to the fireplace" is closer than it was.
+bool is_nearer(const Mention& m, const Shown& now, const Shown& was, const std::vector<Landmark>& at) {
+    constexpr float kSeen_m = 0.1f;
+    return (m.term.starts_with("closer") || m.term.starts_with("nearer")) &&
+           std::any_of(at.begin(), at.end(),
+                       [&](const Landmark& one) { return apart(now, one) < apart(was, one) - kSeen_m; });
+}
+
+}  // namespace
+
 void Audit::check_places() {
     if ((clause_.verb == Verb::turn || clause_.verb == Verb::face) && says_any({"slightly", "bit", "little"})) return;
     for (std::size_t k = 0; k < mentions_.size(); ++k) {
@@ -111,7 +123,8 @@ void Audit::check_places() {
         bool any = false;
         for (const Shown* s : subjects) {
             const Shown* was = before_.find(s->thing.id);
-            const bool there = holds(*s, m.meaning, at) || (was && holds(*was, m.meaning, at, kWhich));
+            const bool there = holds(*s, m.meaning, at) || (was && holds(*was, m.meaning, at, kWhich)) ||
+                               (was && is_nearer(m, *s, *was, at));
             any = any || there;
             if (!there) off.push_back(s);
         }

@@ -25,7 +25,7 @@ constexpr std::array<Row, 24> kBeginnings{{
     {Verb::clear, "clear|empty"},
     {Verb::move,
      "move|shift|bring|push|pull|slide|drag|relocate|lower|raise|lift|carry|nudge|scoot|shove|swing|"
-     "reposition|transfer|tuck"},
+     "reposition|transfer|tuck|combine|join|merge"},
     {Verb::put,
      "put|place|set|lay out|set up|stand|hang|lay|position|mount|lean|put down|put up|lay down|set down|hang up|stack|"
      "pile|pile up|scatter|spread|drape|toss|stick|pop|prop|prop up|rest|squeeze|slot|plop|pin|string|sit|roll "

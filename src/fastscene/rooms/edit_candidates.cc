@@ -96,15 +96,22 @@ bool is_rug(const Piece& piece) {
 
 bool is_beside(const std::vector<Placed>& all, const Placed& piece, const PromptObject& wish) {
     const bool stands = piece.piece.mount == Mount::floor || piece.piece.mount == Mount::surface;
-    if (!is_one_of(wish.relation, {"left of", "right of"}) || !stands) return true;
+    const bool both = wish.relation == "on both sides of" && noun_of(wish.relation_to).empty();
+    if ((!is_one_of(wish.relation, {"left of", "right of"}) && !both) || !stands) return true;
     constexpr float kOfHalf = 0.8f, kAhead = 0.5f;  // of its width; metres before or behind it
+    constexpr float kMostBefore = 0.5f;             // of half its width
     bool known = false;
     const bool beside = std::any_of(all.begin(), all.end(), [&](const Placed& at) {
         if (&at == &piece || (at.piece.kind != wish.relation_to && at.wish.kind != wish.relation_to)) return false;
         known = true;
         const Vec3f to = piece.position - at.position, half = at.piece.size_m * 0.5f;
-        return std::abs(dot(to, right_of(at.yaw))) > kOfHalf * half.x &&
-               std::abs(dot(to, front_of(at.yaw))) < half.z + kAhead;
+        const float aside = std::abs(dot(to, right_of(at.yaw))), ahead = dot(to, front_of(at.yaw));
+        // With most of it before its front it is not beside that.
+        const Footprint box = footprint_of(piece);
+        const float wide = extent(box, flat(right_of(at.yaw)));
+        const bool before = (at.piece.against_wall || at.on >= 0) && ahead > half.z &&
+                            aside + kMostBefore * wide < half.x + wide;
+        return aside > kOfHalf * half.x && std::abs(ahead) < half.z + kAhead && !before;
     });
     return beside || !known;  // windows have no such sides
 }
@@ -145,7 +152,7 @@ bool is_ahead_of_seat(const std::vector<Placed>& all, const PromptObject& wish, 
 bool is_at_foot(const std::vector<Placed>& all, const PromptObject& wish, const Placed& p) {
     constexpr float kNarrow_m = 0.7f, kOfLength = 0.05f;
     if (!p.piece.against_wall || p.piece.size_m.x > kNarrow_m) return false;
-    if (!is_one_of(wish.relation, {"next to", "left of", "right of", "on both sides of"})) return false;
+    if (!is_one_of(wish.relation, {"next to", "left of", "right of", "on both sides of", "between"})) return false;
     return std::any_of(all.begin(), all.end(), [&](const Placed& bed) {
         return has_role(bed.piece.kind, Role::bed) && !has_role(bed.piece.kind, Role::along_wall) &&
                (bed.piece.kind == wish.relation_to || bed.wish.kind == wish.relation_to) &&
@@ -256,6 +263,8 @@ bool faces_side(const std::vector<Footprint>& anchors, Candidate& c, Placed& p) 
     return false;
 }
 
+}  // namespace
+
 // A chair in front of a desk is drawn up to it.
 bool is_drawn_up_before(const std::vector<Placed>& all, const PromptObject& wish, const Placed& p) {
     constexpr float kReach_m = 0.35f, kOfHalf = 0.6f;
@@ -266,11 +275,9 @@ bool is_drawn_up_before(const std::vector<Placed>& all, const PromptObject& wish
             return false;
         const Vec3f to = p.position - desk.position;
         return std::abs(dot(to, right_of(desk.yaw))) > kOfHalf * desk.piece.size_m.x / 2 ||
-               dot(to, front_of(desk.yaw)) > desk.piece.size_m.z / 2 + p.piece.size_m.z / 2 + kReach_m;
+               std::abs(dot(to, front_of(desk.yaw))) > desk.piece.size_m.z / 2 + p.piece.size_m.z / 2 + kReach_m;
     });
 }
-
-}  // namespace
 
 // The places on the floor that satisfy the wish, the best first; `further`: metres that it may be off.
 std::vector<Candidate> Editor::candidates_for(Layout& layout, const EditStep& step, const Piece& piece,
@@ -299,6 +306,9 @@ std::vector<Candidate> Editor::candidates_for(Layout& layout, const EditStep& st
             if (const float far = distance_to(a, c.at); far < nearest) nearest = far, middle = a.center;
         if (!anchors.empty()) {
             if (looks_at(wish.relation)) c.yaw = std::atan2(middle.x - c.at.x, middle.y - c.at.y);
+            // What nobody sits in stands square to the room.
+            if (looks_at(wish.relation) && !has_role(piece.kind, Role::seat))
+                c.yaw = std::round(c.yaw / (kPi / 2)) * (kPi / 2);
             c.cost = wish.relation == "between" ? off_middle(layout.placed(), wish, c.at)
                                                 : nearest + off_head(layout, c.at) + off_arms(layout, c.at);
         } else if (of_corner && length(c.at - *step.position) > kOfCorner + further) return true;
@@ -324,6 +334,7 @@ std::vector<Candidate> Editor::candidates_for(Layout& layout, const EditStep& st
         if (!is_beside(layout.placed(), p, wish) || !is_drawn_up_before(layout.placed(), wish, p)) return true;
         if (step.wall >= 0 && wall_behind(plan(), p) != step.wall) return true;
         if (!is_below_its_window(plan(), layout.placed(), p, wish)) return true;
+        if (further == 0 && !is_before_its_opening(plan(), layout.placed(), p, wish)) return true;
         for (const Footprint& a : anchors) c.off = std::min(c.off, off_box(a, box));
         if (wish.relation == "in the corner")
             c.off = off_corner(plan(), box, step.position), c.cost += further > 0 ? c.off : 0.f;

@@ -74,6 +74,19 @@ std::optional<std::size_t> remark_ends(const Words& words, std::size_t at) {
     return end;
 }
 
+// "Remove the plants, there are too many": why, which changes nothing. Where that ends; nothing: it is no such remark.
+std::optional<std::size_t> reason_ends(const Words& words, std::size_t at, Verb before) {
+    std::size_t end = at;
+    while (end < words.size() && !is_joint(words[end])) ++end;
+    const bool many = is_one_of(words[at], {"there", "there's"}) && find_word(words, {"too"}, at) < end &&
+                      find_word(words, {"many", "much"}, at) < end;
+    const bool of_it = before == Verb::remove && is_one_of(words[at], {"it", "it's", "they", "they're"}) &&
+                       find_word(words,
+                                 {"is", "are", "it's", "they're", "looks", "look", "takes", "take", "blocks", "block"},
+                                 at) < end;
+    return many || of_it ? std::optional(end) : std::nullopt;
+}
+
 // Ends of a clause that say nothing: "from the room", "please", "for me".
 void trim(Words& words, const Words& all_rooms) {
     const auto is_room = [&](const std::string& w) {
@@ -270,6 +283,12 @@ std::vector<Clause> clauses_of(const std::string& sentence) {
                 continue;
             }
             if (const auto end = from < words.size() ? remark_ends(words, from) : std::nullopt) {
+                out.push_back({Verb::remark, "", part_of(words, from, *end)});
+                i = *end;
+                continue;
+            }
+            if (const auto end = !out.empty() && from < words.size() ? reason_ends(words, from, out.back().verb)
+                                                                     : std::nullopt) {
                 out.push_back({Verb::remark, "", part_of(words, from, *end)});
                 i = *end;
                 continue;

@@ -44,12 +44,18 @@ Footprint leg_room(const Placed& seat);
 bool is_before_seat(const std::vector<Placed>& all, const PromptObject& wish, const Placed& p);
 // Beside it, and yet no part of it at its arm.
 bool is_ahead_of_seat(const std::vector<Placed>& all, const PromptObject& wish, const Placed& p);
+// A chair in front of a desk is drawn up to it; true for any other wish.
+bool is_drawn_up_before(const std::vector<Placed>& all, const PromptObject& wish, const Placed& p);
 // A cabinet beside a fireplace, and yet before it.
 bool is_before_front(const std::vector<Placed>& all, const PromptObject& wish, const Placed& p);
 // Beside a door, and yet off its wall.
 bool is_off_wall_of_door(const Plan& plan, const PromptObject& wish, const Placed& p);
 // By a bed, along its foot, where nightstands do not stand.
 bool is_at_foot(const std::vector<Placed>& all, const PromptObject& wish, const Placed& p);
+
+// ---- edit_fronts.cc
+// Whether something cannot be opened or used from its front since those came that follow the first `before`.
+bool blocks_fronts(const Plan& plan, const std::vector<Placed>& all, std::size_t before);
 
 // ---- edit_search.cc
 bool sits_before_table(const PromptObject& wish);
@@ -76,6 +82,21 @@ struct Squeezed {
     std::vector<int> pushed;
     float off = 0;  // metres from what it was asked at
 };
+
+// ---- edit_seat_places.cc
+// Where a seat stands, and how it is turned.
+struct Seat {
+    Vec3f at;
+    float yaw = 0;
+};
+Seat seat_of(Vec3f middle, Vec3f out, float off);
+// Each of those that stand goes to the nearest place; the places that are left.
+std::vector<std::size_t> left_over(const std::vector<Vec3f>& from, const std::vector<Seat>& to,
+                                   std::vector<std::size_t>& taken);
+// Evenly around a round table; none: they would stand in each other.
+std::vector<Seat> seats_around(const Placed& table, Vec3f middle, int count, Vec3f size, float first, float least);
+// So many of these angles, which ascend, as far apart as may be; how far.
+std::pair<std::vector<float>, float> spread(const std::vector<float>& free, int count);
 
 // ---- edit_tops.cc
 // What is laid on a table before a seat: its place setting.
@@ -158,12 +179,20 @@ class Editor {
     void keep_seats(int index, const Placed& before);
     void carry_riders(int index, const Placed& before, Vec3f factor);
 
+    // ---- edit_fronts.cc
+    // The table before a sofa, and the rug below it: they turn with it where they would be in its way.
+    std::vector<int> goes_before(int seat) const;
+
     // ---- edit_layout.cc
     Standing without(const std::vector<int>& gone) const;
     std::vector<Placed> laid_out(const Standing& standing, const EditStep& step, const Placed* moving,
                                  bool finely = false) const;
     Asked asked_among(const Standing& standing, const EditStep& step) const;
     Layout begin_layout(PromptSpec& spec, Random& rng, const std::vector<Placed>& standing, const Placed* moving) const;
+    // What one more of the wish is made of, among what stands, like the last of `like` that it may be like; nothing:
+    // there is no such thing.
+    std::optional<PieceRequest> request_of_one(const EditStep& step, const std::string& stream,
+                                               const std::vector<int>& like) const;
     bool at_a_wall(Layout& layout, const EditStep& step, const Placed* moving) const;
     bool several_at_wall(Layout& layout, int wall) const;
     bool near_a_point(Layout& layout, const EditStep& step) const;
@@ -260,12 +289,19 @@ class Editor {
     std::vector<int> tables_meant(const EditStep& step) const;
     // More seats at a table, all of them evenly along its sides. False: it is no table, or they are no such seats.
     bool seat_more(const EditStep& step);
-    bool seat_at(int table, const EditStep& step, int count);
+    // `comers`: seats of the room that come to it; none: so many new ones.
+    bool seat_at(int table, const EditStep& step, int count, const std::vector<int>& comers = {});
+    // Several seats of the room to a table, all of them evenly along its sides. False: it is no table, or they are no
+    // such seats, or there is no room for all.
+    bool seat_those(const EditStep& step);
 
     // ---- edit_camera.cc
     std::optional<Vec3f> free_viewpoint(const FurnishedRoom& room) const;
     bool camera_blocked() const;
     void settle_camera(Vec3f was, bool blocked_before);
+
+    // ---- edit_together.cc
+    void join(const EditStep& step);
 
     // ---- edit_grid.cc
     void in_rows_of(const EditStep& step);
@@ -287,6 +323,9 @@ class Editor {
         float by, scale;
     };
     void replace(const EditStep& step);
+    // The old one goes, and the new one comes near its place, where small things make room for it; false: they cannot.
+    // edit_swap.cc.
+    bool replaced_nearby(const EditStep& step);
     std::vector<Placed> in_place_of(const std::vector<Placed>& all, const Standing& standing, const EditStep& step,
                                     const Placed& old, int nth, int here, const std::optional<Aside>& only = {}) const;
     // Several in the place of one, side by side there and nowhere else; none: there is no room for that.

@@ -81,13 +81,14 @@ void Editor::replace(const EditStep& step) {
     std::vector<Placed> all = standing.placed;
     int count = std::max(1, step.wish.count);
     // Of "benches for the chairs", nobody said how many: fewer, where they are much wider.
-    constexpr float kWider = 1.6f;
+    constexpr float kWider = 1.6f, kForTwo_m = 1;
     if (!step.wish.counted && count == static_cast<int>(olds.size()) && count % 2 == 0) {
         PromptSpec spec = room_.spec;
         Random rng(room_.seed, "wide");
         Layout layout(plan(), spec, rng);
-        if (layout.why_not(step.wish.kind).empty() && olds.front().piece.mount == Mount::floor &&
-            make_piece(layout.request(step.wish.kind, &step.wish)).size_m.x > kWider * olds.front().piece.size_m.x)
+        const bool known = layout.why_not(step.wish.kind).empty() && olds.front().piece.mount == Mount::floor;
+        const float wide = known ? make_piece(layout.request(step.wish.kind, &step.wish)).size_m.x : 0.f;
+        if (wide > std::max(kForTwo_m, kWider * olds.front().piece.size_m.x))
             count = static_cast<int>(shared_out(olds, count / 2).size()) == count / 2 && count > 2 ? count / 2 : count;
     }
     if (riders.empty()) olds = shared_out(std::move(olds), count);
@@ -99,6 +100,7 @@ void Editor::replace(const EditStep& step) {
     for (int n = static_cast<int>(place_of_new.size()); n < count; ++n) {
         const int k = n % places, here = (count - k + places - 1) / places, nth = n / places;
         const auto more = in_place_of(all, standing, step, olds[static_cast<std::size_t>(k)], nth, here);
+        if (more.size() == all.size() && count == 1 && riders.empty() && replaced_nearby(step)) return;
         if (more.size() == all.size() && count == 1) {
             EditStep there = step;
             there.position = flat(olds.front().position);
@@ -183,9 +185,7 @@ std::vector<Placed> Editor::in_place_of(const std::vector<Placed>& all, const St
         if (const std::string why = layout.why_not(wish.kind); !why.empty()) throw Error("{}: {}", wish.words, why);
         PieceRequest request = layout.request(wish.kind, &wish);
         // On a table or a sill a plant is a small one.
-        if (const Thing* thing = find_thing(request.kind);
-            (old.on >= 0 || old.sill >= 0) && thing && !request.model && !thing->small_form.empty())
-            request.kind = thing->small_form;
+        if ((old.on >= 0 || old.sill >= 0) && !request.model) request.kind = small_form_of(request.kind);
         if (!only || !alike) request = shrunk_to(request, scale);
         Placed place = old;
         float wide = std::max(make_piece(request).size_m.x + 0.06f, old.piece.size_m.x / static_cast<float>(here));
@@ -204,15 +204,16 @@ std::vector<Placed> Editor::in_place_of(const std::vector<Placed>& all, const St
             if (!i && piece.mount == Mount::floor && old.on < 0)
                 i = layout.against_wall(
                     request, {.near = flat(old.position), .center_pull = 0, .at_most_from_near = reach}, wish);
-        // As large as usual elsewhere nearby, before it is smaller there.
+        // As large as usual elsewhere nearby, before it is smaller there; a small one is rather smaller.
         constexpr float kNearby_m = 3;
+        const bool elsewhere = scale == (wish.size == "small" && !only ? 0.7f : 1.f);
         for (const bool corner : {true, false})
-            if (!i && scale == 1 && piece.mount == Mount::floor && piece.against_wall && old.on < 0)
+            if (!i && elsewhere && piece.mount == Mount::floor && piece.against_wall && old.on < 0)
                 i = layout.against_wall(
                     request,
                     {.near = flat(old.position), .center_pull = 0, .corner = corner, .at_most_from_near = kNearby_m},
                     wish);
-        if (!i && scale == 1 && piece.mount == Mount::floor && old.on < 0 && !old.flat) {
+        if (!i && elsewhere && piece.mount == Mount::floor && old.on < 0 && !old.flat) {
             EditStep there = step;
             there.wish = wish, there.position = flat(old.position);
             Standing among = standing;
@@ -223,7 +224,7 @@ std::vector<Placed> Editor::in_place_of(const std::vector<Placed>& all, const St
                 return found->all;
         }
         if (!i && wish.size_m != Vec3f{} && scale < 1) break;
-        if (!i) continue;
+        if (!i || blocks_fronts(plan(), layout.placed(), all.size())) continue;
         if (old.with >= 0 && now(old.with) >= 0) layout.join(*i, now(old.with));
         return layout.placed();
     }

@@ -103,8 +103,7 @@ namespace {
 // "In two rows" at `at`: how many; 0: no such words.
 int rows_at(const Words& words, std::size_t at) {
     if (at + 2 < words.size() && words[at] == "in" && is_one_of(words[at + 1], {"a", "one"}) &&
-        is_one_of(words[at + 2], {"row", "line"}) && !begins_anew(words) &&
-        has_word(words, {"facing", "towards", "toward"}))
+        is_one_of(words[at + 2], {"row", "line"}) && has_word(words, {"facing", "towards", "toward"}))
         return 1;
     if (at + 2 >= words.size() || !is_one_of(words[at], {"in", "into"}) || words[at + 2] != "rows") return 0;
     const auto number = number_said(words[at + 1]);
@@ -133,6 +132,8 @@ bool set_in_rows(Talk& talk, const Words& words) {
     while (at < words.size() && rows_at(words, at) == 0) ++at;
     if (parts_of(words).size() > 1) return false;
     Words things = part_of(words, 0, at), rest = part_of(words, at + 3);
+    // "In three rows of four"
+    if (rest.size() > 1 && rest.front() == "of" && number_said(rest[1])) rest = part_of(rest, 2);
     EditStep step;
     step.kind = EditStep::Kind::rows;
     step.wish.count = at < words.size() ? rows_at(words, at) : 1;

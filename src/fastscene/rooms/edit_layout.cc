@@ -36,74 +36,6 @@ std::string place_in_words(const EditStep& step) {
 
 namespace {
 
-// Chairs around a table are drawn up to it.
-bool is_drawn_up(const std::vector<Placed>& all, const Placed& piece, const std::string& kind) {
-    constexpr float kReach = 0.45f;  // metres from a table's edge to a chair's front
-    return std::any_of(all.begin(), all.end(), [&](const Placed& p) {
-        constexpr float kTurnedTo = 0.6f;  // cosine: to the side at which it stands, or to the middle
-        const Vec2f at = footprint_of(piece).center, front = flat(front_of(piece.yaw));
-        const Vec2f to = footprint_of(p).center - at;
-        const Vec2f ahead = at + front * (kReach + piece.piece.size_m.z / 2);
-        return &p != &piece && (p.piece.kind == kind || p.wish.kind == kind) &&
-               distance_to(footprint_of(p), at) < kReach + piece.piece.size_m.z / 2 &&
-               (dot(front, to) > kTurnedTo * length(to) || distance_to(footprint_of(p), ahead) < 0.01f);
-    });
-}
-
-}  // namespace
-
-bool is_below(const Footprint& box, const Footprint& window) {
-    constexpr float kAtWall = 0.5f, kShare = 0.5f;  // metres; of what is narrower
-    const auto axes = axes_of(window);
-    const Vec2f to = box.center - window.center;
-    const float off = dot(to, axes[1]) - extent(box, axes[1]), wide = extent(box, axes[0]);
-    const float along = std::min(dot(to, axes[0]) + wide, window.half.x) -
-                        std::max(dot(to, axes[0]) - wide, -window.half.x);
-    return off < kAtWall && along > kShare * 2 * std::min(wide, window.half.x);
-}
-
-bool is_below_its_window(const Plan& plan, const std::vector<Placed>& all, const Placed& piece,
-                         const PromptObject& wish) {
-    if (wish.relation != "under" || noun_of(wish.relation_to).empty() || piece.piece.mount != Mount::floor) return true;
-    const std::vector<Footprint> windows = anchors_of(plan, all, wish.relation_to);
-    const Footprint box = footprint_of(piece);
-    return std::any_of(windows.begin(), windows.end(), [&](const Footprint& window) { return is_below(box, window); });
-}
-
-bool is_where_asked(const Plan& plan, const std::vector<Placed>& all, const Placed& piece, const PromptObject& wish) {
-    if (wish.relation == "around" && has_role(piece.piece.kind, Role::seat) &&
-        !is_drawn_up(all, piece, wish.relation_to))
-        return false;
-    if (!is_beside(all, piece, wish) || is_at_foot(all, wish, piece) || is_before_seat(all, wish, piece)) return false;
-    if (is_off_wall_of_door(plan, wish, piece) || is_before_front(all, wish, piece)) return false;
-    // Between two chairs is not at the side of both.
-    if (wish.relation == "between" && piece.piece.mount == Mount::floor && !piece.flat && !piece.piece.against_wall)
-        if (const float off = off_middle(all, wish, footprint_of(piece).center, &piece);
-            std::isfinite(off) && off > kOffMiddle_m)
-            return false;
-    // A cabinet stands on no counter.
-    constexpr float kLow = 0.7f;  // metres
-    if (piece.on >= 0 && piece.piece.made_mount == Mount::floor && piece.piece.size_m.y > kLow) return false;
-    // A lamp behind a chair stands on no dresser across the room.
-    constexpr float kBy = 0.8f;  // metres from edge to edge
-    if (piece.on >= 0 && is_one_of(wish.relation, {"next to", "behind", "in front of", "left of", "right of"}) &&
-        noun_of(wish.relation_to).empty()) {
-        float least = 1e9f;
-        for (const Footprint& a : anchors_of(plan, all, wish.relation_to))
-            least = std::min(least, distance_to(a, footprint_of(piece).center));
-        if (least > kBy && least < 1e8f) return false;
-    }
-    // Nothing stands "around a table" on top of a bookshelf.
-    constexpr float kHigh = 1.4f;  // metres
-    if (piece.on >= 0 && piece.position.y > kHigh &&
-        is_one_of(wish.relation, {"next to", "around", "in front of", "between"}))
-        return false;
-    if (!is_below_its_window(plan, all, piece, wish)) return false;
-    return stands_as_asked(plan, all, piece, wish).value_or(wish.relation.empty());
-}
-
-namespace {
-
 // Places all over a top are tried.
 bool set_down_on(Layout& layout, int top, const PieceRequest& request, const PromptObject& wish) {
     constexpr float kLevel = 0.01f, kFinest = 0.02f;  // metres
@@ -147,9 +79,7 @@ void fill_gap(Layout& layout, const PromptObject& wish, bool moving, bool full_s
     for (const float scale : {1.f, 0.8f, 0.65f, 0.5f})
         for (int draw = 0; draw < (fixed ? 1 : kDraws); ++draw) {
             if ((fixed || full_size) && scale < 1) return;
-            const Thing* known = find_thing(wish.kind);
-            PieceRequest request = layout.request(
-                known && !known->small_form.empty() && !fixed ? known->small_form : wish.kind, &wish);
+            PieceRequest request = layout.request(fixed ? wish.kind : small_form_of(wish.kind), &wish);
             // On a small top a vase is a small one.
             const auto& classes = piece_classes();
             if (const std::string small = request.kind + "_small";
@@ -214,6 +144,23 @@ Layout Editor::begin_layout(PromptSpec& spec, Random& rng, const std::vector<Pla
     layout.begin_with(standing);
     if (moving) layout.make_as(moving->piece.made_from);
     return layout;
+}
+
+std::optional<PieceRequest> Editor::request_of_one(const EditStep& step, const std::string& stream,
+                                                   const std::vector<int>& like) const {
+    EditStep one = step;
+    one.wish.count = 1;
+    const Standing standing = without({});
+    Asked asked = asked_among(standing, one);
+    Random rng(room_.seed, stream + ":" + step.wish.kind, standing.placed.size());
+    Layout layout = begin_layout(asked.spec, rng, standing.placed, nullptr);
+    const PromptObject& wish = asked.spec.objects[0];
+    // As those that stand there, unless it was said how they look.
+    const bool plain = wish.color.empty() && wish.material.empty() && wish.pattern.empty() && wish.size.empty();
+    for (const int i : like)
+        if (plain && asked_kind(placed(i)) == wish.kind) layout.make_as(placed(i).piece.made_from);
+    if (!layout.why_not(wish.kind).empty()) return {};
+    return layout.request(wish.kind, &wish);
 }
 
 // At one wall, or at the others than the present one, that opposite first; in a corner of them, where it was asked.
@@ -359,7 +306,7 @@ std::vector<Placed> Editor::laid_out(const Standing& standing, const EditStep& s
     if (done && step.position && wish.relation.empty() &&
         length(footprint_of(layout.placed().back()).center - *step.position) > kThereabouts)
         done = false;
-    done = done && bring_nearer(layout, step, before);
+    done = done && bring_nearer(layout, step, before) && !blocks_fronts(plan(), layout.placed(), before);
     constexpr float kSame = 2e-3f;  // metres
     if (done && moving && length(layout.placed().back().piece.size_m - moving->piece.size_m) > kSame) done = false;
     if (!done) {

@@ -40,7 +40,17 @@ void as_those_there(const Editor& editor, const Words& words, PromptObject& wish
     // Chairs where many stand are of theirs, too.
     constexpr std::size_t kMany = 4;
     const bool many = has_role(wish.kind, Role::seat) && found.size() >= kMany;
-    if (kinds.size() == 1 && (more || many)) wish.kind = *kinds.begin();
+    if (kinds.size() != 1 || !(more || many)) return;
+    wish.kind = *kinds.begin();
+    if (!more || !is_table(wish.kind) || !wish.size.empty() || !(wish.size_m == Vec3f{})) return;
+    // As large as those, where they are alike.
+    constexpr float kAlike_m = 0.03f;
+    const auto size_of = [&](int i) {
+        return editor.room().furnished.placed[static_cast<std::size_t>(i)].piece.size_m;
+    };
+    if (std::all_of(found.begin(), found.end(),
+                    [&](int i) { return length(size_of(i) - size_of(found.front())) < kAlike_m; }))
+        wish.size_m = size_of(found.front());
 }
 
 // "Three stools on the other side of the island", where bar stools stand at it: bar stools.

@@ -46,6 +46,8 @@ bool speaks_of_shell(const Words& subject) {
                               word->kind == WordKind::structure);
 }
 
+constexpr float kDarkWood = 0.6f, kLightWood = 1.5f;  // of the usual wood's color
+
 bool is_worktop(const std::string& word) {
     return is_one_of(word, {"worktop", "worktops", "countertop", "countertops"});
 }
@@ -110,6 +112,12 @@ std::vector<std::string> make_one(Talk& talk, const Words& subject, const Value&
     step.brighter = value.brighter;
     if (value.resizes() && speaks_of_shell(subject)) refuse_shell();
     if (!value.resizes()) step.surface = surface_said(subject);
+    // "The floor dark wood": boards, and dark ones.
+    if (!step.surface.empty() && step.wish.color.ends_with(" wood") && step.wish.material.empty()) {
+        if (step.wish.color.starts_with("dark")) step.brighter = kDarkWood;
+        if (step.wish.color.starts_with("light")) step.brighter = kLightWood;
+        step.wish.color.clear(), step.wish.material = "wood";
+    }
     // "The rest of the walls": not those that this sentence painted.
     if (noun_of(subject.back()) == "wall" && has_word(subject, {"rest", "other", "others", "remaining"}) &&
         talk.wall >= 0)
@@ -317,16 +325,23 @@ void make(Talk& talk, const Words& words) {
                 talk.editor, 2, [&](std::size_t k) { make(talk, k == 0 ? part_of(words, 0, with) : top); },
                 [&](std::size_t k) { return text_of(k == 0 ? part_of(words, 0, with) : top); });
         }
-    // "it darker, with candles on the tables"
+    // "it darker, with candles on the tables", "it a romantic evening with candles on the tables"
+    const auto with_things = [&](std::size_t with) {
+        const Words what = part_of(words, with + 1);
+        const std::size_t end = next_place(what);
+        const auto noun = end < what.size() ? look_up(what[end - 1]) : std::nullopt;
+        return begins_anew(what) && (words[with - 1] == "," || (words.front() == "it" && talk.last.empty() && noun &&
+                                                                noun->kind == WordKind::object));
+    };
     for (std::size_t with = 2; with + 2 < words.size(); ++with)
-        if (words[with] == "with" && words[with - 1] == "," && begins_anew(part_of(words, with + 1)))
+        if (words[with] == "with" && with_things(with))
             return do_each(
                 talk.editor, 2,
                 [&](std::size_t k) {
-                    if (k == 0) make(talk, part_of(words, 0, with - 1));
+                    if (k == 0) make(talk, part_of(words, 0, words[with - 1] == "," ? with - 1 : with));
                     else add(talk, part_of(words, with + 1));
                 },
-                [&](std::size_t k) { return text_of(k == 0 ? part_of(words, 0, with - 1) : part_of(words, with)); });
+                [&](std::size_t k) { return text_of(k == 0 ? part_of(words, 0, with) : part_of(words, with)); });
     if (made_with(talk, words)) return;
     // "Cover the tables with white cloths": those come, or there is no such thing.
     if (const std::size_t with = find_word(words, {"with"}, 2);
@@ -335,13 +350,14 @@ void make(Talk& talk, const Words& words) {
     if (made_and_wanted(talk, words)) return;
     // "it darker and more romantic"
     if (const std::vector<Words> parts = parts_of(words);
-        words.front() == "it" && talk.last.empty() && parts.size() > 1 && next_place(words) == words.size())
+        parts.size() > 1 && next_place(words) == words.size() &&
+        ((words.front() == "it" && talk.last.empty()) ||
+         (is_definite(words.front()) && words.size() > 2 && noun_of(words[1]) == "room")))
         return do_each(
             talk.editor, parts.size(),
             [&](std::size_t k) {
-                Words one = parts[k];
-                if (k > 0) one.insert(one.begin(), "it");
-                make(talk, one);
+                const Words subject = words.front() == "it" ? Words{"it"} : part_of(words, 0, 2);
+                make(talk, k > 0 ? joined_words(subject, parts[k]) : parts[k]);
             },
             [&](std::size_t k) { return text_of(parts[k]); });
     // "the room brick walls and a concrete floor"
@@ -351,7 +367,7 @@ void make(Talk& talk, const Words& words) {
     if (const std::string lamps = lamps_said(words); !lamps.empty()) return light(talk, lamps);
     if (shine_said(talk, words)) return;
     if (has_word(words, {"face", "facing"})) return face(talk, words);
-    if (brightness_said(talk, words)) return;
+    if (brightness_said(talk, words) || made_vaguely(talk, words)) return;
     if (like_another(talk, words)) return;
     if (of_the_room(talk, words)) return;
     std::vector<Words> unshown;

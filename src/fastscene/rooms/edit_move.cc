@@ -39,42 +39,6 @@ std::vector<Split> splits_of(const Words& words) {
     return out;
 }
 
-// The second next to the first, or as near as they come from where they stand.
-bool put_together(Talk& talk, const std::vector<std::string>& ids) {
-    constexpr float kTogether = 0.35f;  // metres
-    const auto off = [&] {
-        const Footprint a = footprint_of(talk.editor.placed(ids[0])), b = footprint_of(talk.editor.placed(ids[1]));
-        const Vec2f way = (b.center - a.center) * (1 / std::max(0.01f, length(b.center - a.center)));
-        return length(b.center - a.center) - extent(a, way) - extent(b, way);
-    };
-    if (off() < 0.02f) throw AlreadySo(ids[1] + ": it stands there already");
-    // Straight up to it, where nothing stands between them; else beside it.
-    const Vec3f to = talk.editor.placed(ids[0]).position - talk.editor.placed(ids[1]).position;
-    EditStep step;
-    step.kind = EditStep::Kind::shift;
-    step.ids = {ids[1]};
-    step.by = Vec3f{to.x, 0, to.z} * ((off() - 0.01f) / std::max(0.01f, length(Vec3f{to.x, 0, to.z})));
-    step.exactly = true;
-    try {
-        talk.editor.apply(step);
-        return true;
-    } catch (const Error&) {
-    }
-    step = {};
-    step.kind = EditStep::Kind::place;
-    step.wish.relation = "next to", step.wish.relation_to = talk.editor.placed(ids[0]).piece.kind;
-    step.ids = {ids[1]}, step.at = {ids[0]};
-    talk.editor.together([&] {
-        try {
-            talk.editor.apply(step);
-        } catch (const AlreadySo&) {
-            throw Error("{}: something stands between it and {}", ids[1], ids[0]);
-        }
-        if (off() > kTogether) throw Error("{}: there is no free place for it close to {}", ids[1], ids[0]);
-    });
-    return true;
-}
-
 // "to the left of the bed": as far as there is room, when that is not a place.
 bool shifted(Talk& talk, const std::vector<std::string>& ids, const Words& place) {
     std::vector<EditStep> steps;
@@ -105,6 +69,9 @@ bool shifted(Talk& talk, const std::vector<std::string>& ids, const Words& place
 bool put_at(Talk& talk, const std::vector<std::string>& ids, const Words& said,
             const std::vector<std::string>& spoken) {
     const Words words = talk.with_others(said);
+    // "The desk and its chair": that goes along with it.
+    if (const auto others = without_companions(talk.editor, ids); others.size() < ids.size())
+        return put_at(talk, others, said, spoken);
     // "together in the middle": the first there, the others at it
     if (ids.size() > 1 && words.size() > 1 && words.front() == "together") {
         talk.editor.together([&] {
@@ -161,12 +128,22 @@ bool put_at(Talk& talk, const std::vector<std::string>& ids, const Words& said,
     }
     if (!place && !why_not.empty()) throw Error("{}", why_not);
     if (!place) return false;
+    // "All the toys into the toy box", which is one of them.
+    std::vector<std::string> others_go = ids;
+    const std::vector<std::string> onto = things_at(talk.editor, place->step);
+    if (std::erase_if(others_go, [&](const std::string& id) { return is_among(id, onto); }) > 0 && !others_go.empty())
+        return put_at(talk, others_go, said, spoken);
     // "The cushions on the armchairs": one here, one there.
     if (place->each_at.empty() && ids.size() > 1 && place->step.wish.relation == "on" && words.back().ends_with("s"))
         if (const auto there = things_at(talk.editor, place->step); there.size() > 1)
             for (const std::string& id : there) place->each_at.push_back({id});
     const auto put_all = [&] {
         place->step.kind = EditStep::Kind::place;
+        // Several chairs at a table are spread along its sides.
+        if (place->step.wish.relation == "around" && place->each_at.empty() && ids.size() > 1) {
+            place->step.ids = ids;
+            return talk.editor.apply(place->step);
+        }
         do_each(talk.editor, ids.size(), [&](std::size_t k) {
             place->step.ids = {ids[k]};
             if (!place->each_at.empty()) place->step.at = place->each_at[k % place->each_at.size()];
@@ -197,6 +174,7 @@ bool put_at(Talk& talk, const std::vector<std::string>& ids, const Words& said,
         if (!place) throw;
         put_all();
     }
+    turn_as_said(talk, ids);
     talk.last_place = place->step;
     talk.mention_place(place->step, ids);
     return true;
@@ -247,7 +225,9 @@ void move_one(Talk& talk, const std::vector<Words>& before, const Words& words) 
         std::vector<std::string> ids;
         try {
             for (const Words& part : before) add_new(ids, talk.things(part));
-            add_new(ids, talk.things(split.thing));
+            const auto near = before.empty() ? nearest_of(talk, split.thing, split.place, spoken)
+                                             : std::vector<std::string>{};
+            add_new(ids, near.empty() ? talk.things(split.thing) : near);
         } catch (const UsageError& e) {  // "the lamp" of several; "the lamp on the desk" may be one
             if (wrong.empty()) wrong = e.what();
             const auto one = the_one_for_tops(talk.editor, split);
@@ -333,14 +313,26 @@ Words as_move(const Talk& talk, Words part) {
 // "the armchair and the plant to the window", "the vase to the desk and the lamp to the shelf"
 void move(Talk& talk, const Words& words) {
     std::vector<Words> before, parts;
-    for (const Words& part : parts_of(words)) {
+    for (Words part : parts_of(words)) {
+        // "The desks together, facing each other"
+        if (!parts.empty() && is_one_of(text_of(part), {"facing each other", "back to back", "face to face"}) &&
+            has_word(parts.back(), {"together"})) {
+            parts.back() = joined_words(parts.back(), part);
+            continue;
+        }
+        // "Away from the wall, closer to the window": both of them.
+        const bool more_of_it = !parts.empty() && next_place(parts.back()) < parts.back().size() &&
+                                (relation_at(part, 0) ||
+                                 is_one_of(part.front(), {"closer", "nearer", "further", "away"}));
+        if (more_of_it && part.front() != "facing") part = joined_words({"them"}, part);
         // "the sideboard to the left and the mirror along with it"
         const std::size_t with = find_word(part, {"with"}, 1);
         if (with + 2 != part.size() || !is_one_of(part.back(), {"it", "them"})) parts.push_back(part);
         else before.push_back(part_of(part, 0, is_one_of(part[with - 1], {"along", "together"}) ? with - 1 : with));
     }
-    const auto move_part = [&](const Words& said) {
+    const auto move_part = [&](const auto& again, const Words& said) -> void {
         const Words part = as_move(talk, said);
+        if (before.empty() && join_tables(talk, part, talk.last)) return;
         // "in front of the fireplace, facing it"
         if (part.front() == "facing" && !talk.last.empty()) {
             Words all{"them"};
@@ -349,6 +341,14 @@ void move(Talk& talk, const Words& words) {
         }
         if (next_place(part) == part.size()) {
             before.push_back(part);
+            return;
+        }
+        if (const auto [place, target] = place_and_view(part); !target.empty()) {
+            again(again, place);
+            try {
+                face(talk, joined_words({"them", "facing"}, target));
+            } catch (const AlreadySo&) {
+            }
             return;
         }
         // "The table to its center", of a rug that was spoken of
@@ -373,7 +373,7 @@ void move(Talk& talk, const Words& words) {
         move_one(talk, first, part);
     };
     do_each(
-        talk.editor, parts.size(), [&](std::size_t k) { move_part(parts[k]); },
+        talk.editor, parts.size(), [&](std::size_t k) { move_part(move_part, parts[k]); },
         [&](std::size_t k) { return text_of(parts[k]); });
     // "The desk to the window and the armchair in its place"
     if (const auto left = !before.empty() && talk.its_place && !talk.last.empty() ? left_by(talk, talk.last.front())

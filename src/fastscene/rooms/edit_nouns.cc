@@ -52,6 +52,30 @@ Words with_noun(const Talk& talk, const Words& words) {
     return out;
 }
 
+// Things that people call so with a word before it: "the cushions", where only floor cushions lie.
+std::vector<int> called_in_full(const Editor& editor, const Words& head, PromptObject& said) {
+    static const std::vector<std::string> terms = lexicon_terms();
+    std::vector<int> out;
+    if (head.empty()) return out;
+    const std::string ending = " " + singular(head.back());
+    const auto& things = editor.document().things;
+    const auto is_called = [&](const std::string& kind) {
+        return std::any_of(terms.begin(), terms.end(), [&](const std::string& term) {
+            const auto word = term.ends_with(ending) ? look_up(term) : std::nullopt;
+            return word && word->kind == WordKind::object && word->exact && word->meaning == kind;
+        });
+    };
+    std::string kind;
+    for (std::size_t i = 0; i < things.size(); ++i) {
+        if (!is_called(things[i].kind)) continue;
+        if (!kind.empty() && kind != things[i].kind) return {};  // nobody could tell
+        kind = things[i].kind;
+        out.push_back(static_cast<int>(i));
+    }
+    if (!out.empty()) said.kind = kind, said.words = head.back();
+    return out;
+}
+
 Words by_kind_there(const Editor& editor, const Words& said) {
     if (find_word(said, {"more", "another", "second", "third", "fourth", "fifth", "extra"}) >= next_place(said))
         return said;

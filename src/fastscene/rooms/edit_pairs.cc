@@ -78,4 +78,47 @@ void Editor::tell_uneven_pair(const std::vector<std::string>& ids, const EditSte
     tell(ids[1], "not side by side with " + ids[0] + ": there was no room for a pair before its middle");
 }
 
+// The second next to the first, or as near as they come from where they stand.
+bool put_together(Talk& talk, const std::vector<std::string>& ids) {
+    constexpr float kTogether = 0.35f;  // metres
+    const auto off = [&] { return gap_between_edges(talk.editor.placed(ids[0]), talk.editor.placed(ids[1])); };
+    if (off() < 0.02f) throw AlreadySo(ids[1] + ": it stands there already");
+    // Straight up to it, where nothing stands between them; else beside it.
+    const Vec3f to = talk.editor.placed(ids[0]).position - talk.editor.placed(ids[1]).position;
+    EditStep step;
+    step.kind = EditStep::Kind::shift;
+    step.ids = {ids[1]};
+    step.by = Vec3f{to.x, 0, to.z} * ((off() - 0.01f) / std::max(0.01f, length(Vec3f{to.x, 0, to.z})));
+    step.exactly = true;
+    try {
+        talk.editor.apply(step);
+        return true;
+    } catch (const Error&) {
+    }
+    step = {};
+    step.kind = EditStep::Kind::place;
+    step.wish.relation = "next to", step.wish.relation_to = talk.editor.placed(ids[0]).piece.kind;
+    step.ids = {ids[1]}, step.at = {ids[0]};
+    talk.editor.together([&] {
+        try {
+            talk.editor.apply(step);
+        } catch (const AlreadySo&) {
+            throw Error("{}: something stands between it and {}", ids[1], ids[0]);
+        }
+        if (off() > kTogether) throw Error("{}: there is no free place for it close to {}", ids[1], ids[0]);
+    });
+    return true;
+}
+
+std::vector<std::string> without_companions(const Editor& editor, const std::vector<std::string>& ids) {
+    std::vector<std::string> out;
+    for (const std::string& id : ids) {
+        const Placed& p = editor.placed(id);
+        const bool along = p.with >= 0 && has_role(p.piece.kind, Role::seat) &&
+                           is_among(editor.document().things[static_cast<std::size_t>(p.with)].id, ids);
+        if (!along) out.push_back(id);
+    }
+    return out;
+}
+
 }  // namespace fastscene::editing

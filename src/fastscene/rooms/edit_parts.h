@@ -24,11 +24,13 @@ struct Talk {
     bool there = false;                          // the clause ends with "there"
     bool its_place = false;                      // the clause ends with "in its place"
     bool more_came = false;                      // the clause before it said "more"
+    bool vague = false;                          // it names no thing: what it was taken as is told
     bool more = false;                           // it says "more", "another": beside those that are there
     std::optional<Vec2f> last_gone{};            // where what was removed last stood: "there"
     std::optional<float> last_gone_yaw{};        // … and how that was turned
     std::string last_gone_from{};                // … and what carried it; "clear the table and put a bowl there"
     std::vector<std::string> kept{};             // "leave the rug as it is"
+    std::vector<EditStep> turns{};               // what this sentence turned, and how it is turned: moves keep that
     std::vector<std::string>
         mentioned{};              // all that was named so far, as a thing or as a place: "the other" is none of these
     Words too_far{}, too_near{};  // "it is too far from the sofa": "closer" is closer to that
@@ -88,8 +90,22 @@ void move(Talk& talk, const Words& words);
 // Where it stood before the sentence moved it; nothing: it stands there still.
 std::optional<Vec2f> left_by(const Talk& talk, const std::string& id);
 void stand_at(Talk& talk, const std::vector<std::string>& ids, Vec2f at);
+// ---- edit_together.cc
+// Without seats at tables that are among them: they go along. edit_pairs.cc.
+std::vector<std::string> without_companions(const Editor& editor, const std::vector<std::string>& ids);
+float gap_between_edges(const Placed& a, const Placed& b);
+bool put_together(Talk& talk, const std::vector<std::string>& ids);  // edit_pairs.cc
+std::vector<std::string> nearest_of(Talk& talk, const Words& thing, const Words& where,
+                                    const std::vector<std::string>& spoken);
+bool join_tables(Talk& talk, const Words& said, const std::vector<std::string>& spoken);
+// ---- edit_vague.cc
+// Something small on the floor, that stands nowhere in particular.
+bool lies_about(const Editor& editor, const std::string& id);
+// "It cozier", "the room less cluttered": what that is taken as is told; false: no such words.
+bool made_vaguely(Talk& talk, const Words& words);
 // ---- edit_turn.cc
 void turn(Talk& talk, const Words& words);
+void turn_as_said(Talk& talk, const std::vector<std::string>& ids);
 void face(Talk& talk, const Words& words);  // "the sofa towards the tv", "the chair at the desk"
 // ---- edit_arrange.cc
 // "the chairs in a circle", "the pictures out evenly"; false: no such words.

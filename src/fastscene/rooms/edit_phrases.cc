@@ -13,10 +13,13 @@ struct Phrase {
     std::string_view said, means;
 };
 // Longer ones before those that they begin with.
-constexpr std::array<Phrase, 122> kPhrases{{
+constexpr std::array<Phrase, 125> kPhrases{{
     {"with the fire burning", ", light the fire"},
     {"with the fire lit", ", light the fire"},
     {"with the fire on", ", light the fire"},
+    {"on its edge", "on it"},
+    {"on its rim", "on it"},
+    {"on top of it", "on it"},
     {"the existing ones", "the others"},
     {"the ones there", "the others"},
     {"a darker shade", "darker"},

@@ -12,6 +12,7 @@
 namespace fastscene::editing {
 
 void Editor::place(const EditStep& step) {
+    if (seat_those(step)) return;
     do_each(*this, step.ids.size(), [&](std::size_t k) { place_with_seats(index_of(step.ids[k]), step); });
 }
 

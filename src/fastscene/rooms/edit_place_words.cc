@@ -140,4 +140,15 @@ std::size_t next_place(const Words& words, std::size_t from) {
     return words.size();
 }
 
+std::pair<Words, Words> place_and_view(const Words& part) {
+    const std::size_t so = find_word(part, {"so"}, 2);
+    const std::size_t sees = find_word(part, {"faces", "face", "looks", "look", "sees", "see", "facing"}, so);
+    if (sees >= part.size() || next_place(part) >= so) return {};
+    Words target = part_of(part, sees + 1);
+    while (!target.empty() && is_one_of(target.front(), {"at", "to", "towards", "toward", "into", "through"}))
+        target.erase(target.begin());
+    if (target.empty() || is_one_of(target.front(), {"out", "outside"})) target = {"the", "window"};
+    return {part_of(part, 0, so), target};
+}
+
 }  // namespace fastscene::editing

@@ -62,7 +62,8 @@ class Reader {
             if (!relation_at(part_of(words_, i, i + 1), 0)) break;
             const auto part = room_part(words_, i + 1);
             const bool sides = relation && relation->name == "on both sides of";  // "to either side of the door"
-            if (!part || ((i > at || sides) && relation && relation->next > i + 1)) continue;
+            const bool before = relation && relation->name == "in front of";
+            if (!part || ((i > at || sides || before) && relation && relation->next > i + 1)) continue;
             const auto short_one = relation_at(part_of(words_, at, i + 1), 0);
             if (short_one && short_one->next == i + 1 - at && short_one->name != "between")
                 if (auto place = at_part(short_one->name, *part)) return place;
@@ -158,6 +159,10 @@ class Reader {
             return place("on", "window");
         const bool at_it = is_one_of(relation, {"to", "at", "in", "on", "from", "against", "along"});
         Place out = place(at_it ? "next to" : relation, kind);
+        // Furniture that is moved against a window stands below it, with nothing between.
+        if (relation == "against" && kind == "window" && moving_ && !editor_.placed(mover_).flat &&
+            editor_.placed(mover_).piece.mount == Mount::floor)
+            out.step.wish.relation = "under";
         out.step.position = which_opening(editor_, part, kind);
         if (kind == "window" && is_one_of(relation, {"to", "at"}) && moving_ && !out.step.position)
             out.step.position = before_opening(editor_, kind, mover_);
@@ -171,6 +176,10 @@ class Reader {
         out.step.each = !moving_ && part.says({"each", "every", "all"});
         std::optional<Vec2f> near;
         if (const auto direction = direction_said(editor_, part)) near = flat(*direction) * 100.f;
+        if (moving_ && part.says({"opposite"})) {
+            near = footprint_of(editor_.placed(mover_)).center * -100.f;
+            out.step.elsewhere = false;
+        }
         // "The far corner" is the freer of two.
         if (near && rest.empty() && part.says({"left", "right"}) != part.says({"far", "back", "near", "front"}))
             near = freer_corner(editor_, *near, mover_);
@@ -261,11 +270,11 @@ class Reader {
         }
         // "on the other side of the bed" was read as opposite.
         const bool each = is_one_of(there.front(), {"each", "both", "every", "all"});
-        // "On the other desk", where none was named before.
+        // "On the other desk", where none was named before: that which has no such thing yet.
         if (const std::size_t other = find_word(there, {"other"}); !moving_ && other == 1 && there.front() == "the" &&
                                                                    there.size() > 2 && !there.back().ends_with("s") &&
                                                                    next_place(there) == there.size())
-            throw UsageError("which other {}? none was named before", text_of(there, 2));
+            there = {lacking_one(editor_, part_of(there, 2), kind_)};
         // "Candles to the tables": one for each of them.
         const std::size_t noun = std::min(next_place(there), find_word(there, {"that", "with", "without"}, 1)) - 1;
         const bool plural = !moving_ && there.front() == "the" &&
@@ -275,7 +284,8 @@ class Reader {
         const Anchor anchor = anchor_of(editor_, all, looked);
         Place out = place(name, anchor.kind);
         out.step.at = anchor.ids;
-        if (moving_ && std::find(there.begin(), there.end(), "other") != there.end()) out.step.at = others(anchor);
+        if (moving_ && std::find(there.begin(), there.end(), "other") != there.end())
+            out.step.at = all_but_nearest(editor_, anchor.kind, mover_);
         const std::vector<int> found = of_one_kind(editor_, all, looked);
         const Placed& first = editor_.room().furnished.placed[static_cast<std::size_t>(found.front())];
         if (looked.empty()) out.step.wish.relation = suited(name, kind_, first);
@@ -339,19 +349,6 @@ class Reader {
         else if (part.says({"end"}) && (seats || on_top)) place.step.wish.relation = kAtTheEnds;
         else if (both) place.step.wish.relation = "on both sides of";
         if (both) place.count = 2;
-    }
-
-    // "The other desk": not that at which it stands.
-    std::vector<std::string> others(const Anchor& anchor) const {
-        const Vec2f here = footprint_of(editor_.placed(mover_)).center;
-        std::vector<std::string> out;
-        for (const DocumentThing& t : editor_.document().things)
-            if (t.kind == anchor.kind || kind_of(t) == anchor.kind) out.push_back(t.id);
-        const auto far = [&](const std::string& id) { return distance_to(footprint_of(editor_.placed(id)), here); };
-        if (out.size() > 1)
-            out.erase(std::min_element(out.begin(), out.end(),
-                                       [&](const std::string& a, const std::string& b) { return far(a) < far(b); }));
-        return out;
     }
 
     std::optional<Place> between(const Words& words) {

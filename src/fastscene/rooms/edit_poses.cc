@@ -235,16 +235,18 @@ void Editor::shift_one(int i, const EditStep& step) {
     if (placed(i).piece.mount == Mount::ceiling && step.by.y > 0)
         throw Error("{}: it hangs from the ceiling, and no higher than it does", thing(i).id);
     std::string fault;
-    const std::vector<int> seats = seats_at(i);
+    const std::vector<int> seats = seats_at(i), before_it = goes_before(i);
+    std::vector<std::vector<int>> groups{seats};
+    if (!seats.empty()) groups.emplace_back();
+    if (!before_it.empty()) groups.push_back(before_it);
     for (const Vec3f way : ways_of(step))
-        for (const std::vector<int>& along : {seats, std::vector<int>{}}) {
+        for (const std::vector<int>& along : groups) {
             const Pose to{placed(i).position + along_its_wall(placed(i), way), placed(i).yaw};
             fault = new_fault(with_pose(i, to, along));
             if (fault.empty()) {
                 checked([&] { set_pose(i, to, along); });
                 return along.empty() ? bring_seats(i, seats) : void();
             }
-            if (seats.empty()) break;
         }
     // What stands at a wall goes along it, where the way that was said leads into the wall: as whoever looks at it sees
     // left and right, where that is straight into the wall or off it.
@@ -351,7 +353,10 @@ void Editor::face_one(int i, const EditStep& step) {
         const Vec2f ahead_now = (*target - flat(p.position)) * sign;
         const float wrong_by = std::abs(std::remainder(std::atan2(ahead_now.x, ahead_now.y) - p.yaw, 2 * kPi));
         const bool sat_at = sign < 0 && !seats.empty();
-        for (const auto& [off, aside] : turns(sat_at)) {
+        const std::vector<int> before_it = goes_before(i);
+        std::vector<std::vector<int>> groups{seats, {}};
+        if (!before_it.empty()) groups.push_back(before_it);
+        for (const auto& [off, aside] : turns(sat_at || !before_it.empty())) {
             if (std::abs(aside) > wrong_by / 2) continue;  // it would hardly turn
             const int ways = off > 0 ? kDirections : 1;
             for (int way = 0; way < ways && !done; ++way) {
@@ -368,7 +373,7 @@ void Editor::face_one(int i, const EditStep& step) {
                 }
                 Placed turned = p;
                 turned.position = to, turned.yaw = yaw;
-                for (const std::vector<int>& along : {seats, std::vector<int>{}}) {
+                for (const std::vector<int>& along : groups) {
                     if (sat_at && along.empty()) continue;  // nobody could sit at it
                     if (off > 0 && !stands_clear(i, footprint_of(turned), along)) continue;
                     const std::string wrong = new_fault(with_pose(i, {to, yaw}, along));

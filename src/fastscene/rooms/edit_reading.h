@@ -107,6 +107,7 @@ void take_back(Talk& talk, const Clause& clause);
 std::string singular(const std::string& word);  // "chair" of "chairs"; edit_nouns.cc
 // The words as a prompt about such a room.
 PromptSpec read_in_room(const Editor& editor, const std::string& words);
+std::vector<int> called_in_full(const Editor& editor, const Words& head, PromptObject& said);  // edit_nouns.cc
 // All that they may mean; none if nothing is like it.
 std::vector<int> all_named(const Editor& editor, const std::string& words);
 bool says_several(const Words& words, const PromptObject& said);  // "all chairs", "both"
@@ -217,6 +218,8 @@ struct Part {
 };
 std::optional<Part> room_part(const Words& words, std::size_t at);
 std::string noun_of(const std::string& word);  // "corner", "wall", "window" …; empty: no part of a room
+// "In front of the window so that I look outside": the place, and what is faced there; no target: no such words.
+std::pair<Words, Words> place_and_view(const Words& part);
 // Where a place's words begin, from the second word on; the number of words: nowhere.
 std::size_t next_place(const Words& words, std::size_t from = 1);
 
@@ -238,6 +241,12 @@ std::string suited(const std::string& relation, const std::string& kind, const P
 // Of the things that the words of a place may mean, those of one kind: what suits the relation, else the largest.
 std::vector<int> of_one_kind(const Editor& editor, std::vector<int> found, const std::string& relation);
 Anchor anchor_of(const Editor& editor, std::vector<int> found, const std::string& relation);
+
+// "The other desk": not that at which the mover stands.
+std::vector<std::string> all_but_nearest(const Editor& editor, const std::string& kind, const std::string& mover);
+// Of things so called the only one that has none of a kind, on it or at it: its id. Throws UsageError where it is not
+// one.
+std::string lacking_one(const Editor& editor, const Words& noun, const std::string& kind);
 
 // ---- edit_room_parts.cc: parts of the room as the camera sees them
 
@@ -307,7 +316,7 @@ std::string shape_said(const Words& words);
 // "green", "light blue and white": nothing unless all are looks.
 std::optional<PromptObject> looks_of(const std::string& words);
 
-// ---- edit_layout.cc
+// ---- edit_where.cc
 // Whether a thing is where its wish says, as people mean it.
 bool is_where_asked(const Plan& plan, const std::vector<Placed>& all, const Placed& piece, const PromptObject& wish);
 // At the wall below a window, and not beside that or a step before it: half of what is narrower is before the other.
@@ -315,6 +324,11 @@ bool is_below(const Footprint& box, const Footprint& window);
 // What is wished for under a window stands below one; true for any other wish.
 bool is_below_its_window(const Plan& plan, const std::vector<Placed>& all, const Placed& piece,
                          const PromptObject& wish);
+// Beyond the short side of what the wish is at.
+bool is_at_an_end(const std::vector<Placed>& all, const PromptObject& wish, Vec2f at);
+// What is wished for in front of an opening stands before it, and not a step beside it; true for any other wish.
+bool is_before_its_opening(const Plan& plan, const std::vector<Placed>& all, const Placed& piece,
+                           const PromptObject& wish);
 // ---- edit_search.cc
 // The wall that is at a thing's back; -1: none.
 int wall_behind(const Plan& plan, const Placed& p);

@@ -123,6 +123,17 @@ void replace(Talk& talk, const Words& old, const Words& by) {
         parts[0].back() = in_words(asked_kind(talk.editor.placed(step.ids.front())));
     }
     if (parts.empty()) throw UsageError("expected what comes in place of \"{}\"", text_of(old));
+    // "A desk with a chair": that comes to it.
+    if (const std::size_t with = find_word(parts.front(), {"with"}, 2); with + 2 < parts.front().size() &&
+                                                                        begins_anew(part_of(parts.front(), with + 1)) &&
+                                                                        !is_a_part(parts.front().back())) {
+        const Words extra = part_of(parts.front(), with + 1);
+        const auto noun = look_up(extra.back());
+        if (noun && noun->kind == WordKind::object) {
+            parts.front().resize(with);
+            parts.insert(parts.begin() + 1, extra);
+        }
+    }
     // "The vending machine with a coffee machine on a small table": first the table.
     if (const Words& first = parts.front(); next_place(first) + 2 < first.size() && begins_anew(first)) {
         const std::size_t place = next_place(first);

@@ -109,6 +109,23 @@ void Editor::keep_seats(int index, const Placed& before) {
     }
 }
 
+namespace {
+
+// As far off the walls as a rug is to lie, or where it was.
+Vec3f off_walls(const Plan& plan, const Placed& rug) {
+    constexpr float kOffWall_m = 0.03f, kMost_m = 0.8f;
+    const Footprint box = footprint_of(rug);
+    const auto within = [](float at, float half, float reach) {
+        return half > reach ? std::clamp(at, reach - half, half - reach) : at;
+    };
+    Vec3f to = rug.position;
+    to.x = within(to.x, plan.width / 2, extent(box, {1, 0}) + kOffWall_m);
+    to.z = within(to.z, plan.depth / 2, extent(box, {0, 1}) + kOffWall_m);
+    return length(to - rug.position) < kMost_m ? to : rug.position;
+}
+
+}  // namespace
+
 // Where it stands, else shifted a little. What is wrong with it in that size; empty: done.
 std::string Editor::resize_to(int index, Vec3f factor) {
     const Placed before = placed(index);
@@ -127,13 +144,18 @@ std::string Editor::resize_to(int index, Vec3f factor) {
     for (const float aside : {0.f, 0.1f, -0.1f, 0.2f, -0.2f, 0.35f, -0.35f, 0.5f, -0.5f})
         for (const float ahead : {0.f, 0.1f, -0.1f, 0.2f, -0.2f, 0.3f, -0.3f}) {
             const bool here = aside == 0 && ahead == 0;
-            if (!here && before.flat) return fault;
             if (ahead != 0 && before.piece.mount != Mount::floor) continue;
             constexpr float kOffWall_m = 0.1f;
             if (before.piece.against_wall && (ahead < 0 || ahead > kOffWall_m)) continue;
-            const Vec3f at = after_resize(before, made) + right_of(before.yaw) * aside + front_of(before.yaw) * ahead;
+            Vec3f at = after_resize(before, made) + right_of(before.yaw) * aside + front_of(before.yaw) * ahead;
             Placed larger = before;
             larger.position = at, larger.piece.size_m = made;
+            if (before.flat) larger.position = at = off_walls(plan(), larger);
+            constexpr float kTouch_m = 0.01f;
+            if (before.flat && !plan().holds(shrunk(footprint_of(larger), kTouch_m))) {
+                fault = "it reaches into a wall";
+                continue;
+            }
             if (!here && before.piece.mount == Mount::floor &&
                 !stands_clear(index, footprint_of(larger), seats_at(index)))
                 continue;

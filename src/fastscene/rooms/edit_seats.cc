@@ -14,6 +14,7 @@ namespace fastscene::editing {
 namespace {
 
 constexpr float kTableTop_m = 0.6f;  // nobody sits at what is lower
+constexpr float kBarTop_m = 0.85f;   // a counter, at which one sits on the side of the guests
 constexpr float kDrawnUp_m = 0.02f;  // from a table's edge to a chair's front
 
 // Chairs and stools: what is drawn up to tables.
@@ -71,6 +72,12 @@ int most_along(float edge, float wide) {
     return static_cast<int>(edge / (wide * kElbows) + 1e-3f);
 }
 
+// One sits on the side of the guests, and at the ends.
+bool is_counter(const Placed& table) {
+    constexpr float kLong = 1.5f;  // times as long as it is deep
+    return !has_role(table.piece.kind, Role::laid) && table.piece.size_m.x > kLong * table.piece.size_m.z;
+}
+
 // How many go to each side, the best shares first: none moves where an end is free, and the long sides are alike.
 using Shares = std::array<int, 4>;
 std::vector<Shares> shares_of(const Placed& table, const Shares& now, int total, float wide) {
@@ -80,11 +87,9 @@ std::vector<Shares> shares_of(const Placed& table, const Shares& now, int total,
         const bool end = sides[s].half < sides[(s + 2) % 4].half;
         most[s] = std::max(now[s], std::min(most_along(2 * sides[s].half, wide), end ? 1 : 99));
     }
-    // At a bar one sits on one side, and at its ends.
     const int there = std::accumulate(now.begin(), now.end(), 0);
-    constexpr float kLong = 1.5f;  // times as long as it is deep
-    const bool bar = there > 1 && !has_role(table.piece.kind, Role::laid) && sides[0].half > kLong * sides[2].half &&
-                     (now[0] == 0) != (now[1] == 0);
+    const bool counter = is_counter(table) && there == 0 && table.piece.size_m.y > kBarTop_m;
+    const bool bar = is_counter(table) && there > 1 && (now[0] == 0) != (now[1] == 0);
     if (bar) most[now[0] == 0 ? 0 : 1] = 0;
     std::vector<std::pair<float, Shares>> all;
     Shares n{};
@@ -94,7 +99,9 @@ std::vector<Shares> shares_of(const Placed& table, const Shares& now, int total,
                 for (n[3] = now[3]; n[3] <= most[3]; ++n[3]) {
                     if (std::accumulate(n.begin(), n.end(), 0) != total) continue;
                     constexpr float kRoomy_m = 0.6f;  // of edge for each
-                    float cost = 0.3f * static_cast<float>(std::abs(n[0] - n[1]) + std::abs(n[2] - n[3]));
+                    constexpr float kBehind = 10;     // behind a counter somebody works
+                    float cost = counter ? kBehind * static_cast<float>(n[1]) + static_cast<float>(n[2] + n[3])
+                                         : 0.3f * static_cast<float>(std::abs(n[0] - n[1]) + std::abs(n[2] - n[3]));
                     for (std::size_t s = 0; s < 4; ++s) {
                         const bool end = sides[s].half < sides[(s + 2) % 4].half;
                         const float each = 2 * sides[s].half / static_cast<float>(std::max(1, n[s]));
@@ -164,88 +171,37 @@ bool Editor::seat_more(const EditStep& step) {
                 there > 0 ? fmt::format(", where {} {} already", there, there > 1 ? "stand" : "stands") : "");
 }
 
-namespace {
-
-// Where a seat stands, and how it is turned.
-struct Seat {
-    Vec3f at;
-    float yaw = 0;
-};
-Seat seat_of(Vec3f middle, Vec3f out, float off) { return {middle + out * off, yaw_of(out * -1.f)}; }
-
-// Each of those that stand goes to the nearest place; the places that are left.
-std::vector<std::size_t> left_over(const std::vector<Vec3f>& from, const std::vector<Seat>& to,
-                                   std::vector<std::size_t>& taken) {
-    std::vector<bool> used(to.size());
-    taken.assign(from.size(), 0);
-    std::vector<bool> done(from.size());
-    for (std::size_t n = 0; n < from.size(); ++n) {
-        float least = 1e9f;
-        std::size_t seat = 0, place = 0;
-        for (std::size_t i = 0; i < from.size(); ++i)
-            for (std::size_t k = 0; k < to.size() && !done[i]; ++k)
-                if (const float far = length(from[i] - to[k].at); !used[k] && far < least)
-                    least = far, seat = i, place = k;
-        taken[seat] = place, used[place] = done[seat] = true;
+bool Editor::seat_those(const EditStep& step) {
+    std::vector<int> comers;
+    EditStep one = step;
+    for (const std::string& id : step.ids) {
+        const int i = index_of(id);
+        if (!sits_at_tables(placed(i).piece.kind) || placed(i).piece.mount != Mount::floor) return false;
+        comers.push_back(i);
+        one.wish.kind = asked_kind(placed(i)), one.wish.words = in_words(one.wish.kind);
     }
-    std::vector<std::size_t> out;
-    for (std::size_t k = 0; k < to.size(); ++k)
-        if (!used[k]) out.push_back(k);
-    return out;
+    const std::vector<int> tables = step.wish.relation == "around" ? tables_meant(one) : std::vector<int>{};
+    if (tables.size() != 1 || comers.size() < 2) return false;
+    std::erase_if(comers, [&](int i) { return is_one_of_those(i, drawn_up_to(tables.front())); });
+    if (comers.empty()) throw AlreadySo(step.ids.front() + ": it stands there already");
+    return seat_at(tables.front(), one, static_cast<int>(comers.size()), comers);
 }
-
-// Evenly around a round table; none: they would stand in each other.
-std::vector<Seat> seats_around(const Placed& table, Vec3f middle, int count, Vec3f size, float first, float least) {
-    const float radius = table.piece.size_m.x / 2;
-    std::vector<Seat> out;
-    for (const float gap : {least, std::max(least, 0.08f), std::max(least, 0.15f)}) {
-        const auto n = static_cast<float>(count);
-        if (count > 2 && 2 * (radius + gap) * std::tan(kPi / n) < size.x) continue;
-        for (int k = 0; k < count; ++k) {
-            const float angle = first + 2 * kPi * static_cast<float>(k) / n;
-            out.push_back(seat_of(middle, {std::sin(angle), 0, std::cos(angle)}, radius + gap + size.z / 2));
-        }
-        break;
-    }
-    return out;
-}
-
-// So many of these angles, which ascend, as far apart as may be; how far.
-std::pair<std::vector<float>, float> spread(const std::vector<float>& free, int count) {
-    constexpr float kStep = kPi / 36;
-    if (count < 2) return {free.empty() ? free : std::vector<float>{free.front()}, 2 * kPi};
-    for (float apart = 2 * kPi / static_cast<float>(count); apart > kStep; apart -= kStep)
-        for (std::size_t first = 0; first < free.size(); ++first) {
-            std::vector<float> out{free[first]};
-            for (std::size_t k = first + 1; k < free.size() && static_cast<int>(out.size()) < count; ++k)
-                if (free[k] - out.back() > apart - 1e-3f && free[first] + 2 * kPi - free[k] > apart - 1e-3f)
-                    out.push_back(free[k]);
-            if (static_cast<int>(out.size()) == count) return {out, apart};
-        }
-    return {{}, 0};
-}
-
-}  // namespace
 
 // All of them at this table; false: it has no room for them, and nothing changed.
-bool Editor::seat_at(int table, const EditStep& step, int count) {
+bool Editor::seat_at(int table, const EditStep& step, int count, const std::vector<int>& comers) {
     const Placed t = placed(table);
-    const std::vector<int> there = drawn_up_to(table);
+    std::vector<int> there = drawn_up_to(table);
+    std::erase_if(there, [&](int i) { return is_one_of_those(i, comers); });
     const int total = count + static_cast<int>(there.size());
-    // As those that stand there, unless it was said how they look.
-    EditStep one = step;
-    one.wish.count = 1;
     const Standing standing = without({});
-    Asked asked = asked_among(standing, one);
-    Random rng(room_.seed, "seat:" + step.wish.kind, standing.placed.size());
-    Layout layout = begin_layout(asked.spec, rng, standing.placed, nullptr);
-    const PromptObject& wish = asked.spec.objects[0];
-    const bool plain = wish.color.empty() && wish.material.empty() && wish.pattern.empty() && wish.size.empty();
-    for (const int i : there)
-        if (plain && asked_kind(placed(i)) == wish.kind) layout.make_as(placed(i).piece.made_from);
-    if (!layout.why_not(wish.kind).empty()) return false;
     Placed fresh;
-    fresh.piece = make_piece(layout.request(wish.kind, &wish));
+    if (!comers.empty()) {
+        fresh.piece = placed(comers.front()).piece;
+    } else {
+        const auto request = request_of_one(step, "seat", there);
+        if (!request) return false;
+        fresh.piece = make_piece(*request);
+    }
     fresh.wish = step.wish, fresh.wish.count = 1, fresh.with = table;
     const Vec3f size = fresh.piece.size_m;
     std::vector<Vec3f> from;
@@ -255,6 +211,7 @@ bool Editor::seat_at(int table, const EditStep& step, int count) {
     int tries = 0;
     std::vector<int> together = there;
     together.push_back(table);
+    together.insert(together.end(), comers.begin(), comers.end());
     const bool round = is_round(t);
     float gap = kDrawnUp_m;
     for (const int i : there)
@@ -277,14 +234,19 @@ bool Editor::seat_at(int table, const EditStep& step, int count) {
         const std::vector<std::size_t> left = left_over(from, seats, taken);
         std::vector<Placed> all = standing.placed;
         if (!std::all_of(seats.begin(), seats.end(), is_free)) return false;
-        for (const std::size_t k : left) {
+        for (const std::size_t k : comers.empty() ? left : std::vector<std::size_t>{}) {
             fresh.position = {seats[k].at.x, 0, seats[k].at.z}, fresh.yaw = seats[k].yaw;
             all.push_back(fresh);
         }
         ++tries;
         const auto change = [&] {
             if (length(by) > 0.01f) set_pose(table, {t.position + by, t.yaw}, {});
-            const std::vector<std::string> ids = admit(all, standing, {" at " + t.id});
+            std::vector<std::string> ids = admit(all, standing, {" at " + t.id});
+            for (std::size_t n = 0; n < comers.size(); ++n) {
+                set_pose(comers[n], {seats[left[n]].at, seats[left[n]].yaw}, {});
+                thing(comers[n]).with = t.id, thing(comers[n]).mount.reset();
+                ids.push_back(thing(comers[n]).id);
+            }
             for (std::size_t n = 0; n < there.size(); ++n) {
                 const Seat& seat = seats[taken[n]];
                 DocumentThing& moved = thing(there[n]);
@@ -353,8 +315,13 @@ bool Editor::seat_at(int table, const EditStep& step, int count) {
             Placed moved = t;
             moved.position += by;
             if (length(by) > 0.01f && !stands_clear(table, footprint_of(moved), {})) continue;
-            for (std::size_t n = 0; n < 2 * shares.size(); ++n)
-                if (stand(seats_for(shares[n / 2], n % 2 == 0 ? kDrawnUp_m : kFarther_m, by), by)) return true;
+            for (std::size_t n = 0; n < 2 * shares.size(); ++n) {
+                const Shares& share = shares[n / 2];
+                if (!stand(seats_for(share, n % 2 == 0 ? kDrawnUp_m : kFarther_m, by), by)) continue;
+                if (there.empty() && is_counter(t) && t.piece.size_m.y > kBarTop_m && share[0] > 0 && share[1] > 0)
+                    note(t.id, "seats on both sides of it: there was no room for all of them on one");
+                return true;
+            }
         }
         return false;
     }

@@ -70,10 +70,11 @@ bool says_value(const Words& words) {
 
 namespace {
 
-// "take the vase off the table and put it on the cabinet": nothing goes; false: no such words.
+// "take the vase off the table and put it on the cabinet", "tidy up the toys and put …": nothing goes; false: not so.
 bool picked_up(Talk& talk, const Clause& clause, const Clause& next) {
-    if (clause.said != "take" || (next.verb != Verb::put && next.verb != Verb::move) || next.words.empty() ||
-        !is_one_of(next.words.front(), {"it", "them"}))
+    const bool tidied = clause.verb == Verb::tidy && !clause.words.empty() && is_definite(clause.words.front());
+    if ((clause.said != "take" && !tidied) || (next.verb != Verb::put && next.verb != Verb::move) ||
+        next.words.empty() || !is_one_of(next.words.front(), {"it", "them"}))
         return false;
     Words words = clause.words;
     for (std::size_t i = 1; i < words.size(); ++i)

@@ -110,6 +110,10 @@ std::vector<std::string> Talk::meant(const Words& said_words) {
             if (ids.size() == 1 || (!ids.empty() && words.back().ends_with("s"))) return last = ids;
         }
     last = named(editor, text_of(words));
+    if (const Words all = joined_words({"all"}, part_of(words, words.size() > 1 && words[1] == "of" ? 2 : 1));
+        words.front() == "half" && all.size() > 1)
+        if (const std::size_t count = all_named(editor, text_of(all)).size(); count % 2 != 0)
+            editor.note("room", fmt::format("half of {} is taken as {}", count, last.size()));
     noun = in_words(asked_kind(editor.placed(last.front())));
     return last;
 }

@@ -157,6 +157,9 @@ std::optional<Squeezed> Editor::squeezed_in(const Standing& standing, const Edit
     const int own = moving ? wall_behind(plan(), *moving) : -1;
     if (step.opposite && own >= 0) there.wall = (own + 2) % 4;
     std::vector<Candidate> places = candidates_for(layout, there, p.piece, how.further);
+    // Beside a table no seat is at its end.
+    if (wish.relation == kAtTheEnds && has_role(wish.kind, Role::seat))
+        std::erase_if(places, [&](const Candidate& c) { return !is_at_an_end(all, wish, c.at); });
     if (step.elsewhere && moving)
         std::erase_if(places, [&](const Candidate& c) {
             p.position = {c.at.x, 0, c.at.y}, p.yaw = c.yaw;
@@ -225,7 +228,8 @@ std::optional<Squeezed> Editor::squeezed_on_wall(Layout& layout, const EditStep&
     const bool screen = std::any_of(p.piece.materials.begin(), p.piece.materials.end(),
                                     [](const Material& m) { return m.pattern == Pattern::screen; });
     constexpr float kSeated = 0.95f;  // metres: a screen before seats
-    if (p.piece.mount == Mount::surface && screen && wish.relation_to == "wall")
+    const bool at_wall = wish.relation_to == "wall" || (wish.relation == "above" && noun_of(wish.relation_to).empty());
+    if (p.piece.mount == Mount::surface && screen && at_wall)
         mount_as(p.piece, Mount::wall), p.piece.hang_height_m = kSeated;
     if (p.piece.mount != Mount::wall) return {};
     const std::vector<Placed>& all = layout.placed();

@@ -234,4 +234,26 @@ void Editor::swap_two(int a, int b, const std::vector<int>& with_a, const std::v
     throw Error("{}", fault);
 }
 
+bool Editor::replaced_nearby(const EditStep& step) {
+    const Placed old = placed(step.ids.front());
+    if (step.ids.size() != 1 || old.piece.mount != Mount::floor || old.on >= 0 || old.flat) return false;
+    constexpr float kNearby_m = 0.9f;
+    try {
+        together([&] {
+            take(step.ids);
+            EditStep there = step;
+            there.kind = EditStep::Kind::add;
+            there.ids.clear(), there.position = flat(old.position), there.wish.count = 1;
+            add(there);
+            const Placed& fresh = room_.furnished.placed.back();
+            if (length(footprint_of(fresh).center - footprint_of(old).center) > kNearby_m)
+                throw Error("{}: too far from there", fresh.id);
+            tell(fresh.id, "added in place of " + old.id);
+        });
+    } catch (const Error&) {
+        return false;
+    }
+    return true;
+}
+
 }  // namespace fastscene::editing

@@ -178,9 +178,7 @@ std::optional<Squeezed> Editor::squeezed_on_top(Layout& layout, const Placed* mo
     const std::set<std::string> before = fault_texts(layout.placed());
     for (const float scale : {1.f, 0.8f, 0.65f}) {
         if ((fixed || full_size_) && scale < 1) break;
-        const Thing* known = find_thing(wish.kind);
-        PieceRequest request = layout.request(
-            known && !known->small_form.empty() && !moving ? known->small_form : wish.kind, &wish);
+        PieceRequest request = layout.request(moving ? wish.kind : small_form_of(wish.kind), &wish);
         request.size_factor *= scale;
         Placed p;
         p.piece = make_piece(request);
@@ -308,10 +306,8 @@ bool Editor::lay_before_seats(const EditStep& step) {
         EditStep one = step;
         one.wish.count = 1;
         const Standing standing = without({});
-        Asked asked = asked_among(standing, one);
-        Random rng(room_.seed, "laid:" + step.wish.kind, standing.placed.size());
-        Layout layout = begin_layout(asked.spec, rng, standing.placed, nullptr);
-        if (!layout.why_not(step.wish.kind).empty()) return false;
+        const auto usual = request_of_one(one, "laid", {});
+        if (!usual) return false;
         const Placed& s = placed(seat);
         const Placed& top = placed(table);
         Placed fresh;
@@ -319,7 +315,7 @@ bool Editor::lay_before_seats(const EditStep& step) {
         std::optional<Squeezed> found;
         for (const float scale : {1.f, 0.8f, 0.65f}) {
             if (found) break;
-            PieceRequest request = layout.request(step.wish.kind, &asked.spec.objects[0]);
+            PieceRequest request = *usual;
             request.size_factor *= scale;
             fresh.piece = make_piece(request);
             constexpr float kInside_m = 0.02f, kAside_m = 0.1f;  // of the table's edge; off the middle of the seat

@@ -45,6 +45,11 @@ std::optional<float> angle_said(const Words& words, std::size_t& end) {
     return *degrees * sign * kDegree;
 }
 
+void remember_turn(Talk& talk, const EditStep& step) {
+    std::erase_if(talk.turns, [&](const EditStep& earlier) { return earlier.ids == step.ids; });
+    talk.turns.push_back(step);
+}
+
 }  // namespace
 
 // "the armchair around", "the sofa towards the tv", "the walls green", "the armchair into a sofa"
@@ -94,6 +99,28 @@ void turn(Talk& talk, const Words& words) {
     step.yaw = angle.value_or(kPi / 2);
     step.ids = talk.things_of_parts(part_of(words, 0, end));
     talk.editor.apply(step);
+    for (const std::string& id : step.ids) {
+        EditStep turned;
+        turned.kind = EditStep::Kind::move;
+        turned.ids = {id}, turned.yaw = talk.editor.placed(id).yaw;
+        remember_turn(talk, turned);
+    }
+}
+
+// What this sentence turned before it is moved is turned so where it came to.
+void turn_as_said(Talk& talk, const std::vector<std::string>& ids) {
+    for (const EditStep& step : talk.turns) {
+        const std::string& id = step.ids.front();
+        if (!is_among(id, ids)) continue;
+        const bool so = step.yaw && std::abs(std::remainder(*step.yaw - talk.editor.placed(id).yaw, 2 * kPi)) < 0.02f;
+        if (so) continue;
+        try {
+            talk.editor.apply(step);
+        } catch (const AlreadySo&) {
+        } catch (const Error& e) {
+            talk.editor.note(kNotDone, fmt::format("{}: it is not turned so where it came to: {}", id, e.what()));
+        }
+    }
 }
 
 void face(Talk& talk, const Words& words) {
@@ -161,9 +188,7 @@ void face(Talk& talk, const Words& words) {
                 one.wish.relation_to = talk.editor.placed(step.ids[1 - k]).piece.kind;
                 try {
                     talk.editor.apply(one);
-                } catch (const AlreadySo&) {
-                    if (k == 0) continue;
-                    throw;
+                } catch (const AlreadySo&) {  // the other one turns
                 }
             }
             constexpr float kTurnedTo = -0.4f;  // cosine
@@ -206,6 +231,11 @@ void face(Talk& talk, const Words& words) {
     }
     step.slightly = slightly;
     talk.editor.apply(step);
+    for (const std::string& id : step.ids) {
+        EditStep again = step;
+        again.ids = {id};
+        if (!slightly) remember_turn(talk, again);
+    }
 }
 
 }  // namespace fastscene::editing

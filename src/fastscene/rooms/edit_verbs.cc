@@ -54,6 +54,7 @@ void tidy(Talk& talk, const Clause& clause) {
     std::erase_if(bare, [](const std::string& w) {
         return is_definite(w) || is_one_of(w, {"up", "a", "bit", "room"});
     });
+    if (clause.said == "declutter" && made_vaguely(talk, joined_words({"less", "clutter"}, bare))) return;
     const bool named_some = !bare.empty() && bare != Words{"floor"};
     std::vector<std::string> litter;
     for (const int i : named_some ? all_named(talk.editor, "all " + text_of(bare)) : std::vector<int>{}) {
@@ -61,7 +62,7 @@ void tidy(Talk& talk, const Clause& clause) {
         if (p.on < 0 && p.sill < 0 && furnishing::is_small(p.piece.kind)) litter.push_back(p.id);
     }
     for (const DocumentThing& t : talk.editor.document().things)
-        if (!named_some && has_role(t.kind, Role::litter) && t.on.empty()) litter.push_back(t.id);
+        if (!named_some && lies_about(talk.editor, t.id)) litter.push_back(t.id);
     if (litter.empty())
         throw UsageError(
             "\"{}\" takes away what lies about on the floor{}; \"clear the desk\" takes away what stands "

@@ -180,7 +180,7 @@ void want(Talk& talk, const Words& words) {
     if (const std::size_t is = find_word(words, {"is", "are"}, 1);
         is + 1 < words.size() && words[is + 1] == "missing" && !is_definite(words.front()))
         return add(talk, joined_words(part_of(words, 0, is), part_of(words, is + 2)));
-    if (complained(talk, words)) return;
+    if (made_vaguely(talk, words) || complained(talk, words)) return;
     if (!lamps_said(words).empty()) return make(talk, words);
     const bool of_those = is_definite(words.front()) || is_one_of(words.front(), {"all", "both", "every", "each"});
     if (is_one_of(words.front(), {"can", "could", "may"})) return want(talk, part_of(words, 1));

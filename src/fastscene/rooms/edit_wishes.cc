@@ -278,6 +278,23 @@ Place at_step(const EditStep& step) {
     return out;
 }
 
+// "A chair at the desk and a plant on it", "a rug under the table and a lamp above it": what one cannot put that on, or
+// hang it over, is not "it", but what that came at.
+std::vector<std::string> it_of(const Talk& talk, const Words& there, const std::string& kind,
+                               const std::vector<std::string>& spoken) {
+    const auto relation = relation_at(there, 0);
+    if (!relation || there.back() != "it" || relation->next + 1 != there.size() || spoken.size() != 1) return spoken;
+    const Placed& p = talk.editor.placed(spoken.front());
+    const bool small = furnishing::is_small(kind) || small_form_of(kind) != kind;
+    const bool on_seat = relation->name == "on" && has_role(p.piece.kind, Role::seat) && small &&
+                         !furnishing::lies_on_seats(kind);
+    if (!on_seat && !(relation->name == "above" && (p.flat || is_rug(p.piece)))) return spoken;
+    const std::vector<std::string> at = talk.last_place.wish.relation_to.empty()
+                                            ? std::vector<std::string>{}
+                                            : things_at(talk.editor, talk.last_place);
+    return at.size() == 1 ? at : spoken;
+}
+
 Addition read_addition(const Talk& talk, const Words& said, const std::vector<std::string>& spoken) {
     const Editor& editor = talk.editor;
     const Words words = hung_up(talk, counted_anew(without_whom(editor, said)));
@@ -302,7 +319,8 @@ Addition read_addition(const Talk& talk, const Words& said, const std::vector<st
                 return {both, place, shape};
         }
         const auto wishes = wishes_of(editor, part_of(words, 0, end));
-        if (auto place = place_of(editor, there, wishes.front().kind, "", spoken)) return {wishes, place, shape};
+        const auto it = it_of(talk, there, wishes.front().kind, spoken);
+        if (auto place = place_of(editor, there, wishes.front().kind, "", it)) return {wishes, place, shape};
     }
     // "An office chair for the desk"
     if (const std::size_t whose = find_word(words, {"for"}, 1);

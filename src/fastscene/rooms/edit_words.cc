@@ -341,6 +341,7 @@ std::vector<std::string> named(const Editor& editor, const std::string& words) {
     Meaning meant = near ? Meaning{{}, *near} : meaning_of(editor, words);
     std::vector<int>& found = meant.found;
     const PromptObject& said = meant.said;
+    if (found.empty() && !meant.unknown && is_bare(tokens)) found = called_in_full(editor, tokens, meant.said);
     // "The chairs on that side": of what, and which?
     if (const std::size_t place = next_place(tokens); !near && found.size() > 1 && place < tokens.size())
         if (const auto relation = relation_at(tokens, place))
@@ -363,8 +364,6 @@ std::vector<std::string> named(const Editor& editor, const std::string& words) {
                               : said.counted && said.count > 1             ? static_cast<std::size_t>(said.count)
                               : is_one_of(tokens.front(), {"some", "any"}) ? 1
                                                                            : 0;
-    if (tokens.front() == "half" && found.size() % 2 != 0)
-        throw UsageError("half of {} things is no number of them, in \"{}\"", found.size(), words);
     std::vector<int> exact = found;
     std::erase_if(exact,
                   [&](int i) { return editor.document().things[static_cast<std::size_t>(i)].kind != said.kind; });

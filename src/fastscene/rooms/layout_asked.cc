@@ -146,8 +146,7 @@ std::optional<int> Furnisher::on_piece(int anchor, const Ask& ask, const PieceRe
     for (const float size : {1.f, 0.85f, 0.7f}) {
         PieceRequest smaller = r;
         // What stands on a table is a plant in a small pot.
-        if (const Thing* thing = find_thing(r.kind); thing && !smaller.model && !thing->small_form.empty())
-            smaller.kind = thing->small_form;
+        if (!smaller.model) smaller.kind = small_form_of(r.kind);
         // On a bathtub's rim they stand one by one.
         if (!smaller.model && r.kind == "candle" && kind_of(anchor) == "bathtub") smaller.size_m.x = 0.06f;
         smaller.size_factor *= size;
