@@ -175,8 +175,11 @@ TEST(Prompts, LeftIsLeftInThePicture) {
             const auto thing = bearing(room.room(), shot.object, c.thing, true),
                        there = bearing(room.room(), shot.object, c.place, true);
             if (!thing || !there) continue;
+            // Nor has it a side when one must turn around to see it: the camera stands between them.
+            const double apart = std::remainder(*thing - *there, 2 * std::numbers::pi);
+            if (std::abs(apart) > 2) continue;
             ++looked;
-            EXPECT_GT(c.side * std::remainder(*thing - *there, 2 * std::numbers::pi), 0.02);
+            EXPECT_GT(c.side * apart, 0.02);
         }
     EXPECT_GE(looked, 6);
 }

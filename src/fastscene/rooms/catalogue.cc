@@ -31,7 +31,7 @@ constexpr std::array<std::string_view, static_cast<std::size_t>(Role::count_)> k
     "garland",        "nothing_above",  "on_mantels",    "under_windows", "between_beds",
     "shows_motif",    "climbed",        "may_be_round",  "pet",           "drawn_up",
     "rug_before",     "shades_windows", "spread_out",    "before_seats",  "covers_wall",
-    "roof",           "two_of_them",    "cozy"};
+    "roof",           "two_of_them",    "cozy",          "alike"};
 
 constexpr std::array<std::string_view, 41> kNyu40{"outside",
                                                   "wall",

@@ -74,6 +74,7 @@ enum class Role : std::uint8_t {
     roof,                // over a whole room: its box reaches over the walls of a round one
     two_of_them,         // one piece is a pair: "two escalators" are one
     cozy,                // comes where a room that is to be cozier has none
+    alike,               // several in a room are bought alike
     count_               // not a role
 };
 

@@ -15,7 +15,9 @@
 namespace fastscene {
 namespace {
 
-constexpr float kDoorCasing = 0.1f;  // and a finger
+constexpr float kDoorCasing = 0.1f;   // and a finger
+constexpr float kBeforeDoor = 0.85f;  // metres kept free before a door: at least, where a leaf opens into the room
+constexpr float kIntoSwing = 0.03f;   // a leaf opens as far as it is wide, but for a finger
 
 }  // namespace
 
@@ -77,7 +79,10 @@ bool blocks_opening(const Plan& plan, const Footprint& box) {
         if (!door && height < below) continue;
         // At a chord before a round wall a thing stands farther in, and still before its window.
         const bool chords = has_cut_corners(plan);
-        const float deep = door ? 0.85f : chords ? 0.8f : 0.35f;
+        const float deep = o.kind == Opening::Kind::door ? std::max(kBeforeDoor, o.u1 - o.u0 - kIntoSwing)
+                           : door                        ? kBeforeDoor
+                           : chords                      ? 0.8f
+                                                         : 0.35f;
         const Vec3f middle = face.point((o.u0 + o.u1) / 2, 0) + face.inward * (deep / 2);
         // Beside a window hang its curtains.
         Footprint zone{flat(middle),
@@ -89,6 +94,20 @@ bool blocks_opening(const Plan& plan, const Footprint& box) {
         if (overlap(box, zone)) return true;
     }
     return false;
+}
+
+bool shades_window(const Plan& plan, const Footprint& box) {
+    constexpr float kBefore = 0.5f, kMost = 0.04f;  // metres from the wall; share of the window
+    return std::any_of(plan.openings.begin(), plan.openings.end(), [&](const Opening& o) {
+        if (o.kind != Opening::Kind::window || is_doors(o.glazing) || !plan.needs_room(o)) return false;
+        const WallFace face = plan.wall(o.wall);
+        const Vec2f to = box.center - flat(face.origin);
+        const float u = dot(to, flat(face.along)), half = extent(box, flat(face.along)),
+                    off = dot(to, flat(face.inward)) - extent(box, flat(face.inward));
+        const float wide = std::min(u + half, o.u1) - std::max(u - half, o.u0),
+                    high = std::min(box.y1, o.y1) - std::max(box.y0, o.y0);
+        return off < kBefore && wide > 0 && high > 0 && wide * high > kMost * (o.u1 - o.u0) * (o.y1 - o.y0);
+    });
 }
 
 bool wall_is_free(const Plan& plan, const WallFace& face, float u0, float u1, float y0, float y1) {

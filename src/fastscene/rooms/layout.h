@@ -46,6 +46,8 @@ std::optional<Footprint> part_above(const Placed& placed, float height);
 bool shelters(const std::vector<Placed>& all, int over, const Placed& thing);
 // In the door's way, tall before a window, or in its sill.
 bool blocks_opening(const Plan& plan, const Footprint& box);
+// Whether it hides a good part of a window from who stands in the room: what stands on a low top before one.
+bool shades_window(const Plan& plan, const Footprint& box);
 // Whether a piece of wall carries it, clear of doors and windows.
 bool hangs_on_wall(const Plan& plan, const std::vector<WallFace>& faces, const Placed& placed);
 // In its window's reveal, before the frame: a blind.
@@ -195,6 +197,8 @@ class Layout {
     float show(int piece, Vec3f eye, bool anywhere);
     // Takes pieces away, with what stands on them: all but those that carry something that was asked for.
     void take_away(std::vector<int> pieces);
+    // What looks like an earlier piece, and is no set with it (repeated_forms.h), gets another form or color.
+    void tell_apart();
 
   private:
     void vary(PieceRequest& r) const;
@@ -218,6 +222,13 @@ class Layout {
     void find_ways();
     // Whether the way from the door to a spot for the camera stays open with this piece.
     bool leaves_way(const Placed& placed) const { return !ways_.open() || ways_.open_with(placed); }
+    // … and, of what nobody asked for, no floor is cut off.
+    bool leaves_way(const Placed& placed, const PromptObject& from) const {
+        return leaves_way(placed) && (!from.kind.empty() || !ways_.cuts_off(placed));
+    }
+    // How good a place is by `score`, by being where the wish says, and by the ways that it leaves; no more than `best`
+    // if it is no better.
+    float worth(const Placed& placed, const PromptObject& from, float score, float best) const;
     bool has_spare(const Placed& placed, const Spare& spare) const;
     std::optional<int> keep(Placed placed, const PromptObject& from);
 

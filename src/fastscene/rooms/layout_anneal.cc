@@ -189,6 +189,7 @@ class Annealer {
             if (!clear_of_walls(plan_, p) || !stands_level(plan_, p)) return false;
             if (p.piece.mount == Mount::wall && p.on < 0 && !hangs_on_wall(plan_, faces_, p)) return false;
             if (p.piece.mount == Mount::floor && !p.flat && p.on < 0 && blocks_opening(plan_, box)) return false;
+            if (p.on >= 0 && shades_window(plan_, box)) return false;
             for (std::size_t k = 0; k < placed_.size(); ++k) {
                 if (group_[k] == group || placed_[k].flat != p.flat) continue;
                 const Vec2f d = boxes_[k].center - box.center;
@@ -244,7 +245,8 @@ void Layout::improve() {
         }
         find_ways();
         const Vec3f eye = camera_position();
-        if (room_faults(plan_, placed_, eye).empty() && likely_hidden(eye) <= hidden) {
+        const float few = std::max({before.cut_off(), kFewCutOff, kShareCutOff * ways_.free_floor()});
+        if (ways_.cut_off() <= few && room_faults(plan_, placed_, eye).empty() && likely_hidden(eye) <= hidden) {
             annealed_.after = layout_cost(plan_, placed_).sum();
             break;
         }

@@ -14,6 +14,14 @@ constexpr float kWallGap = 0.015f;
 
 }  // namespace
 
+float Layout::worth(const Placed& placed, const PromptObject& from, float score, float best) const {
+    constexpr float kCutsOff = 2.f;  // what was asked for stands rather where all of the floor can be walked on
+    const float total = score + as_asked(placed, from);
+    if (!(total > best)) return total;
+    if (!leaves_way(placed, from)) return -std::numeric_limits<float>::infinity();
+    return !from.kind.empty() && ways_.open() && ways_.cuts_off(placed) ? total - kCutsOff : total;
+}
+
 std::optional<int> Layout::against_wall(const PieceRequest& request, const WallWish& wish, const PromptObject& from) {
     Placed p;
     p.piece = make_piece(request);
@@ -81,7 +89,7 @@ std::optional<int> Layout::against_wall(const PieceRequest& request, const WallW
                             0.f, std::abs(face.from + u - (o.u0 + o.u1) / 2) - (o.u1 - o.u0) / 2 - size.x / 2);
                         score += wish.window_pull * std::max(0.f, 1.f - apart);
                     }
-                if (const float total = score + as_asked(p, from); total > best_score && leaves_way(p))
+                if (const float total = worth(p, from, score, best_score); total > best_score)
                     best_score = total, best = p;
             }
         }
@@ -106,7 +114,7 @@ std::optional<int> Layout::in_front_of(int anchor, const PieceRequest& request, 
             p.position.y = 0;
             p.with = anchor;
             ground(p);
-            if (fits(p, false) && leaves_way(p)) return keep(p, from);
+            if (fits(p, false) && leaves_way(p, from)) return keep(p, from);
         }
     return {};
 }
@@ -134,7 +142,7 @@ std::optional<int> Layout::beside(int anchor, const PieceRequest& request, int s
             if (!fits(back, false)) break;
             p = back;
         }
-        if (fits(p, false) && leaves_way(p)) return keep(p, from);
+        if (fits(p, false) && leaves_way(p, from)) return keep(p, from);
     }
     return {};
 }
@@ -152,7 +160,7 @@ std::optional<int> Layout::in_line(int anchor, const PieceRequest& request, int 
                      right_of(a.yaw) * (static_cast<float>(side) * (a.piece.size_m.x / 2 + p.piece.size_m.x / 2 + gap));
         p.with = a.with >= 0 ? a.with : anchor;
         const Footprint box = footprint_of(p);
-        bool fine = plan_.holds(box) && leaves_way(p);
+        bool fine = plan_.holds(box) && leaves_way(p, from);
         if (p.on >= 0) {
             const auto& tops = placed_[static_cast<std::size_t>(p.on)].piece.surfaces;
             const Footprint top = footprint_of(placed_[static_cast<std::size_t>(p.on)]);
@@ -189,7 +197,7 @@ std::optional<int> Layout::behind(int anchor, const PieceRequest& request, const
                          right * (side * end);
             p.position.y = 0;
             ground(p);
-            if (fits(p, false) && leaves_way(p)) return keep(p, from);
+            if (fits(p, false) && leaves_way(p, from)) return keep(p, from);
         }
     return {};
 }
@@ -243,7 +251,7 @@ std::optional<int> Layout::free_standing(const PieceRequest& request, const Prom
                 for (const Placed& other : placed_)
                     if (!other.flat && !other.overhead && other.on < 0 && overlap(wide, footprint_of(other)))
                         score -= 0.5f;
-                if (const float total = score + as_asked(p, from); total > best_score && leaves_way(p))
+                if (const float total = worth(p, from, score, best_score); total > best_score)
                     best_score = total, best = p;
             }
     return best ? keep(*best, from) : std::nullopt;
@@ -257,7 +265,7 @@ std::optional<int> Layout::stand_at(const Piece& piece, Vec2f at, float yaw, con
     p.yaw = yaw;
     p.fixed = true;
     ground(p);
-    if (!fits(p, with_clearance) || !has_spare(p, spare) || !leaves_way(p)) return {};
+    if (!fits(p, with_clearance) || !has_spare(p, spare) || !leaves_way(p, from)) return {};
     return keep(std::move(p), from);
 }
 
@@ -303,8 +311,7 @@ std::optional<int> Layout::angled_towards(Vec2f target, const PieceRequest& requ
             if (!fits(p, false)) continue;
             const float wall = plan_.wall_distance({x, z});
             const float score = -std::abs(far - 1.8f) - 0.6f * wall + 0.05f * rng_.uniform();
-            if (const float total = score + as_asked(p, from); total > best_score && leaves_way(p))
-                best_score = total, best = p;
+            if (const float total = worth(p, from, score, best_score); total > best_score) best_score = total, best = p;
         }
     return best ? keep(*best, from) : std::nullopt;
 }
@@ -344,7 +351,7 @@ int Layout::around(int table, const PieceRequest& request, int count, const Prom
             p.position.y = 0;
             p.with = table;
             ground(p);
-            if (fits(p, false) && leaves_way(p)) {
+            if (fits(p, false) && leaves_way(p, from)) {
                 keep(p, from);
                 ++placed;
                 break;

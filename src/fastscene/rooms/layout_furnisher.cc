@@ -34,6 +34,7 @@ void Furnisher::run() {
     l_.improve();
     finish();
     reveal();
+    l_.tell_apart();
 }
 
 void Furnisher::place_asked() {

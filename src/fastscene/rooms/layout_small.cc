@@ -84,7 +84,9 @@ std::optional<int> Layout::on_top(int anchor, const PieceRequest& request, const
             const Vec2f at = middle_of_all ? Vec2f{0, 0} : Vec2f{s.center.x + x, s.center.z + z};
             p.position = a.position + right * at.x + front * at.y + Vec3f{0, s.center.y, 0};
             p.yaw = a.yaw + (size.x > 0.3f || leans ? 0.f : rng_.uniform(-0.3f, 0.3f));
-            if (free_on_top(p) && std::isfinite(as_asked(p, from)) && leaves_way(p)) return keep(p, from);
+            if (free_on_top(p) && !shades_window(plan_, footprint_of(p)) && std::isfinite(as_asked(p, from)) &&
+                leaves_way(p, from))
+                return keep(p, from);
         }
     }
     return {};
@@ -107,7 +109,7 @@ std::optional<int> Layout::on_top_at(int anchor, const PieceRequest& request, Ve
         if (static_cast<int>(i) != anchor && !placed_[i].flat && !shelters(placed_, static_cast<int>(i), p) &&
             overlap(box, footprint_of(placed_[i])))
             return {};
-    if (!leaves_way(p)) return {};
+    if (!leaves_way(p, from)) return {};
     return keep(p, from);
 }
 
@@ -154,7 +156,7 @@ std::optional<int> Layout::on_floor_near(Vec2f at, const PieceRequest& request, 
         p.position = {at.x + rng_.uniform(-far, far), 0.013f, at.y + rng_.uniform(-far, far)};  // it may lie on a rug
         p.yaw = rng_.uniform(-kPi, kPi);
         ground(p);
-        if (fits(p, false) && leaves_way(p)) return keep(p, from);
+        if (fits(p, false) && leaves_way(p, from)) return keep(p, from);
     }
     return {};
 }
@@ -244,8 +246,7 @@ std::optional<int> Layout::on_wall(const PieceRequest& request, std::optional<in
                         bare = std::min(bare, distance_to(footprint_of(other), flat(p.position)));
                 score += 0.8f * bare;
             }
-            if (const float total = score + as_asked(p, from); total > best_score && leaves_way(p))
-                best_score = total, best = p;
+            if (const float total = worth(p, from, score, best_score); total > best_score) best_score = total, best = p;
         }
     }
     if (best && above) best->with = *above;
@@ -291,14 +292,15 @@ std::optional<int> Layout::hanging(const PieceRequest& request, Vec2f at, const 
         if (!other.flat && (overlap(footprint_of(p, 0.05f), footprint_of(other)) || hides(p, other))) return {};
     // Nobody walks into it who comes through a door.
     for (const Opening& o : plan_.openings) {
-        constexpr float kDeep = 0.75f;
+        constexpr float kPassing = 0.8f;  // metres; a leaf opens as far as it is wide
+        const float deep = o.kind == Opening::Kind::door ? std::max(kPassing, o.u1 - o.u0) : kPassing;
         const WallFace face = plan_.wall(o.wall);
-        const Vec3f before = face.point((o.u0 + o.u1) / 2, 0) + face.inward * (kDeep / 2);
-        if (o.kind != Opening::Kind::window &&
-            overlap(footprint_of(p), {flat(before), {(o.u1 - o.u0) / 2, kDeep / 2}, yaw_of(face.inward), 0, o.y1}))
+        const Vec3f before = face.point((o.u0 + o.u1) / 2, 0) + face.inward * (deep / 2);
+        if ((o.kind != Opening::Kind::window || is_doors(o.glazing)) &&
+            overlap(footprint_of(p), {flat(before), {(o.u1 - o.u0) / 2, deep / 2}, yaw_of(face.inward), 0, o.y1}))
             return {};
     }
-    if (!leaves_way(p)) return {};
+    if (!leaves_way(p, from)) return {};
     return keep(p, from);
 }
 
@@ -356,7 +358,7 @@ std::optional<int> Layout::beside_on_wall(int anchor, const PieceRequest& reques
             for (const Placed& other : placed_)
                 free = free && !overlap(box, footprint_of(other, other.piece.mount == Mount::wall ? 0.03f : 0.f)) &&
                        !hides(other, p);
-            if (!free || !leaves_way(p) || !std::isfinite(as_asked(p, from))) continue;
+            if (!free || !leaves_way(p, from) || !std::isfinite(as_asked(p, from))) continue;
             p.with = anchor;
             return keep(p, from);
         }
@@ -421,7 +423,7 @@ int Layout::at_windows(const PieceRequest& request, const PromptObject& from) {
                 free = free &&
                        (other.flat || !overlap(other.piece.mount == Mount::wall && other.sill < 0 ? to_wall : box,
                                                footprint_of(other)));
-            free = free && leaves_way(p);
+            free = free && leaves_way(p, from);
             if (free) keep(p, from);
             return free;
         };

@@ -53,7 +53,7 @@ TEST(Footprint, DistanceToABox) {
 }
 
 TEST(Layout, CheckedRoomsAreAllPairsAndSeeds) {
-    const CheckReport report = check_rooms({"study", "bathroom"}, {"modern", "rustic"}, 2, false, {5, nullptr, {}});
+    const CheckReport report = check_rooms({"study", "bathroom"}, {"modern", "rustic"}, 2, {}, {5, nullptr, {}});
     EXPECT_EQ(report.rooms, 8);
     EXPECT_GT(report.pieces, 8 * 15);
     for (const CheckedRoom& c : report.faulty)

@@ -14,6 +14,7 @@ constexpr float kEyeBand = 0.7f;             // heights that count for that: as 
 constexpr float kHead = 1.75f;               // of who walks
 constexpr float kStepOver = 1.2f;            // what hangs higher is walked under (or beside: wall lamps, pictures)
 constexpr float kClimb = kMostStep + 0.05f;  // from one cell to the next
+constexpr float kSlim = 0.1f;                // half the width of a slim body
 constexpr float kUnderfoot = 0.05f;          // what ends lower stands on a lower tier
 
 }  // namespace
@@ -30,7 +31,7 @@ Ways::Ways(const Plan& plan, const Passage& passage)
             if (!plan.platforms.empty()) floors_.push_back(floor);
             // Below a slope one walks where one can stand.
             const float wall = plan.wall_distance(p), head = plan.ceiling_at(p) < floor + kHead ? 0.f : wall;
-            cells_.push_back({head, std::min(wall, plan.air_around({p.x, floor + kEyeHeight, p.y}))});
+            cells_.push_back({head, std::min(wall, plan.air_around({p.x, floor + kEyeHeight, p.y})), head});
         }
     for (const Opening& o : plan.openings) {
         if (o.kind != Opening::Kind::door) continue;
@@ -67,11 +68,12 @@ bool Ways::narrow(std::vector<Clear>& cells, const Placed& placed) const {
     // One steps over a toy.
     constexpr float kToyHigh = 0.36f, kToyWide = 0.34f;
     const bool toy = box.y1 < kToyHigh && std::max(box.half.x, box.half.y) < kToyWide / 2;
-    const bool stands = !toy && placed.on < 0 && !placed.overhead && placed.piece.kind != "curtain";
-    bool feet = stands && box.y0 < kStepOver;
+    const bool in_the_way = placed.on < 0 && !placed.overhead && placed.piece.kind != "curtain",
+               stands = in_the_way && !toy;
+    bool feet = stands && box.y0 < kStepOver, ground = in_the_way && box.y0 < kStepOver;
     bool eyes = box.y1 > kEyeHeight - kEyeBand && box.y0 < kEyeHeight + kEyeBand;
     const bool tiers = !floors_.empty();
-    if (!feet && !eyes && !tiers) return false;
+    if (!ground && !eyes && !tiers) return false;
     // Only distances below the radii count: the cells around it.
     const auto axes = axes_of(box);
     const float reach = (eyes || tiers ? passage_.eye_radius : passage_.body_radius) + kCell;
@@ -87,13 +89,16 @@ bool Ways::narrow(std::vector<Clear>& cells, const Placed& placed) const {
             Clear& cell = cells[static_cast<std::size_t>(j * columns_ + i)];
             if (tiers) {
                 const float floor = floor_of(j * columns_ + i), eye = floor + kEyeHeight;
-                feet = stands && box.y0 < floor + kStepOver && box.y1 > floor + kUnderfoot;
+                ground = in_the_way && box.y0 < floor + kStepOver && box.y1 > floor + kUnderfoot;
+                feet = stands && ground;
                 eyes = box.y1 > eye - kEyeBand && box.y0 < eye + kEyeBand;
             }
             const float far = distance_to(box, axes, center(i, j));
             narrower |= (feet && cell.feet >= passage_.body_radius && far < passage_.body_radius) ||
+                        (ground && cell.ground >= kSlim && far < kSlim) ||
                         (eyes && cell.eyes >= passage_.eye_radius && far < passage_.eye_radius);
             if (feet) cell.feet = std::min(cell.feet, far);
+            if (ground) cell.ground = std::min(cell.ground, far);
             if (eyes) cell.eyes = std::min(cell.eyes, far);
         }
     return narrower;
@@ -130,6 +135,36 @@ bool Ways::leads_to_a_view(const std::vector<Clear>& cells, const std::vector<ch
     for (std::size_t k = 0; k < cells.size(); ++k)
         if (walked[k] && cells[k].eyes >= passage_.eye_radius) return true;
     return false;
+}
+
+Ways::FreeFloor Ways::cut_off(const std::vector<Clear>& cells) const {
+    std::vector<char> seen(cells.size(), 0);
+    std::vector<int> todo;
+    int all = 0, largest = 0;
+    const auto enter = [&](int k) {
+        if (seen[static_cast<std::size_t>(k)] || cells[static_cast<std::size_t>(k)].ground < kSlim) return;
+        seen[static_cast<std::size_t>(k)] = 1, todo.push_back(k);
+    };
+    for (int start = 0; start < static_cast<int>(cells.size()); ++start) {
+        enter(start);
+        int count = 0;
+        for (; !todo.empty(); ++count) {
+            const int k = todo.back(), i = k % columns_, j = k / columns_;
+            todo.pop_back();
+            for (int b = std::max(0, j - 1); b < std::min(rows_, j + 2); ++b)
+                for (int a = std::max(0, i - 1); a < std::min(columns_, i + 2); ++a)
+                    if (const int n = b * columns_ + a; std::abs(floor_of(n) - floor_of(k)) < kClimb) enter(n);
+        }
+        all += count, largest = std::max(largest, count);
+    }
+    return {static_cast<float>(all) * kCell * kCell, static_cast<float>(all - largest) * kCell * kCell};
+}
+
+bool Ways::cuts_off(const Placed& extra) const {
+    std::vector<Clear> cells = cells_;
+    if (!narrow(cells, extra)) return false;
+    const FreeFloor after = cut_off(cells);
+    return after.apart > std::max(kFewCutOff, kShareCutOff * after.all) && after.apart > cut_off(cells_).apart;
 }
 
 void Ways::add(const Placed& placed) {

@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <optional>
+#include <tuple>
 #include <utility>
 
 #include "fastscene/base/error.h"
@@ -171,6 +172,13 @@ bool has_a_way(const FurnishedRoom& room) {
     return ways.open() && ways.reaches(flat(room.camera));
 }
 
+// Share of the floor between the furniture that cannot be walked to.
+float share_cut_off(const FurnishedRoom& room) {
+    Ways ways(room.plan);
+    for (const Placed& p : room.placed) ways.add(p);
+    return ways.cut_off() / std::max(ways.free_floor(), 0.01f);
+}
+
 // Pieces that do not stand where the prompt says.
 std::size_t misplaced(const FurnishedRoom& room) {
     return static_cast<std::size_t>(std::count_if(room.placed.begin(), room.placed.end(), [&](const Placed& p) {
@@ -307,20 +315,24 @@ FurnishedRoom furnish_room(PromptSpec& spec, const Run& run, const AnnealParams&
     // asked to stand, or something that was asked for stands behind something else: then another one is drawn, and the
     // best is kept.
     constexpr int kDraws = 4;
+    constexpr float kMostCutOff = 0.03f;  // share of the free floor
     std::optional<FurnishedRoom> best;
     PromptSpec best_read;
-    std::pair<bool, std::size_t> fewest;  // no way; pieces hidden or left out
+    std::tuple<bool, std::size_t, float> fewest;  // no way; pieces hidden or left out; floor beyond that is cut off
     for (int draw = 0; draw < kDraws; ++draw) {
         PromptSpec read = spec;
         FurnishedRoom room = furnish_once(read, run, draw == 0 ? "" : " " + std::to_string(draw), annealing);
         const std::size_t elsewhere = misplaced(room);
-        const std::pair faults{!has_a_way(room),
-                               static_cast<std::size_t>(room.hidden_wishes) + read.not_placed.size() + elsewhere};
+        const std::tuple faults{!has_a_way(room),
+                                static_cast<std::size_t>(room.hidden_wishes) + read.not_placed.size() + elsewhere,
+                                std::max(0.f, share_cut_off(room) - kMostCutOff)};
         if (best && faults >= fewest) continue;
         fewest = faults;
         best = std::move(room);
         best_read = std::move(read);
-        if (!faults.first && best->hidden_wishes == 0 && elsewhere == 0 && !lacks_a_bed(*best, best_read)) break;
+        const auto [no_way, lacking, cut_off] = faults;
+        if (!no_way && cut_off == 0 && best->hidden_wishes == 0 && elsewhere == 0 && !lacks_a_bed(*best, best_read))
+            break;
     }
     spec = std::move(best_read);
     tell_missing(*best, spec);

@@ -193,25 +193,25 @@ void add_crossings(PromptSpec spec, std::uint64_t seed, std::vector<Fault>& faul
 
 }  // namespace
 
-CheckReport check_rooms(const std::vector<std::string>& rooms, const std::vector<std::string>& styles, int count,
-                        bool triangles, const Run& run) {
+CheckReport check_sentences(const std::vector<std::string>& sentences, int count, const CheckDepth& depth,
+                            const Run& run) {
     CheckReport report;
-    const auto total = static_cast<std::int64_t>(rooms.size() * styles.size()) * count;
+    const auto total = static_cast<std::int64_t>(sentences.size()) * count;
     std::vector<CheckedRoom> checked(static_cast<std::size_t>(total));
     std::vector<int> pieces(checked.size(), 0);
     Progress progress(run, "rooms", total);
     parallel_for(total, 1, [&](std::int64_t begin, std::int64_t end) {
         for (std::int64_t i = begin; i < end; ++i) {
             run.check_stop();
-            const auto pair = static_cast<std::size_t>(i / count);
             CheckedRoom& c = checked[static_cast<std::size_t>(i)];
-            c.prompt = "a " + styles[pair % styles.size()] + " " + room_title(rooms[pair / styles.size()]);
+            c.prompt = sentences[static_cast<std::size_t>(i / count)];
             c.seed = run.seed + static_cast<std::uint64_t>(i % count);
             PromptSpec spec = understand_prompt(c.prompt, false);
             const PromptSpec asked = spec;
             const FurnishedRoom room = furnish_room(spec, {c.seed, nullptr, {}});
             c.faults = room_faults(room.plan, room.placed, room.camera);
-            if (triangles) add_crossings(asked, c.seed, c.faults);
+            if (depth.triangles) add_crossings(asked, c.seed, c.faults);
+            if (depth.measures) c.measures = measure_layout(room.plan, room.placed);
             pieces[static_cast<std::size_t>(i)] = static_cast<int>(room.placed.size());
             progress.advance();
         }
@@ -219,9 +219,19 @@ CheckReport check_rooms(const std::vector<std::string>& rooms, const std::vector
     report.rooms = static_cast<int>(total);
     for (std::size_t i = 0; i < checked.size(); ++i) {
         report.pieces += pieces[i];
+        report.measures.add(checked[i].measures);
+        if (!checked[i].measures.findings.empty()) report.measured.push_back(checked[i]);
         if (!checked[i].faults.empty()) report.faulty.push_back(std::move(checked[i]));
     }
     return report;
+}
+
+CheckReport check_rooms(const std::vector<std::string>& rooms, const std::vector<std::string>& styles, int count,
+                        const CheckDepth& depth, const Run& run) {
+    std::vector<std::string> sentences;
+    for (const std::string& room : rooms)
+        for (const std::string& style : styles) sentences.push_back("a " + style + " " + room_title(room));
+    return check_sentences(sentences, count, depth, run);
 }
 
 }  // namespace fastscene

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "fastscene/rooms/layout.h"
+#include "fastscene/rooms/layout_measures.h"
 
 namespace fastscene {
 
@@ -26,14 +27,24 @@ struct CheckedRoom {
     std::string prompt;
     std::uint64_t seed = 0;
     std::vector<Fault> faults;
+    LayoutMeasures measures;
+};
+// What is looked at besides boxes: triangles that reach into others (crossings.h), 0.1 CPU s a room; and the measures
+// of a layout (layout_measures.h), half a CPU s.
+struct CheckDepth {
+    bool triangles = false, measures = false;
 };
 struct CheckReport {
     int rooms = 0, pieces = 0;
     std::vector<CheckedRoom> faulty;
+    LayoutMeasures measures;            // of all rooms
+    std::vector<CheckedRoom> measured;  // those of which the measures found something
 };
-// Furnishes "a <style> <room>" for every pair and for `count` seeds from `run.seed` on, and looks for faults.
-// `triangles`: also for what boxes cannot tell (crossings.h), 0.1 CPU s a room.
+// Furnishes each sentence for `count` seeds from `run.seed` on, and looks for faults.
+CheckReport check_sentences(const std::vector<std::string>& sentences, int count, const CheckDepth& depth,
+                            const Run& run);
+// … "a <style> <room>" for every pair.
 CheckReport check_rooms(const std::vector<std::string>& rooms, const std::vector<std::string>& styles, int count,
-                        bool triangles, const Run& run);
+                        const CheckDepth& depth, const Run& run);
 
 }  // namespace fastscene

@@ -53,11 +53,24 @@ void build_candle(Kit& k) {
     if (k.request.size_m.x > 0 && k.request.size_m.x < 0.12f) return single_candle(k);
     const int wax = k.main(plain("wax", {0.75f, 0.7f, 0.6f}, 0.6f)), metal = k.material(k.style.metal);
     Wick wick(k);
-    const float xs[] = {-0.07f, 0.f, 0.06f}, hs[] = {0.11f, 0.17f, 0.08f}, zs[] = {0.02f, -0.02f, 0.04f};
+    // Pillars on a tray, all settings of one size: two of one height, three of three, four slim ones in a row, or a
+    // thick one between two.
+    struct Pillar {
+        float x, z, high, radius;
+    };
+    static const std::array<std::vector<Pillar>, 4> kSettings{
+        {{{-0.055f, 0.f, 0.17f, 0.034f}, {0.055f, 0.f, 0.17f, 0.034f}},
+         {{-0.07f, 0.02f, 0.11f, 0.026f}, {0.f, -0.02f, 0.17f, 0.026f}, {0.06f, 0.04f, 0.08f, 0.026f}},
+         {{-0.093f, 0.f, 0.1f, 0.019f},
+          {-0.031f, 0.f, 0.15f, 0.019f},
+          {0.031f, 0.f, 0.17f, 0.019f},
+          {0.093f, 0.f, 0.12f, 0.019f}},
+         {{-0.085f, 0.01f, 0.08f, 0.022f}, {0.f, 0.f, 0.17f, 0.036f}, {0.085f, -0.01f, 0.08f, 0.022f}}}};
+    const int setting = k.rng.index(4);
     k.add(shapes::prism(shapes::rounded_rectangle(0.26f, 0.14f, 0.05f), 0.f, 0.012f), metal);
-    for (std::size_t i = 0; i < 3; ++i) {
-        k.rod(wax, {xs[i], 0.011f, zs[i]}, {xs[i], hs[i], zs[i]}, 0.026f, -1, 20);
-        wick.burn({xs[i], hs[i] - 0.001f, zs[i]}, 0.036f);
+    for (const Pillar& p : kSettings[static_cast<std::size_t>(setting)]) {
+        k.rod(wax, {p.x, 0.011f, p.z}, {p.x, p.high, p.z}, p.radius, -1, 20);
+        wick.burn({p.x, p.high - 0.001f, p.z}, 0.036f);
     }
     k.piece.mount = Mount::surface;
 }

@@ -135,12 +135,14 @@ void build_lab_bench(Kit& k) {
                                                    {0.1f, 0.4f, 0.12f},
                                                    {0.55f, 0.4f, 0.05f},
                                                    {0.35f, 0.06f, 0.35f}};
+    constexpr float kFreeTop = 0.28f;  // to both sides of the middle, at the front, others may stand
     for (int i = 0; i < 12; ++i) {
         const int liquid = color(k, "liquid", kLiquids[static_cast<std::size_t>(k.rng.index(5))], 0.15f);
         const float x = -0.5f * s.x + 0.2f + (s.x - 0.4f) * (static_cast<float>(i % 6) + 0.5f) / 6 +
                         k.rng.uniform(-0.05f, 0.05f);
         if (i < 6) flask(k, liquid, liquid, {x, s.y + 0.352f, 0}, k.rng.uniform(0.9f, 1.3f));
-        else if (k.rng.chance(0.7f)) flask(k, liquid, liquid, {x, s.y, (i % 2 == 0 ? 1.f : -1.f) * 0.26f}, 1.3f);
+        else if (const bool front = i % 2 == 0 && std::abs(x) > kFreeTop; k.rng.chance(0.7f))
+            flask(k, liquid, liquid, {x, s.y, front ? 0.26f : -0.26f}, 1.3f);
     }
     // A microscope.
     const int white = color(k, "microscope", {0.7f, 0.7f, 0.68f}, 0.3f),

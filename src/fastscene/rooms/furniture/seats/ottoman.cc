@@ -11,8 +11,8 @@ void build_ottoman(Kit& k) {
     for (const float sx : {-1.f, 1.f})
         for (const float sz : {-1.f, 1.f})
             k.rod(wood, {sx * 0.24f, 0, sz * 0.18f}, {sx * 0.23f, 0.16f, sz * 0.17f}, 0.014f, 0.022f);
-    k.soft(cloth, {0, 0.15f, 0}, {0.65f, 0.27f, 0.5f}, {0.05f, 0.03f, 0.003f, 14});
-    k.top(0.41f, 0, 0, 0.22f, 0.15f);
+    k.soft(cloth, {0, 0.15f, 0}, {0.65f, 0.27f, 0.5f}, {0.05f, 0.012f, 0.003f, 14});
+    k.top(0.418f, 0, 0, 0.22f, 0.15f);
 }
 
 void build_pouf(Kit& k) {

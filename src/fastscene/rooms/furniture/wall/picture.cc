@@ -66,7 +66,9 @@ void build_picture(Kit& k) {
     }
     if (motif) draw_motif(k, k.request.pattern, {0, 0.5f * s.y, 0.0145f}, w, h);
     const int art = motif ? -1 : k.main(m);
-    if (!motif) k.piece.form = framed ? std::string(framed->name) : "design " + std::to_string(m.variant);
+    k.piece.form = motif    ? k.request.pattern
+                   : framed ? std::string(framed->name)
+                            : "design " + std::to_string(m.variant);
     for (const float sg : {-1.f, 1.f}) {
         k.board(frame, {sg * 0.5f * (s.x - f), 0, 0.0125f}, {f, s.y, 0.025f}, 0.003f);
         k.board(frame, {0, sg > 0 ? s.y - f : 0.f, 0.0125f}, {s.x - 2 * f, f, 0.025f}, 0.003f);
