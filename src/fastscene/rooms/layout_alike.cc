@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "fastscene/rooms/furniture/wall/panels.h"
 #include "fastscene/rooms/layout.h"
 #include "fastscene/rooms/repeated_forms.h"
 
@@ -40,6 +41,7 @@ class Redrawing {
         const Placed& p = at(piece);
         if (!p.piece.made_from || p.piece.made_from->model) return;  // a model is as it is
         const PieceRequest& made = *p.piece.made_from;
+        if (furniture::panel_of(made.pattern)) return;  // it would no longer continue its neighbor
         PieceRequest request = made;
         constexpr int kForms = 16;
         // Of the size that was asked for, then of the size that it has.

@@ -76,6 +76,7 @@ class Art {
         PieceRequest r = l_.request(kind_);
         r.size_m = {w, w * l_.rng().uniform(1.35f, 1.6f), 0};
         const std::size_t before = l_.mark();
+        std::optional<int> first;
         for (int i = 0; i < count; ++i) {
             // From the left of who looks at the wall: along it, or against its direction.
             const WallFace face = l_.plan().wall(bare.wall);
@@ -83,10 +84,13 @@ class Art {
             r.pattern = furniture::pattern_of({i, count});
             const float aside = (static_cast<float>(i) - 0.5f * static_cast<float>(count - 1)) * (w + gap),
                         u = bare.middle() + (dot(left, face.along) < 0 ? aside : -aside);
-            if (!l_.hang_at(make_piece(r), bare.wall, u, {})) {
+            const auto panel = l_.hang_at(make_piece(r), bare.wall, u, {});
+            if (!panel) {
                 l_.undo(before);
                 return false;
             }
+            if (first) l_.join(*panel, *first);
+            else first = panel;
         }
         return true;
     }
