@@ -53,8 +53,7 @@ TEST(SplatLabels, AreThoseOfTheSurfaceThatASplatLiesOn) {
     std::size_t equal = 0;
     for (std::size_t i = 0; i < found.size(); ++i) equal += found[i] == wanted[i];
     EXPECT_GT(wanted.size(), 1000u);
-    EXPECT_GT(static_cast<double>(equal), 0.9 * static_cast<double>(wanted.size()))
-        << equal << " of " << wanted.size();
+    EXPECT_GT(static_cast<double>(equal), 0.9 * static_cast<double>(wanted.size())) << equal << " of " << wanted.size();
     EXPECT_EQ(wanted.back(), 0);
     EXPECT_EQ(found.back(), 0);
 }

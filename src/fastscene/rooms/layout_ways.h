@@ -10,8 +10,8 @@ namespace fastscene {
 
 inline constexpr float kEyeHeight = 1.5f;  // of the camera, metres above the floor
 
-// Floor that furniture may cut off, in no room's way: a corner beside a nightstand, in m², or in a large room this share
-// of its free floor.
+// Floor that furniture may cut off, in no room's way: a corner beside a nightstand, in m², or in a large room this
+// share of its free floor.
 inline constexpr float kFewCutOff = 0.15f, kShareCutOff = 0.012f;
 
 struct Placed;
