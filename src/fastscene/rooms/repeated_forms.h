@@ -17,9 +17,8 @@ std::vector<std::string> looks_of(const Piece& piece);
 // - what the sentence asks for in a number, or in the plural ("two lamps", "chairs");
 // - what was placed by one another or by the same piece, or by two that are themselves a set: chairs at tables,
 //   nightstands at a bed, a row, a pattern;
-// - what stands on two pieces that are a set: lamps on two nightstands, screens on desks; and on one piece, what a
-// table
-//   is laid with, heaps, and kinds that come in groups (candles, jars);
+// - what stands on two pieces that are a set: lamps on two nightstands, screens on desks; on one piece: settings of a
+//   table, heaps, and kinds that come in groups (candles, jars);
 // - what a house is fitted with: curtains and blinds, lamps at the ceiling, radiators, parts of the building; and kinds
 //   that are bought alike (the catalogue's role "alike": lamps on walls, seats of waiting rooms, barrels).
 bool is_set(const std::vector<Placed>& placed, int i, int k);
