@@ -36,12 +36,11 @@ class Redrawing {
         for (const Placed& p : placed_) looks_.push_back(looks_of(p.piece));
     }
 
-    // Another form first, then another color.
-    void redraw(int piece) {
+    // Another form first, then another color. Whether there was one.
+    bool redraw(int piece) {
         const Placed& p = at(piece);
-        if (!p.piece.made_from || p.piece.made_from->model) return;  // a model is as it is
+        if (!p.piece.made_from || p.piece.made_from->model) return false;  // a model is as it is
         const PieceRequest& made = *p.piece.made_from;
-        if (furniture::panel_of(made.pattern)) return;  // it would no longer continue its neighbor
         PieceRequest request = made;
         constexpr int kForms = 16;
         // Of the size that was asked for, then of the size that it has.
@@ -49,18 +48,19 @@ class Redrawing {
             request.size_m = size;
             for (int tries = 0; tries < kForms; ++tries) {
                 request.seed = mix64(request.seed);
-                if (stands(piece, request)) return;
+                if (stands(piece, request)) return true;
             }
         }
-        if (!made.color_name.empty() || made.color) return;
+        if (!made.color_name.empty() || made.color) return false;
         static constexpr std::array<const char*, 6> kPaints{"charcoal", "cream",      "olive",
                                                             "taupe",    "terracotta", "navy"};
         request = made;
         for (std::size_t c = 0; c < kPaints.size(); ++c) {
             request.color_name = kPaints[(made.seed + c) % kPaints.size()];
             request.color = color_named(request.color_name);
-            if (stands(piece, request)) return;
+            if (stands(piece, request)) return true;
         }
+        return false;
     }
 
   private:
@@ -113,12 +113,18 @@ class Redrawing {
 }  // namespace
 
 void Layout::tell_apart() {
+    const auto is_panel = [this](int piece) {
+        const auto& made = placed_[static_cast<std::size_t>(piece)].piece.made_from;
+        return made && furniture::panel_of(made->pattern).has_value();
+    };
     constexpr int kRounds = 3;  // what was drawn again may part with its set
     for (int round = 0; round < kRounds; ++round) {
         const std::vector<RepeatedForm> repeated = repeated_forms(placed_);
         if (repeated.empty()) return;
         Redrawing redrawing(placed_, plan_.style);
-        for (const RepeatedForm& r : repeated) redrawing.redraw(r.piece);
+        // A panel alone would no longer continue its neighbor.
+        for (const RepeatedForm& r : repeated)
+            if ((is_panel(r.piece) || !redrawing.redraw(r.piece)) && !is_panel(r.first)) redrawing.redraw(r.first);
     }
 }
 

@@ -162,14 +162,27 @@ TEST(RepeatedForms, TheSameThingTwiceIsARepetition) {
 
 // A picture on a ledge, and the same by itself.
 TEST(RepeatedForms, APictureIsTheSameOnWhateverShowsIt) {
-    const Placed ledge = made("picture_ledge", 3);
-    Placed picture = made("picture", 1);
+    // The first of its kind that shows a design, or a photograph or painting.
+    const auto showing = [](const char* kind, Pattern pattern) {
+        for (std::uint64_t seed = 1;; ++seed)
+            if (const Placed p = made(kind, seed); std::any_of(p.piece.materials.begin(), p.piece.materials.end(),
+                                                               [&](const Material& m) { return m.pattern == pattern; }))
+                return p;
+    };
+    const Placed ledge = showing("picture_ledge", Pattern::art);
+    Placed picture = showing("picture", Pattern::art);
     for (const Material& m : ledge.piece.materials)
         if (m.pattern == Pattern::art)
             picture.piece.materials[static_cast<std::size_t>(picture.piece.main_material)] = m;
     EXPECT_EQ(repeats({ledge, picture}), 1);
     picture.piece.materials[static_cast<std::size_t>(picture.piece.main_material)].color_b = {0.123f, 0.4f, 0.1f};
     EXPECT_EQ(repeats({ledge, picture}), 0);
+    const Placed photograph = showing("picture", Pattern::image);
+    Placed cropped = photograph;
+    for (Mesh& m : cropped.piece.meshes)
+        for (Vec3f& c : m.coords) c = c * 0.9f;
+    cropped.piece.form.clear();
+    EXPECT_EQ(repeats({photograph, cropped}), 1);
 }
 
 TEST(RepeatedForms, SetsAreNone) {

@@ -1,5 +1,7 @@
 #include "fastscene/rooms/repeated_forms.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -8,6 +10,7 @@
 
 #include "fastscene/base/hash.h"
 #include "fastscene/rooms/catalogue.h"
+#include "fastscene/rooms/furniture/wall/framed_art.h"
 
 namespace fastscene {
 namespace {
@@ -52,6 +55,9 @@ std::vector<std::string> motifs_of(const Piece& piece) {
             add_look(hash, m);
             out.push_back("art " + hash.hex());
         }
+        // A photograph or painting, whatever is cut off of it.
+        if (m.pattern == Pattern::image && m.name == furniture::kFramedArt)
+            out.push_back(fmt::format("art {}", fmt::ptr(m.image.get())));
         constexpr std::size_t kBody = 3 * 60;  // corners: smaller parts are screws and feet
         if (!vessel || mesh.material != piece.main_material || mesh.triangles.size() < kBody) continue;
         float high = 0;

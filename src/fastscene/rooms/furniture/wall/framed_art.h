@@ -10,6 +10,9 @@
 
 namespace fastscene::furniture {
 
+// The name of a material that shows one.
+inline constexpr const char* kFramedArt = "framed art";
+
 enum class Genre : std::uint8_t { photo, print, painting };
 
 struct FramedArt {

@@ -59,7 +59,7 @@ void build_picture(Kit& k) {
     std::optional<FramedArt> framed;
     if (!motif && !is_colored && k.rng.chance(kFramedShare)) {
         framed = framed_art(genre_for(k), m.seed);
-        m = plain("art", {1, 1, 1}, 0.5f);
+        m = plain(kFramedArt, {1, 1, 1}, 0.5f);
         m.pattern = Pattern::image;
         m.image = framed->image;
         m.scale_m = art_width;
