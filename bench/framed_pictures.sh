@@ -22,4 +22,4 @@ city_night|a living room with a city view at night|1|48|0|10
 garden|a living room with a garden view|3|44|0|1
 street|a living room with a street view in the evening|2|46|0|3
 LIST
-exec /usr/bin/env python3 "$here/framed_pictures.py" "$folder"
+exec python3 "$here/framed_pictures.py" "$folder"

@@ -19,7 +19,7 @@ void check_names(const char* flag, std::vector<std::string>& names, const std::v
             throw UsageError("{}: expected {}, found \"{}\"", flag, fmt::join(known, ", "), name);
 }
 
-// One sentence a line; empty lines and those that begin with "#" are none.
+// One sentence a line; empty lines and comments ("#") are skipped.
 std::vector<std::string> sentences_of(const std::string& path) {
     std::vector<std::string> out;
     std::istringstream lines(read_file(path));
@@ -119,8 +119,9 @@ Verb add_rooms_check(CLI::App& rooms) {
     verb->add_option("--styles", flags->styles, "Only these styles, comma-separated.")
         ->type_name("NAMES")
         ->delimiter(',');
-    verb->add_option("--sentences", flags->sentences,
-                     "Furnish these instead: a text file with a sentence a line; lines that begin with # are none.")
+    verb->add_option(
+            "--sentences", flags->sentences,
+            "A text file with one sentence a line, to be furnished instead; lines that begin with # are comments.")
         ->type_name("FILE");
     verb->add_flag("--triangles", flags->depth.triangles,
                    "Also test triangles for interpenetration by more than 12 mm.");

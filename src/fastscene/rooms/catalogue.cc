@@ -232,6 +232,16 @@ int nyu40_label(std::string_view kind) {
     return kOtherProp;
 }
 
+bool has_nyu40_label(std::string_view kind, std::string_view label) {
+    const auto at = static_cast<std::size_t>(nyu40_label(kind));
+    return at < kNyu40.size() && kNyu40[at] == label;
+}
+
+bool is_curtain(std::string_view kind) {
+    constexpr int kCurtain = 16;
+    return nyu40_label(kind) == kCurtain;
+}
+
 bool is_floor_model(std::string_view model) {
     const auto& all = catalogue().words.floor_models;
     return std::find(all.begin(), all.end(), model) != all.end();

@@ -119,6 +119,9 @@ bool is_form_of(std::string_view kind, std::string_view plain);
 std::span<const std::string_view> nyu40_labels();
 // The label of a kind: its row's, else by the words of its name.
 int nyu40_label(std::string_view kind);
+// Whether NYU40 calls it so.
+bool has_nyu40_label(std::string_view kind, std::string_view label);
+bool is_curtain(std::string_view kind);  // by its NYU40 label
 
 // A small model of the furniture pack that stands on the floor nevertheless.
 bool is_floor_model(std::string_view model);

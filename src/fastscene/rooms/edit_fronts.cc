@@ -33,10 +33,6 @@ bool is_walled_up(const Plan& plan, const std::vector<Placed>& all, std::size_t 
     return 2 * taken > kSamples;
 }
 
-}  // namespace
-
-namespace {
-
 // The legs of whoever sits there have no room.
 bool has_no_leg_room(const std::vector<Placed>& all, std::size_t before, std::size_t index) {
     const Placed& seat = all[index];
@@ -58,10 +54,11 @@ bool has_no_leg_room(const std::vector<Placed>& all, std::size_t before, std::si
 }  // namespace
 
 bool blocks_fronts(const Plan& plan, const std::vector<Placed>& all, std::size_t before) {
-    for (std::size_t i = 0; i < all.size(); ++i)
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        const bool was_walled_up = i < before && is_walled_up(plan, all, before, i);
         if (i < before && has_no_leg_room(all, before, i)) return true;
-        else if (is_walled_up(plan, all, all.size(), i) && !(i < before && is_walled_up(plan, all, before, i)))
-            return true;
+        if (!was_walled_up && is_walled_up(plan, all, all.size(), i)) return true;
+    }
     return false;
 }
 

@@ -71,7 +71,6 @@ bool is_floor(const Plan& plan, Vec2f p, float slack) {
 
 namespace {
 
-constexpr int kCurtains = 16;          // NYU40's label
 constexpr float kOutside = 0.01f;      // share of a piece's surface that may be off the floor plan; SceneEval's
 constexpr float kOnTheWall = 0.003f;   // metres: a back that lies in the wall's plane is not behind it
 constexpr float kBeforeWindow = 0.5f;  // metres kept free before a window; SceneEval's
@@ -79,15 +78,10 @@ constexpr float kPassage = 0.8f;       // … before a door without a leaf that 
 constexpr float kTouch = 0.03f;        // metres by which an opening's box is smaller: so little reaches into none
 constexpr float kMat = 0.03f;          // metres above the floor: one walks over a mat before a door
 
-bool has_label(std::string_view kind, std::string_view label) {
-    const auto at = static_cast<std::size_t>(nyu40_label(kind));
-    return at < nyu40_labels().size() && nyu40_labels()[at] == label;
-}
-
 // A part of a window: what hangs before it to be drawn, what stands on its sill, a railing.
 bool dresses_window(const Placed& p) {
-    return p.sill >= 0 || nyu40_label(p.piece.kind) == kCurtains || has_role(p.piece.kind, Role::blind) ||
-           (has_label(p.piece.kind, "other structure") && has_role(p.piece.kind, Role::under_windows));
+    return p.sill >= 0 || is_curtain(p.piece.kind) || has_role(p.piece.kind, Role::blind) ||
+           (has_nyu40_label(p.piece.kind, "other structure") && has_role(p.piece.kind, Role::under_windows));
 }
 
 // In the reveal of a window, or in a doorway.

@@ -157,7 +157,7 @@ double navigability_of(const Plan& plan, const std::vector<Placed>& placed, cons
         return 0;
     }
     for (const Part& part : parts)
-        if (part.cells<largest&& static_cast<float>(part.cells)> kWorthTelling * static_cast<float>(all))
+        if (part.cells != largest && static_cast<float>(part.cells) > kWorthTelling * static_cast<float>(all))
             findings.push_back(
                 {"unreachable",
                  fmt::format("{:.2f} m² of {:.2f} m² at {:.1f}, {:.1f}", static_cast<float>(part.cells) * kGrid * kGrid,

@@ -15,7 +15,6 @@
 namespace fastscene {
 namespace {
 
-constexpr int kCurtainLabel = 16;    // NYU40's label
 constexpr float kLeastHigh = 0.01f;  // metres
 constexpr float kAlike = 1000;       // per metre, and per unit of color: differences below 1 mm and 1/1000 are not seen
 
@@ -72,10 +71,6 @@ std::vector<std::string> motifs_of(const Piece& piece) {
     return out;
 }
 
-bool has_label(std::string_view kind, std::string_view label) {
-    return nyu40_labels()[static_cast<std::size_t>(nyu40_label(kind))] == label;
-}
-
 class Sets {
   public:
     explicit Sets(const std::vector<Placed>& placed) : placed_(placed) {}
@@ -99,8 +94,8 @@ class Sets {
     // What a house is fitted with: curtains and blinds, lamps at the ceiling, radiators; what is bought alike.
     static bool of_one_make(const Placed& p) {
         return p.overhead || has_role(p.piece.kind, Role::ceiling_light) ||
-               nyu40_label(p.piece.kind) == kCurtainLabel || has_role(p.piece.kind, Role::blind) ||
-               has_label(p.piece.kind, "other structure") || has_role(p.piece.kind, Role::alike);
+               is_curtain(p.piece.kind) || has_role(p.piece.kind, Role::blind) ||
+               has_nyu40_label(p.piece.kind, "other structure") || has_role(p.piece.kind, Role::alike);
     }
     static bool comes_in_numbers(std::string_view kind) {
         return has_role(kind, Role::in_groups) || has_role(kind, Role::before_seats) || has_role(kind, Role::heap);

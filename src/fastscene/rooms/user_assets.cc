@@ -84,9 +84,8 @@ std::optional<std::string> known_kind(const std::string& name) {
 
 // Parts of the room itself are built with it; what hangs in its windows is cut to them.
 bool may_be_replaced(const std::string& kind) {
-    constexpr int kCurtainLabel = 16;  // NYU40
     return !has_role(kind, Role::shell) && !has_role(kind, Role::opening) && !has_role(kind, Role::blind) &&
-           nyu40_label(kind) != kCurtainLabel;
+           !is_curtain(kind);
 }
 
 // "Scene" and "model" name nothing: the folder around them does.
