@@ -93,9 +93,9 @@ class Sets {
     bool alike(int i, int k) const { return i == k || (at(i).piece.kind == at(k).piece.kind && together(i, k)); }
     // What a house is fitted with: curtains and blinds, lamps at the ceiling, radiators; what is bought alike.
     static bool of_one_make(const Placed& p) {
-        return p.overhead || has_role(p.piece.kind, Role::ceiling_light) ||
-               is_curtain(p.piece.kind) || has_role(p.piece.kind, Role::blind) ||
-               has_nyu40_label(p.piece.kind, "other structure") || has_role(p.piece.kind, Role::alike);
+        return p.overhead || has_role(p.piece.kind, Role::ceiling_light) || is_curtain(p.piece.kind) ||
+               has_role(p.piece.kind, Role::blind) || has_nyu40_label(p.piece.kind, "other structure") ||
+               has_role(p.piece.kind, Role::alike);
     }
     static bool comes_in_numbers(std::string_view kind) {
         return has_role(kind, Role::in_groups) || has_role(kind, Role::before_seats) || has_role(kind, Role::heap);
